@@ -1,0 +1,2 @@
+//! The `vcgpdm` program: the library from a terminal.
+fn main() {}
