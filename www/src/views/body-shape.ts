@@ -77,8 +77,9 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
     if (parent === null && outward && capsule.r0 >= 0.08) [capsule.r0, capsule.r1] = [0.07, 0.07];
   }
   const head = headOf(figure, joints, pose);
-  if (head) balls.push(head);
-  return { capsules, balls };
+  if (!head) return { capsules, balls };
+  balls.push(head);
+  return { capsules: capsules.filter(({ to }) => to !== head.towards), balls };
 }
 
 /** The head: the joint of that name with its end, or nothing where no joint has it. */

@@ -1,5 +1,5 @@
 // The bound while it rises, and its terms beneath.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { grouped } from "../format";
@@ -111,12 +111,15 @@ export class BoundChart extends View {
     const { steps, parts } = this.app.training;
     const last = steps.at(-1);
     return html`
-      <figure class="chart" ?hidden=${steps.length === 0} data-testid="bound-chart">
+      <figure class="chart" data-testid="bound-chart">
         <figcaption>Evidence lower bound <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
-        <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-        <figcaption>Its terms</figcaption>
-        <div class="terms" role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul class="term-list">
+        <div class="bound-box">
+          <div class="bound" role="img" aria-label="The bound over the iterations"></div>
+          ${steps.length === 0 ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+        </div>
+        <figcaption ?hidden=${steps.length === 0}>Its terms</figcaption>
+        <div class="terms" ?hidden=${steps.length === 0} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${steps.length === 0} class="term-list">
           ${termLines(parts).map(({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`)}

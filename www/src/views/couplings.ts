@@ -11,10 +11,10 @@ import { swatchStyle, View } from "./view";
 const LOG_MIN = Math.log10(ALPHA_MIN);
 const LOG_MAX = Math.log10(ALPHA_MAX);
 
-/** Per cent from the strong (left: none of it, right: all of it) end; sliders run from weak to strong. */
+/** Where on its slider a value lies: 0 at the left, weak end, 1 at the right, strong end. */
 function strength(alpha: number): number {
   const log = Math.min(LOG_MAX, Math.max(LOG_MIN, Math.log10(alpha)));
-  return (100 * (LOG_MAX - log)) / (LOG_MAX - LOG_MIN);
+  return (LOG_MAX - log) / (LOG_MAX - LOG_MIN);
 }
 
 export class CouplingsView extends View {
@@ -46,8 +46,8 @@ export class CouplingsView extends View {
     return html`
       <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
         <div class="slider">
-          <span class="fill" style="width:${strength(alpha)}%"></span>
-          <span class="tick" style="left:${strength(learned)}%" title="As learned: ${short(learned)}"></span>
+          <span class="fill" style="--at:${strength(alpha).toFixed(4)}"></span>
+          <span class="tick" style="--at:${strength(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
           <input type="range" dir="rtl" min=${LOG_MIN} max=${LOG_MAX} step="0.01" .value=${Math.log10(alpha).toFixed(2)}
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"

@@ -1,12 +1,14 @@
 // A figure of capsules in its parts' colours, posed from node positions.
 import {
-  Color,
+  AlwaysStencilFunc,
   Group,
   LatheGeometry,
   type Material,
   Mesh,
   MeshStandardMaterial,
+  NotEqualStencilFunc,
   Quaternion,
+  ReplaceStencilOp,
   SphereGeometry,
   Vector2,
   Vector3,
@@ -23,6 +25,14 @@ export type FigureStyle =
   | { kind: "accent"; part: number; opacity: number };
 
 const UP = new Vector3(0, 1, 0);
+
+/** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
+function stencil(material: MeshStandardMaterial, pale: boolean): void {
+  material.stencilWrite = true;
+  material.stencilRef = 1;
+  material.stencilFunc = pale ? NotEqualStencilFunc : AlwaysStencilFunc;
+  material.stencilZPass = ReplaceStencilOp;
+}
 
 /** A capsule with a radius for each end, from the origin upwards. */
 function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
@@ -85,7 +95,7 @@ export class FigureView {
     mesh.castShadow = style.kind === "solid";
     mesh.receiveShadow = style.kind === "solid";
     mesh.frustumCulled = false;
-    mesh.renderOrder = style.kind === "solid" ? 0 : 1;
+    mesh.renderOrder = style.kind === "solid" ? 0 : style.kind === "accent" && style.opacity === 1 ? 1 : 2;
     this.group.add(mesh);
   }
 
@@ -93,10 +103,12 @@ export class FigureView {
     const { ghost } = theme();
     const own = part < 0 ? ghost : partColour(part);
     const look = { roughness: 0.62, metalness: 0 };
-    if (style.kind === "solid") return new MeshStandardMaterial({ ...look, color: own });
     const accent = style.kind === "accent" && style.part === part;
-    const opacity = style.kind === "ghost" ? 0.34 : accent ? style.opacity : 0.3 * style.opacity;
-    return new MeshStandardMaterial({ ...look, color: accent ? own : ghost, transparent: true, opacity });
+    const opacity = style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
+    const color = accent || style.kind === "solid" ? own : ghost;
+    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity });
+    stencil(material, opacity < 1);
+    return material;
   }
 
   /** Fades the whole figure, 0 to 1. */
@@ -104,9 +116,13 @@ export class FigureView {
     for (const material of this.materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
+      stencil(material, opacity < 1);
       material.needsUpdate = true;
     }
-    for (const { mesh } of [...this.bones, ...this.balls]) mesh.castShadow = opacity > 0.5;
+    for (const { mesh } of [...this.bones, ...this.balls]) {
+      mesh.castShadow = opacity > 0.5;
+      mesh.renderOrder = opacity < 1 ? 3 : 0;
+    }
   }
 
   /** Node positions [nodes x 3]. */
@@ -129,14 +145,9 @@ export class FigureView {
     }
   }
 
-  /** Colours again, after a change of theme. */
   dispose(): void {
     for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
     this.materials.forEach((material: Material) => material.dispose());
     this.group.removeFromParent();
   }
-}
-
-export function groundColour(): Color {
-  return new Color(theme().ground);
 }

@@ -66,7 +66,7 @@ export class TrainingView extends View {
     const running = this.app.busy;
     return html`
       <div class="progress-row">
-        <progress max="1" .value=${running ? fraction : training.steps.length > 0 ? 1 : 0} aria-label="Training" ?hidden=${!running}></progress>
+        <progress max="1" .value=${running ? fraction : 0} aria-label="Training" class=${running ? "" : "resting"} aria-hidden=${running ? "false" : "true"}></progress>
         <p class="progress-text" data-testid="progress">
           ${running
             ? last
@@ -94,7 +94,6 @@ export class TrainingView extends View {
     const { app } = this;
     const why = whyNotTrain(app);
     const ticked = app.tickedClips().length;
-    const started = app.busy || app.training.steps.length > 0 || app.training.ending !== "";
     return html`
       <header class="panel-head"><h2>Training</h2></header>
       <div class="train-row">
@@ -107,10 +106,9 @@ export class TrainingView extends View {
           ? "Cancel keeps the best so far."
           : `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`)}</p>
       </div>
-      ${started ? this.progress() : nothing}
+      ${this.progress()}
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
-      <pg-bound-chart .app=${app}></pg-bound-chart>
-      <div class="fields">
+      <div class="fields main-fields">
         ${this.partsField()}
         ${this.count("latent", "Latent dimensions", "Q, the dimensions of each part's latent space")}
         ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics")}
@@ -133,7 +131,8 @@ export class TrainingView extends View {
           ${this.count("order", "Frames of history", "The order p of the dynamics")}
           ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
         </div>
-      </details>`;
+      </details>
+      <pg-bound-chart .app=${app}></pg-bound-chart>`;
   }
 }
 customElements.define("pg-training", TrainingView);
