@@ -3,8 +3,21 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+mod case;
 mod clip;
+mod linalg;
+mod model;
+mod rollout;
+mod rows;
 mod skeleton;
 
+pub use case::{Case, CaseError, CaseResult};
 pub use clip::Clip;
+pub use linalg::NumericsError;
+pub use model::{
+    BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
+    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
+    coupling_weights,
+};
+pub use rollout::{Poser, Roller, RolloutError};
 pub use skeleton::{Channel, Joint, Skeleton};
