@@ -3,8 +3,11 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+pub mod bvh;
 mod clip;
+mod rotation;
 mod skeleton;
+mod t_pose;
 
-pub use clip::Clip;
-pub use skeleton::{Channel, Joint, Skeleton};
+pub use clip::{Clip, ClipError, LocalPose};
+pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
