@@ -3,16 +3,19 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+pub mod bvh;
 mod case;
 mod clip;
 mod linalg;
 mod model;
 mod rollout;
+mod rotation;
 mod rows;
 mod skeleton;
+mod t_pose;
 
 pub use case::{Case, CaseError, CaseResult};
-pub use clip::Clip;
+pub use clip::{Clip, ClipError, LocalPose};
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
@@ -20,4 +23,4 @@ pub use model::{
     coupling_weights,
 };
 pub use rollout::{Poser, Roller, RolloutError};
-pub use skeleton::{Channel, Joint, Skeleton};
+pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
