@@ -13,6 +13,7 @@ mod rotation;
 mod rows;
 mod skeleton;
 mod t_pose;
+mod training;
 
 pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
@@ -24,3 +25,4 @@ pub use model::{
 };
 pub use rollout::{Poser, Roller, RolloutError};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
+pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
