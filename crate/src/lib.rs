@@ -3,11 +3,17 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+mod anatomy;
 pub mod bvh;
 mod clip;
+mod joint_names;
+mod pose;
 mod rotation;
 mod skeleton;
+mod stage;
 mod t_pose;
 
 pub use clip::{Clip, ClipError, LocalPose};
+pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
+pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
