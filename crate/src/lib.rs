@@ -3,15 +3,19 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+mod anatomy;
 pub mod bvh;
 mod case;
 mod clip;
 mod linalg;
 mod model;
 mod rollout;
+mod joint_names;
+mod pose;
 mod rotation;
 mod rows;
 mod skeleton;
+mod stage;
 mod t_pose;
 mod training;
 
@@ -26,3 +30,5 @@ pub use model::{
 pub use rollout::{Poser, Roller, RolloutError};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
+pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
