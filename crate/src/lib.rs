@@ -4,6 +4,7 @@
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
 mod clip;
+pub mod samples;
 mod skeleton;
 
 pub use clip::Clip;
