@@ -3,9 +3,26 @@
 //! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 
+pub mod bvh;
+mod case;
 mod clip;
+pub mod evaluation;
+mod linalg;
+mod model;
+mod rollout;
+mod rotation;
+mod rows;
 pub mod samples;
 mod skeleton;
+mod t_pose;
 
-pub use clip::Clip;
-pub use skeleton::{Channel, Joint, Skeleton};
+pub use case::{Case, CaseError, CaseResult};
+pub use clip::{Clip, ClipError, LocalPose};
+pub use linalg::NumericsError;
+pub use model::{
+    BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
+    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
+    coupling_weights,
+};
+pub use rollout::{Poser, Roller, RolloutError};
+pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};

@@ -3,7 +3,8 @@
 use super::body::{self, joint};
 use super::gait;
 use super::variation::{Drift, between};
-use crate::clip::Clip;
+use crate::rotation;
+use crate::skeleton::Skeleton;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -164,19 +165,19 @@ impl Style {
     }
 }
 
-/// Makes a trial of so many seconds, without name and hash.
-pub(super) fn walk(arms: Arms, seed: u64, seconds: f64) -> Clip {
+/// A trial of so many seconds [frames x channels of the skeleton]: positions in centimetres, angles in degrees.
+pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> DMatrix<f64> {
     let style = Style::new(arms, seed);
-    let skeleton = body::skeleton();
     let frames = (seconds * RATE).round() as usize;
     let channels = 3 + 3 * joint::COUNT;
     let mut values = DMatrix::zeros(frames, channels);
     let step = 1.0 / (RATE * SUBSTEPS as f64);
+    let mut angles = [[0.0; 3]; joint::COUNT];
     let mut place = Vector3::zeros();
     let mut before: Option<Ground> = None;
     for tick in 0..=(frames - 1) * SUBSTEPS {
         let q = style.pose(step * tick as f64);
-        let ground = Ground::under(&skeleton, &q);
+        let ground = Ground::under(skeleton, &q);
         if let Some(before) = &before {
             place -= before.drag(&ground);
         }
@@ -187,21 +188,15 @@ pub(super) fn walk(arms: Arms, seed: u64, seconds: f64) -> Clip {
                 row[column] = *coordinate;
             }
             for (k, rotation) in q.iter().enumerate() {
-                for (column, angle) in zyx(rotation).into_iter().enumerate() {
-                    row[3 + 3 * k + column] = angle;
+                angles[k] = rotation::euler_near(rotation, [2, 1, 0], angles[k]);
+                for (column, angle) in angles[k].iter().enumerate() {
+                    row[3 + 3 * k + column] = angle.to_degrees();
                 }
             }
         }
         before = Some(ground);
     }
-    Clip {
-        name: String::new(),
-        skeleton,
-        frame_time: 1.0 / RATE,
-        values,
-        warnings: Vec::new(),
-        sha256: String::new(),
-    }
+    values
 }
 
 /// Heels, balls and toes of both feet as seen from the root (world axes), and how much each of them stands on the ground.
@@ -214,7 +209,7 @@ struct Ground {
 impl Ground {
     /// The level is the soft minimum of the heights, `-s log sum_k exp(-y_k / s)`: always a little below the lowest point,
     /// and smooth when the weight goes from one foot to the other. The weights are its derivatives.
-    fn under(skeleton: &crate::skeleton::Skeleton, q: &[UnitQuaternion<f64>; joint::COUNT]) -> Ground {
+    fn under(skeleton: &Skeleton, q: &[UnitQuaternion<f64>; joint::COUNT]) -> Ground {
         let mut points = [Vector3::zeros(); 6];
         for (foot, first) in points.chunks_exact_mut(3).zip([joint::LEFT_UP_LEG, joint::RIGHT_UP_LEG]) {
             let mut rotation = q[joint::HIPS];
@@ -244,30 +239,22 @@ impl Ground {
     }
 }
 
-/// The rotation about an axis by an angle in degrees.
-fn about(axis: Vector3<f64>, degrees: f64) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_scaled_axis(axis * degrees.to_radians())
-}
-
+/// The rotation about x by an angle in degrees.
 fn x(degrees: f64) -> UnitQuaternion<f64> {
-    about(Vector3::x(), degrees)
+    rotation::about(0, degrees.to_radians())
 }
 
+/// The rotation about y by an angle in degrees.
 fn y(degrees: f64) -> UnitQuaternion<f64> {
-    about(Vector3::y(), degrees)
+    rotation::about(1, degrees.to_radians())
 }
 
+/// The rotation about z by an angle in degrees.
 fn z(degrees: f64) -> UnitQuaternion<f64> {
-    about(Vector3::z(), degrees)
+    rotation::about(2, degrees.to_radians())
 }
 
 /// Half the way of a rotation.
 fn half(q: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_scaled_axis(q.scaled_axis() * 0.5)
-}
-
-/// Angles (z, y, x) in degrees with R = R_z R_y R_x.
-fn zyx(q: &UnitQuaternion<f64>) -> [f64; 3] {
-    let (roll, pitch, yaw) = q.euler_angles();
-    [yaw.to_degrees(), pitch.to_degrees(), roll.to_degrees()]
+    rotation::exp(&(rotation::log(q) * 0.5))
 }
