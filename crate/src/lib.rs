@@ -15,6 +15,7 @@ mod rows;
 pub mod samples;
 mod skeleton;
 mod t_pose;
+mod training;
 
 pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
@@ -26,3 +27,4 @@ pub use model::{
 };
 pub use rollout::{Poser, Roller, RolloutError};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
+pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};

@@ -183,7 +183,6 @@ impl Kind {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::model::testing::random_case;
     use approx::assert_relative_eq;
 
