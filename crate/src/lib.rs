@@ -7,6 +7,7 @@ mod anatomy;
 pub mod bvh;
 mod clip;
 mod joint_names;
+mod parts;
 mod pose;
 mod rotation;
 mod skeleton;
@@ -14,6 +15,10 @@ mod stage;
 mod t_pose;
 
 pub use clip::{Clip, ClipError, LocalPose};
+pub use parts::{
+    PartSpec, PartsError, PartsLayout, PartsPreset, check as check_parts, from_json as parts_from_json,
+    presets,
+};
 pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
