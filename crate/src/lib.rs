@@ -12,6 +12,7 @@ mod linalg;
 mod model;
 mod rollout;
 mod joint_names;
+mod parts;
 mod pose;
 mod rotation;
 mod rows;
@@ -30,7 +31,11 @@ pub use model::{
     coupling_weights,
 };
 pub use rollout::{Poser, Roller, RolloutError};
+pub use parts::{
+    PartSpec, PartsError, PartsLayout, PartsPreset, check as check_parts, from_json as parts_from_json,
+    presets,
+};
+pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
-pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
