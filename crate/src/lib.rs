@@ -5,20 +5,37 @@
 
 mod anatomy;
 pub mod bvh;
+mod case;
 mod clip;
+pub mod evaluation;
 mod joint_names;
+mod linalg;
+mod model;
 mod parts;
 mod pose;
+mod rollout;
 mod rotation;
+mod rows;
+pub mod samples;
 mod skeleton;
 mod stage;
 mod t_pose;
+mod training;
 
+pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
+pub use linalg::NumericsError;
+pub use model::{
+    BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
+    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
+    coupling_weights,
+};
 pub use parts::{
     PartSpec, PartsError, PartsLayout, PartsPreset, check as check_parts, from_json as parts_from_json,
     presets,
 };
 pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
+pub use rollout::{Poser, Roller, RolloutError};
 pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
+pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
