@@ -1,0 +1,73 @@
+// A static file server as plain as the hosts the page is made for: no special headers. Also used by the page's tests.
+import { existsSync, readFileSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join, normalize, sep } from "node:path";
+import { gzipSync } from "node:zlib";
+
+/** @type {Record<string, string>} */
+const TYPES = {
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".css": "text/css; charset=utf-8",
+  ".json": "application/json",
+  ".webmanifest": "application/manifest+json",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".wasm": "application/wasm",
+};
+
+/**
+ * Serves a folder below `prefix` ("/" or "/some/where/"), on the first free port from `port` on (0: any).
+ * @param {string} folder
+ * @param {{ port?: number, prefix?: string, onSend?: (path: string, bytes: number) => void }} [options]
+ *   `onSend` is told of each file sent and of its size on the wire (gzipped)
+ */
+export async function serve(folder, { port = 0, prefix = "/", onSend } = {}) {
+  const server = createServer((request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
+    let file = join(folder, normalize(path.slice(prefix.length)));
+    if (path.endsWith("/")) file = join(file, "index.html");
+    if (!path.startsWith(prefix) || !(file + sep).startsWith(folder + sep) || !existsSync(file) || !statSync(file).isFile()) {
+      response.writeHead(404, { "content-type": "text/plain" }).end("not found\n");
+      return;
+    }
+    const zip = /\bgzip\b/.test(String(request.headers["accept-encoding"]));
+    const body = zip ? gzipSync(readFileSync(file)) : readFileSync(file);
+    response.writeHead(200, {
+      "content-type": TYPES[extname(file)] ?? "application/octet-stream",
+      "content-length": body.length,
+      "cache-control": "no-cache",
+      ...(zip && { "content-encoding": "gzip" }),
+    });
+    response.end(request.method === "HEAD" ? undefined : body);
+    onSend?.(path, body.length);
+  });
+  const taken = await listen(server, port);
+  return {
+    address: `http://127.0.0.1:${taken}${prefix}`,
+    close: () => new Promise((resolve) => {
+      server.close(resolve);
+      server.closeAllConnections();
+    }),
+  };
+}
+
+/** Listens on the first free port and returns it. */
+async function listen(/** @type {import("node:http").Server} */ server, /** @type {number} */ first) {
+  for (let port = first; ; port++) {
+    try {
+      await new Promise((resolve, reject) => {
+        server.once("error", reject);
+        server.listen(port, "127.0.0.1", () => {
+          server.off("error", reject);
+          resolve(undefined);
+        });
+      });
+      const address = server.address();
+      return typeof address === "object" && address ? address.port : port;
+    } catch (error) {
+      const taken = error instanceof Error && "code" in error && error.code === "EADDRINUSE";
+      if (!taken || port >= first + 100) throw error;
+    }
+  }
+}
