@@ -1,7 +1,7 @@
 // A static file server as plain as the hosts the page is made for: no special headers. Also used by the page's tests.
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
-import { extname, join, normalize, sep } from "node:path";
+import { extname, join, sep } from "node:path";
 import { gzipSync } from "node:zlib";
 
 /** @type {Record<string, string>} */
@@ -19,18 +19,18 @@ const TYPES = {
 /**
  * Serves a folder below `prefix` ("/" or "/some/where/"), on the first free port from `port` on (0: any).
  * @param {string} folder
- * @param {{ port?: number, prefix?: string, onSend?: (path: string, bytes: number) => void }} [options]
- *   `onSend` is told of each file sent and of its size on the wire (gzipped)
+ * @param {{ port?: number, prefix?: string, before?: (path: string) => unknown, onSend?: (path: string, bytes: number) => void }} [options]
+ *   `before` may hold a file back until its promise is kept; `onSend` is told of each file sent and of its size on the wire (gzipped)
  */
-export async function serve(folder, { port = 0, prefix = "/", onSend } = {}) {
-  const server = createServer((request, response) => {
-    const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
-    let file = join(folder, normalize(path.slice(prefix.length)));
-    if (path.endsWith("/")) file = join(file, "index.html");
-    if (!path.startsWith(prefix) || !(file + sep).startsWith(folder + sep) || !existsSync(file) || !statSync(file).isFile()) {
+export async function serve(folder, { port = 0, prefix = "/", before, onSend } = {}) {
+  const server = createServer(async (request, response) => {
+    const path = pathOf(request.url ?? "/");
+    const file = path.startsWith(prefix) ? join(folder, path.slice(prefix.length), path.endsWith("/") ? "index.html" : "") : "";
+    if (!file.startsWith(folder + sep) || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404, { "content-type": "text/plain" }).end("not found\n");
       return;
     }
+    await before?.(path);
     const zip = /\bgzip\b/.test(String(request.headers["accept-encoding"]));
     const body = zip ? gzipSync(readFileSync(file)) : readFileSync(file);
     response.writeHead(200, {
@@ -50,6 +50,15 @@ export async function serve(folder, { port = 0, prefix = "/", onSend } = {}) {
       server.closeAllConnections();
     }),
   };
+}
+
+/** The path a request asks for, decoded; "" when it cannot be. */
+function pathOf(/** @type {string} */ url) {
+  try {
+    return decodeURIComponent(new URL(url, "http://localhost").pathname);
+  } catch {
+    return "";
+  }
 }
 
 /** Listens on the first free port and returns it. */

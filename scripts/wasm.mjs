@@ -10,13 +10,11 @@ const TARGETS = /** @type {const} */ ([
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
 const FEATURES = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue"];
 
-export function buildWasm() {
-  const inputs = [
-    ...filesUnder([at("crate")], ["pkg", "target", "tests", "benches"]),
-    ...["Cargo.toml", "Cargo.lock", "README.md", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"].map((f) => at(f)).filter((f) => existsSync(f)),
-  ];
-  const outputs = ["package.json", "web/vcgpdm.js", "node/vcgpdm.js"].map((file) => at("crate/pkg", file));
-  return whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
+export async function buildWasm() {
+  const sources = ["crate", "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"];
+  const inputs = filesUnder(sources.map((path) => at(path)), ["pkg", "target", "tests", "benches"]);
+  const outputs = TARGETS.map(({ folder }) => at("crate/pkg", folder, "vcgpdm.js"));
+  const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
     rmSync(at("crate/pkg"), { recursive: true, force: true });
     for (const { folder, target, type } of TARGETS) {
       // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
@@ -26,8 +24,9 @@ export function buildWasm() {
       rmSync(at("crate/pkg", folder, ".gitignore"), { force: true }); // npm would leave out what it names
       writeFileSync(at("crate/pkg", folder, "package.json"), `${JSON.stringify({ type })}\n`);
     }
-    describe();
   });
+  describe();
+  return note;
 }
 
 /** Writes the package's package.json from what Cargo knows, with README and licences. */
