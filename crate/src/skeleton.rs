@@ -378,12 +378,6 @@ impl Skeleton {
     fn count_mismatch(&self, other: &Skeleton, missing: Option<String>) -> BodyMismatch {
         BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), missing }
     }
-
-    /// The body's height in file units, from its rest pose: the largest extent along an axis that is not the span of
-    /// the arms.
-    pub fn height(&self) -> f64 {
-        0.0
-    }
 }
 
 /// One pose in the world.

@@ -30,7 +30,8 @@ impl Clip {
         self.drop_t_pose().0.resample(fps)
     }
 
-    fn begins_with_t_pose(&self) -> bool {
+    /// Whether row 0 is such a pose.
+    pub(crate) fn begins_with_t_pose(&self) -> bool {
         let steps = self.steps();
         let Some((&first, later)) = steps.split_first() else { return false };
         if later.is_empty() || first < SMALLEST_STEP {
