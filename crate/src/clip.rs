@@ -1,7 +1,10 @@
 //! One recorded motion: a skeleton and its channel values, row by row.
 
-use crate::skeleton::Skeleton;
-use nalgebra::DMatrix;
+use crate::rotation;
+use crate::skeleton::{Skeleton, WorldPose};
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use sha2::{Digest, Sha256};
+use thiserror::Error;
 
 /// A motion clip, as read from a BVH file or rolled out from a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,5 +20,195 @@ pub struct Clip {
     /// What was odd about the file but could be read.
     pub warnings: Vec<String>,
     /// SHA-256 of the file's bytes in lower-case hexadecimal; of the written text for a clip that never was a file.
+    /// A cut or resampled clip keeps that of the file it came from.
     pub sha256: String,
+}
+
+/// Why a clip could not be cut or resampled.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ClipError {
+    /// A range that is empty or goes beyond the clip.
+    #[error("{name}: expected frames from 0 to {frames}, the first before the end, found {first} to {end}")]
+    Range {
+        /// The clip.
+        name: String,
+        /// Frames of the clip.
+        frames: usize,
+        /// The first frame asked for.
+        first: usize,
+        /// One after the last frame asked for.
+        end: usize,
+    },
+    /// A rate that no motion has.
+    #[error("{name}: expected 0.1 to 10000 frames a second, found {found}")]
+    Rate {
+        /// The clip.
+        name: String,
+        /// The rate asked for.
+        found: f64,
+    },
+    /// More numbers than can be meant.
+    #[error("{name}: at {rate} frames a second the clip would have {frames} frames, too many to hold")]
+    TooLong {
+        /// The clip.
+        name: String,
+        /// The rate asked for.
+        rate: f64,
+        /// Frames at that rate.
+        frames: usize,
+    },
+}
+
+/// The local rotations and positions of one frame [one a joint].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LocalPose {
+    /// Rotation of each joint in its parent's frame; the root's in the world.
+    pub rotations: Vec<UnitQuaternion<f64>>,
+    /// Place of each joint in its parent's frame, in file units; the root's in the world.
+    pub positions: Vec<Vector3<f64>>,
+}
+
+/// Rates that differ by less than this part count as equal: files write 1/30 as .033333 and 1/120 as .0083.
+const RATE_TOLERANCE: f64 = 0.02;
+
+impl Clip {
+    /// A clip that never was a file; its hash is that of the text that [`crate::bvh::write`] gives.
+    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
+        let mut clip = Clip {
+            name: name.to_owned(),
+            skeleton,
+            frame_time,
+            values,
+            warnings: Vec::new(),
+            sha256: String::new(),
+        };
+        clip.sha256 = sha256(crate::bvh::write(&clip).as_bytes());
+        clip
+    }
+
+    /// The number of frames.
+    pub fn frames(&self) -> usize {
+        self.values.nrows()
+    }
+
+    /// The local rotations and positions of a frame: `R = R_first R_second R_third` in the order of the joint's
+    /// channels. Position channels stand instead of the joint's offset, axis by axis.
+    pub fn local_pose(&self, frame: usize) -> LocalPose {
+        let mut pose = LocalPose::default();
+        let mut column = 0;
+        for joint in &self.skeleton.joints {
+            let mut rotation = UnitQuaternion::identity();
+            let mut position = Vector3::from(joint.offset);
+            for channel in &joint.channels {
+                let value = self.values[(frame, column)];
+                column += 1;
+                if channel.is_rotation() {
+                    rotation *= rotation::about(channel.axis(), value.to_radians());
+                } else {
+                    position[channel.axis()] = value;
+                }
+            }
+            pose.rotations.push(rotation);
+            pose.positions.push(position);
+        }
+        pose
+    }
+
+    /// The places of all nodes and the rotations of all joints in the world, in file units and the file's axes.
+    pub fn world_pose(&self, frame: usize) -> WorldPose {
+        let local = self.local_pose(frame);
+        self.skeleton.forward_kinematics(&local.rotations, &local.positions)
+    }
+
+    /// The frames from `first` up to, but without, `end`.
+    pub fn cut(&self, first: usize, end: usize) -> Result<Clip, ClipError> {
+        if first >= end || end > self.frames() {
+            let (name, frames) = (self.name.clone(), self.frames());
+            return Err(ClipError::Range { name, frames, first, end });
+        }
+        Ok(self.with_values(self.values.rows(first, end - first).into_owned(), self.frame_time))
+    }
+
+    /// The same motion at about `fps` frames a second.
+    ///
+    /// Where the clip's rate is a whole multiple of it (to 2%), every k-th frame is kept as it is and the frame time is
+    /// exactly k times the clip's. Otherwise rotations are interpolated on the shortest arc (slerp) and written back
+    /// to each joint's own channels, positions linearly.
+    pub fn resample(&self, fps: f64) -> Result<Clip, ClipError> {
+        if !(0.1..=10_000.0).contains(&fps) {
+            return Err(ClipError::Rate { name: self.name.clone(), found: fps });
+        }
+        let rate = 1.0 / self.frame_time;
+        let step = (rate / fps).round().max(1.0);
+        if (rate / (step * fps) - 1.0).abs() <= RATE_TOLERANCE {
+            let step = step as usize;
+            let kept: Vec<usize> = (0..self.frames()).step_by(step).collect();
+            return Ok(self.with_values(self.values.select_rows(&kept), self.frame_time * step as f64));
+        }
+        let last = (self.frames() - 1) as f64;
+        // A hair more, so that rounding does not lose the last frame.
+        let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
+        if frames.saturating_mul(self.values.ncols()) > crate::bvh::MAX_VALUES {
+            return Err(ClipError::TooLong { name: self.name.clone(), rate: fps, frames });
+        }
+        let mut values = DMatrix::zeros(frames, self.values.ncols());
+        for row in 0..frames {
+            let at = (row as f64 * rate / fps).min(last);
+            self.interpolate(at, row, &mut values);
+        }
+        Ok(self.with_values(values, 1.0 / fps))
+    }
+
+    /// Writes the pose at `at` (in frames of this clip) into a row. Angles continue those of the row before.
+    fn interpolate(&self, at: f64, row: usize, values: &mut DMatrix<f64>) {
+        let before = at.floor() as usize;
+        let after = (before + 1).min(self.frames() - 1);
+        let share = at - before as f64;
+        let (pose, next) = (self.local_pose(before), self.local_pose(after));
+        let mut column = 0;
+        for (place, joint) in self.skeleton.joints.iter().enumerate() {
+            let columns = column..column + joint.channels.len();
+            column = columns.end;
+            let turned: Vec<usize> =
+                columns.clone().filter(|c| joint.channels[c - columns.start].is_rotation()).collect();
+            for c in columns {
+                let (a, b) = (self.values[(before, c)], self.values[(after, c)]);
+                // Angles take the short way round. Joints with three angles are written again below.
+                let change =
+                    if turned.contains(&c) { (b - a) - 360.0 * ((b - a) / 360.0).round() } else { b - a };
+                values[(row, c)] = a + share * change;
+            }
+            if turned.len() == 3 {
+                let (from, to) = (pose.rotations[place], next.rotations[place]);
+                let arc = rotation::log(&(from.inverse() * to));
+                let between = from * rotation::exp(&(arc * share));
+                let axes: Vec<usize> = joint.rotation_axes().collect();
+                let previous: Vec<f64> = turned
+                    .iter()
+                    .map(|&c| if row > 0 { values[(row - 1, c)] } else { self.values[(0, c)] }.to_radians())
+                    .collect();
+                let angles = rotation::angles_near(&between, &axes, &previous);
+                for (&c, angle) in turned.iter().zip(angles) {
+                    values[(row, c)] = angle.to_degrees();
+                }
+            }
+        }
+    }
+
+    /// This clip with other rows.
+    pub(crate) fn with_values(&self, values: DMatrix<f64>, frame_time: f64) -> Clip {
+        Clip {
+            name: self.name.clone(),
+            skeleton: self.skeleton.clone(),
+            frame_time,
+            values,
+            warnings: self.warnings.clone(),
+            sha256: self.sha256.clone(),
+        }
+    }
+}
+
+/// SHA-256 in lower-case hexadecimal.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

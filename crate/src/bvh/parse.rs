@@ -1,0 +1,92 @@
+//! A whole file: bytes to clip, with what was odd about it.
+
+use super::text::{Cursor, decode};
+use super::{BvhError, BvhProblem, hierarchy, motion};
+use crate::clip::{Clip, sha256};
+use crate::skeleton::Skeleton;
+use nalgebra::DMatrix;
+use std::collections::HashMap;
+
+/// Reads a BVH file. `name` is used in messages and kept as the clip's name.
+///
+/// Any hierarchy with one root, any channel order, CR, LF and CR LF line ends, keywords in any case, a byte order
+/// mark, Latin-1 names and row counts that are off by a little can be read; what was odd is in
+/// [`Clip::warnings`](crate::Clip::warnings). Everything else is a [`BvhError`] with the line.
+pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
+    let (text, encoding) = decode(bytes);
+    let mut warnings: Vec<String> = encoding.into_iter().collect();
+    let mut cursor = Cursor::new(name, &text);
+    let skeleton = hierarchy::read(&mut cursor)?;
+    let channels = skeleton.channel_count();
+    if channels == 0 {
+        let problem = BvhProblem::expected(
+            "a joint with CHANNELS before MOTION, so that something moves",
+            Some("MOTION"),
+        );
+        return Err(cursor.error(problem));
+    }
+    warn_of_names(&skeleton, &mut warnings);
+    let motion = motion::read(&mut cursor, channels, &mut warnings)?;
+    warn_of_rows(&motion.values, channels, &mut warnings);
+    Ok(Clip {
+        name: name.to_owned(),
+        skeleton,
+        frame_time: motion.frame_time,
+        values: DMatrix::from_row_slice(motion.frames, channels, &motion.values),
+        warnings,
+        sha256: sha256(bytes),
+    })
+}
+
+fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for joint in &skeleton.joints {
+        *counts.entry(&joint.name).or_default() += 1;
+    }
+    // In the order of the file, each once.
+    let mut repeated = Vec::new();
+    for joint in &skeleton.joints {
+        let name = joint.name.as_str();
+        if counts.get(name).is_some_and(|&count| count > 1) && !repeated.contains(&name) {
+            repeated.push(name);
+        }
+    }
+    if !repeated.is_empty() {
+        let joints: usize = repeated.iter().filter_map(|name| counts.get(name)).sum();
+        warnings.push(format!(
+            "{joints} joints share their names with others ({}): joints are told apart by their place",
+            listed(&repeated)
+        ));
+    }
+    let odd: Vec<&str> = (skeleton.joints.iter().map(|joint| joint.name.as_str()))
+        .filter(|name| name.is_empty() || name.contains(char::is_whitespace))
+        .collect();
+    if !odd.is_empty() {
+        warnings.push(format!(
+            "names that are empty or hold blanks ({}): some programs cannot read them",
+            listed(&odd)
+        ));
+    }
+}
+
+/// The first few names, quoted.
+fn listed(names: &[&str]) -> String {
+    let mut text: Vec<String> = names.iter().take(3).map(|name| super::quoted(name)).collect();
+    if names.len() > 3 {
+        text.push("…".to_owned());
+    }
+    text.join(", ")
+}
+
+fn warn_of_rows(values: &[f64], channels: usize, warnings: &mut Vec<String>) {
+    let rows: Vec<&[f64]> = values.chunks_exact(channels).collect();
+    // A first row of zeros is a body at rest, not a fault.
+    let zeros = rows.iter().skip(1).filter(|row| row.iter().all(|&x| x == 0.0)).count();
+    if zeros > 0 && zeros + 1 < rows.len() {
+        warnings.push(format!("{zeros} of {} rows hold only zeros", rows.len()));
+    }
+    let frozen = rows.windows(2).rev().take_while(|pair| pair[0] == pair[1]).count();
+    if frozen >= 2 && frozen + 1 < rows.len() {
+        warnings.push(format!("the last {} rows are the same: the recording is frozen there", frozen + 1));
+    }
+}

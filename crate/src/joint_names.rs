@@ -1,0 +1,228 @@
+//! What the name of a joint says: which limb, which side. The conventions of CMU, Mixamo, Biovision, Perception Neuron,
+//! Biped, Xsens, Acclaim and others, in any spelling.
+
+/// A side of the body, the body's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Side {
+    Left,
+    Right,
+}
+
+/// A kind of limb.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Limb {
+    Arm,
+    Leg,
+}
+
+/// Legs come first: "LeftFootIndex" is a toe.
+const LEG_WORDS: [&str; 13] = [
+    "leg", "hip", "thigh", "femur", "knee", "shin", "calf", "tibia", "ankle", "foot", "toe", "heel",
+    "buttock",
+];
+const ARM_WORDS: [&str; 22] = [
+    "arm", "shoulder", "shldr", "collar", "clavicle", "scapula", "humerus", "elbow", "radius", "ulna",
+    "wrist", "hand", "palm", "carpal", "finger", "thumb", "index", "middle", "ring", "pinky", "little",
+    "carpus",
+];
+const SPINE_WORDS: [&str; 9] =
+    ["spine", "chest", "torso", "abdomen", "back", "thorax", "neck", "lumbar", "vertebra"];
+
+/// The limb and side that a name tells; `None` for the trunk and for names that say nothing.
+pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
+    let (side, rest) = side_of(&words(name))?;
+    let says = |list: &[&str]| rest.iter().any(|word| list.iter().any(|known| word.contains(known)));
+    if says(&LEG_WORDS) {
+        Some((Limb::Leg, side))
+    } else if says(&ARM_WORDS) {
+        Some((Limb::Arm, side))
+    } else {
+        None
+    }
+}
+
+/// Whether the name is that of the head (and not, say, of a "headlight" in a hand: callers know where it hangs).
+pub(crate) fn looks_like_head(name: &str) -> bool {
+    words(name).iter().any(|word| word.contains("head"))
+}
+
+/// Whether the name is that of the back or chest.
+pub(crate) fn looks_like_spine(name: &str) -> bool {
+    words(name).iter().any(|word| SPINE_WORDS.iter().any(|known| word.contains(known)))
+}
+
+/// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg` gives
+/// mixamorig, left, up, leg).
+fn words(name: &str) -> Vec<String> {
+    let letters: Vec<char> = name.chars().collect();
+    let mut words: Vec<String> = Vec::new();
+    let mut word = String::new();
+    for (at, &c) in letters.iter().enumerate() {
+        let before = at.checked_sub(1).map(|at| letters[at]);
+        let after = letters.get(at + 1).copied();
+        // A new word at "tU" in LeftUp, and at "Hi" in LHip, the last capital of a run.
+        let new = c.is_uppercase()
+            && (before.is_some_and(char::is_lowercase)
+                || before.is_some_and(char::is_uppercase) && after.is_some_and(char::is_lowercase));
+        if (new || !c.is_alphabetic()) && !word.is_empty() {
+            words.push(std::mem::take(&mut word));
+        }
+        if c.is_alphabetic() {
+            word.extend(c.to_lowercase());
+        }
+    }
+    if !word.is_empty() {
+        words.push(word);
+    }
+    words
+}
+
+/// The side, and the words without it.
+fn side_of(words: &[String]) -> Option<(Side, Vec<String>)> {
+    let side = |text: &str| match text {
+        "l" | "left" | "lft" => Some(Side::Left),
+        "r" | "right" | "rgt" => Some(Side::Right),
+        _ => None,
+    };
+    // A word of its own: Left Arm, arm_l, Bip01 L Thigh.
+    if let Some(found) = words.iter().find_map(|word| side(word)) {
+        let rest = words.iter().filter(|word| side(word).is_none()).cloned().collect();
+        return Some((found, rest));
+    }
+    // Glued to the front of a word: leftarm, lfemur, and LU of LUArm.
+    for (at, word) in words.iter().enumerate() {
+        for prefix in ["left", "right", "l", "r"] {
+            let Some(rest) = word.strip_prefix(prefix) else { continue };
+            let known = LEG_WORDS.iter().chain(&ARM_WORDS).any(|known| rest.starts_with(known))
+                || ["u", "f", "up", "upper", "lower", "fore"].contains(&rest) && at + 1 < words.len()
+                || ["upleg", "uparm", "upperarm", "upperleg", "lowerarm", "lowerleg", "forearm"]
+                    .contains(&rest);
+            if known {
+                let mut others = words.to_vec();
+                others[at] = rest.to_owned();
+                return side(prefix).map(|side| (side, others));
+            }
+        }
+    }
+    // Glued to its end: armleft, thighright.
+    for (at, word) in words.iter().enumerate() {
+        for suffix in ["left", "right"] {
+            if let Some(rest) = word.strip_suffix(suffix) {
+                let mut others = words.to_vec();
+                others[at] = rest.to_owned();
+                return side(suffix).map(|side| (side, others));
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn legs_of_many_conventions() {
+        for name in [
+            "LHipJoint",
+            "LeftUpLeg",
+            "mixamorig:LeftUpLeg",
+            "LeftHip",
+            "LeftKnee",
+            "Bip01 L Thigh",
+            "Bip001 L Calf",
+            "lfemur",
+            "ltibia",
+            "ltoes",
+            "lhipjoint",
+            "thigh_l",
+            "thigh.L",
+            "Thigh-L",
+            "L_Ankle",
+            "left_foot",
+            "LeftToeBase",
+            "lShin",
+            "LThigh",
+            "J_Bip_L_UpperLeg",
+            "LeftLowerLeg",
+            "leftupleg",
+            "ValveBiped.Bip01_L_Foot",
+            "Character1_LeftLeg",
+            "LeftFootIndex",
+            "LEFT_KNEE",
+            "footLeft",
+        ] {
+            assert_eq!(limb_of(name), Some((Limb::Leg, Side::Left)), "{name}");
+        }
+    }
+
+    #[test]
+    fn arms_of_many_conventions() {
+        for name in [
+            "RightArm",
+            "RightForeArm",
+            "mixamorig:RightHandIndex1",
+            "RightCollar",
+            "RightShoulder",
+            "RThumb",
+            "rhand",
+            "RFingers",
+            "rhumerus",
+            "rradius",
+            "rclavicle",
+            "rwrist",
+            "Bip01 R UpperArm",
+            "Bip01 R Finger0",
+            "hand_r",
+            "upperarm_r",
+            "clavicle.R",
+            "R_Elbow",
+            "rShldr",
+            "RUArm",
+            "RFArm",
+            "RightInHandPinky",
+            "index_01_r",
+            "right_wrist",
+            "RightHandThumb2",
+            "rightforearm",
+        ] {
+            assert_eq!(limb_of(name), Some((Limb::Arm, Side::Right)), "{name}");
+        }
+    }
+
+    #[test]
+    fn trunks_of_many_conventions() {
+        for name in [
+            "Hips",
+            "hip",
+            "LowerBack",
+            "lowerback",
+            "Spine1",
+            "Neck",
+            "Head",
+            "Chest",
+            "Bip01 Pelvis",
+            "Bip01",
+            "L5",
+            "T8",
+            "LeftEye",
+            "mixamorig:HeadTop_End",
+            "root",
+            "lowerneck",
+            "upperback",
+            "Armature",
+            "Reference",
+            "",
+        ] {
+            assert_eq!(limb_of(name), None, "{name}");
+        }
+        assert!(
+            looks_like_head("mixamorig:HeadTop_End") && looks_like_head("head") && !looks_like_head("Neck")
+        );
+        assert!(
+            looks_like_spine("Bip01 Spine1")
+                && looks_like_spine("lowerback")
+                && !looks_like_spine("Bip01 Pelvis")
+        );
+    }
+}

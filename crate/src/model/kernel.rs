@@ -1,0 +1,146 @@
+//! The ARD squared exponential covariance: values and adjoints.
+
+use super::exp::exp;
+use nalgebra::{DMatrix, DVector};
+
+/// An ARD squared exponential kernel over P input dimensions.
+///
+/// k(x, x') = variance * exp( -1/2 sum_q (x_q - x'_q)^2 / lambda_q )
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kernel {
+    /// Squared lengthscales, one per input dimension [P].
+    pub lambda: DVector<f64>,
+    /// Signal variance; 1 for every dynamics kernel, because the scale of an expert and its coupling weight could otherwise
+    /// be traded for each other.
+    pub variance: f64,
+}
+
+impl Kernel {
+    /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on its diagonal.
+    pub fn inducing_covariance(&self, z: &DMatrix<f64>, jitter: f64) -> DMatrix<f64> {
+        let n = z.nrows();
+        let mut k = DMatrix::zeros(n, n);
+        for a in 0..n {
+            k[(a, a)] = self.variance * (1.0 + jitter);
+            for b in 0..a {
+                let d2: f64 = (0..z.ncols()).map(|q| (z[(a, q)] - z[(b, q)]).powi(2) / self.lambda[q]).sum();
+                let value = self.variance * exp(-0.5 * d2);
+                k[(a, b)] = value;
+                k[(b, a)] = value;
+            }
+        }
+        k
+    }
+
+    /// The covariance of the points `x` [n x P] with the inducing inputs `z` [K x P]: [n x K].
+    pub fn cross_covariance(&self, x: &DMatrix<f64>, z: &DMatrix<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(x.nrows(), z.nrows(), |t, a| {
+            let d2: f64 = (0..z.ncols()).map(|q| (x[(t, q)] - z[(a, q)]).powi(2) / self.lambda[q]).sum();
+            self.variance * exp(-0.5 * d2)
+        })
+    }
+
+    /// Turns the adjoint of [`inducing_covariance`](Self::inducing_covariance), `df_dk` [K x K] (symmetric), into those of
+    /// its arguments and adds them to `into`.
+    pub fn inducing_covariance_adjoint(
+        &self,
+        z: &DMatrix<f64>,
+        k: &DMatrix<f64>,
+        jitter: f64,
+        df_dk: &DMatrix<f64>,
+        into: &mut KernelAdjoint,
+    ) {
+        let n = z.nrows();
+        let mut total = 0.0;
+        for a in 0..n {
+            total += df_dk[(a, a)] * (1.0 + jitter) * self.variance;
+            for b in 0..a {
+                let h = 2.0 * df_dk[(a, b)] * k[(a, b)];
+                total += h;
+                for q in 0..z.ncols() {
+                    let d = (z[(a, q)] - z[(b, q)]) / self.lambda[q];
+                    into.z[(a, q)] -= h * d;
+                    into.z[(b, q)] += h * d;
+                    into.lambda[q] += 0.5 * h * d * d;
+                }
+            }
+        }
+        into.variance += total / self.variance;
+    }
+}
+
+/// dF with respect to a kernel and its inducing inputs.
+#[derive(Clone, Debug)]
+pub struct KernelAdjoint {
+    /// dF/dz [K x P].
+    pub z: DMatrix<f64>,
+    /// dF/dlambda [P].
+    pub lambda: DVector<f64>,
+    /// dF/dvariance.
+    pub variance: f64,
+}
+
+impl KernelAdjoint {
+    /// All zero, for `ips` inducing inputs of `dims` dimensions.
+    pub fn zeros(ips: usize, dims: usize) -> Self {
+        Self { z: DMatrix::zeros(ips, dims), lambda: DVector::zeros(dims), variance: 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn example() -> (Kernel, DMatrix<f64>) {
+        let kernel = Kernel { lambda: nalgebra::dvector![0.7, 2.1], variance: 1.3 };
+        let z = DMatrix::from_row_slice(3, 2, &[0.1, -0.4, 1.2, 0.3, -0.8, 0.9]);
+        (kernel, z)
+    }
+
+    #[test]
+    fn inducing_covariance_is_the_cross_covariance_with_itself() {
+        let (kernel, z) = example();
+        assert_relative_eq!(
+            kernel.inducing_covariance(&z, 0.0),
+            kernel.cross_covariance(&z, &z),
+            epsilon = 1e-14
+        );
+    }
+
+    #[test]
+    fn adjoint_agrees_with_differences() {
+        let (kernel, z) = example();
+        let g = DMatrix::from_row_slice(3, 3, &[0.3, -0.2, 0.7, -0.2, 1.1, 0.4, 0.7, 0.4, -0.5]);
+        let jitter = 1e-2;
+        let f = |kernel: &Kernel, z: &DMatrix<f64>| kernel.inducing_covariance(z, jitter).dot(&g);
+        let mut adjoint = KernelAdjoint::zeros(3, 2);
+        kernel.inducing_covariance_adjoint(
+            &z,
+            &kernel.inducing_covariance(&z, jitter),
+            jitter,
+            &g,
+            &mut adjoint,
+        );
+        let h = 1e-6;
+        for a in 0..3 {
+            for q in 0..2 {
+                let (mut up, mut down) = (z.clone(), z.clone());
+                up[(a, q)] += h;
+                down[(a, q)] -= h;
+                let difference = (f(&kernel, &up) - f(&kernel, &down)) / (2.0 * h);
+                assert_relative_eq!(adjoint.z[(a, q)], difference, epsilon = 1e-8);
+            }
+        }
+        for q in 0..2 {
+            let (mut up, mut down) = (kernel.clone(), kernel.clone());
+            up.lambda[q] += h;
+            down.lambda[q] -= h;
+            assert_relative_eq!(adjoint.lambda[q], (f(&up, &z) - f(&down, &z)) / (2.0 * h), epsilon = 1e-8);
+        }
+        let (mut up, mut down) = (kernel.clone(), kernel.clone());
+        up.variance += h;
+        down.variance -= h;
+        assert_relative_eq!(adjoint.variance, (f(&up, &z) - f(&down, &z)) / (2.0 * h), epsilon = 1e-8);
+    }
+}

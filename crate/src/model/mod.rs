@@ -1,0 +1,21 @@
+//! The model: parameters, statistics, the bound and its gradient, and the posterior.
+
+mod bound;
+mod elbo;
+mod exp;
+mod kernel;
+mod params;
+mod posterior;
+mod psi;
+mod sequences;
+#[cfg(test)]
+pub mod testing;
+
+pub use bound::InducingPosterior;
+pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, coupling_weights};
+pub(crate) use exp::exp;
+pub use kernel::Kernel;
+pub use params::{Expert, Group, Kind, Params, PartParams};
+pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
+pub use psi::Gaussians;
+pub use sequences::{Sequences, SequencesError};

@@ -1,0 +1,216 @@
+//! The named parameters of the model, their constraints, and the flat vector that an optimiser sees.
+
+use super::kernel::Kernel;
+use super::psi::Gaussians;
+use nalgebra::DMatrix;
+use std::slice::{from_mut, from_ref};
+
+/// The parameters of one part: its latents and its map from latents to poses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartParams {
+    /// q(x^i): means mu and diagonal variances S [N x Q_i].
+    pub latents: Gaussians,
+    /// Pose inducing inputs r [L_i x Q_i].
+    pub r: DMatrix<f64>,
+    /// The kernel of the pose map.
+    pub kernel: Kernel,
+    /// Observation noise variance beta.
+    pub beta: f64,
+}
+
+/// The parameters of f^{ji}, the prediction of a source part j about a target part i.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expert {
+    /// Dynamics inducing inputs z [K x pQ_j].
+    pub z: DMatrix<f64>,
+    /// Its kernel; the signal variance is 1.
+    pub kernel: Kernel,
+}
+
+/// All parameters of a vCGPDM, in natural units (variances are variances, lengthscales are squared).
+///
+/// The same type holds a gradient, entry by entry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Params {
+    /// One for each of the M parts.
+    pub parts: Vec<PartParams>,
+    /// Experts by source and target: `experts[j][i]` is j's prediction about i.
+    pub experts: Vec<Vec<Expert>>,
+    /// Coupling variances alpha [M x M], row the source, column the target.
+    pub alpha: DMatrix<f64>,
+}
+
+/// The blocks of parameters that a schedule can free or hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// mu and S.
+    Latents,
+    /// Couplings, lengthscales, signal and noise variances.
+    Kernels,
+    /// r and z.
+    InducingInputs,
+}
+
+/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm) and the box it is held in.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// Its block.
+    pub group: Group,
+    positive: bool,
+    lowest: f64,
+    highest: f64,
+}
+
+const fn free(group: Group, limit: f64) -> Kind {
+    Kind { group, positive: false, lowest: -limit, highest: limit }
+}
+
+const fn positive(group: Group, lowest: f64, highest: f64) -> Kind {
+    Kind { group, positive: true, lowest, highest }
+}
+
+// The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
+const MU: Kind = free(Group::Latents, 10.0);
+const S: Kind = positive(Group::Latents, 1e-3, 2.0);
+const IPS: Kind = free(Group::InducingInputs, 10.0);
+const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
+const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
+const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2);
+const ALPHA: Kind = positive(Group::Kernels, 1e-3, 10.0);
+
+impl Params {
+    /// M.
+    pub fn part_count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Calls `f` with every block of values and its kind, in the order of the flat vector.
+    fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
+        for part in &self.parts {
+            f(MU, part.latents.mean.as_slice());
+            f(S, part.latents.variance.as_slice());
+            f(IPS, part.r.as_slice());
+            f(LAMBDA, part.kernel.lambda.as_slice());
+            f(SIGNAL, from_ref(&part.kernel.variance));
+            f(BETA, from_ref(&part.beta));
+        }
+        for expert in self.experts.iter().flatten() {
+            f(IPS, expert.z.as_slice());
+            f(LAMBDA, expert.kernel.lambda.as_slice());
+        }
+        f(ALPHA, self.alpha.as_slice());
+    }
+
+    fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64])) {
+        for part in &mut self.parts {
+            f(MU, part.latents.mean.as_mut_slice());
+            f(S, part.latents.variance.as_mut_slice());
+            f(IPS, part.r.as_mut_slice());
+            f(LAMBDA, part.kernel.lambda.as_mut_slice());
+            f(SIGNAL, from_mut(&mut part.kernel.variance));
+            f(BETA, from_mut(&mut part.beta));
+        }
+        for expert in self.experts.iter_mut().flatten() {
+            f(IPS, expert.z.as_mut_slice());
+            f(LAMBDA, expert.kernel.lambda.as_mut_slice());
+        }
+        f(ALPHA, self.alpha.as_mut_slice());
+    }
+
+    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes.
+    pub fn to_flat(&self) -> Vec<f64> {
+        let mut flat = Vec::new();
+        self.visit(&mut |kind, values| {
+            flat.extend(values.iter().map(|v| {
+                let held = v.clamp(kind.lowest, kind.highest);
+                if kind.positive { held.ln() } else { held }
+            }));
+        });
+        flat
+    }
+
+    /// Takes the values of a flat vector of the same shape.
+    pub fn set_flat(&mut self, flat: &[f64]) {
+        let mut rest = flat.iter();
+        self.visit_mut(&mut |kind, values| {
+            for (value, flat) in values.iter_mut().zip(&mut rest) {
+                // Through the box once more, because the exponential of a logarithm can round past its end.
+                *value = if kind.positive { flat.exp() } else { *flat }.clamp(kind.lowest, kind.highest);
+            }
+        });
+    }
+
+    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural parameters `at`.
+    pub fn to_flat_gradient(&self, at: &Params) -> Vec<f64> {
+        let mut flat = Vec::new();
+        self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));
+        let mut k = 0;
+        at.visit(&mut |kind, values| {
+            for (g, value) in flat[k..k + values.len()].iter_mut().zip(values) {
+                if kind.positive {
+                    *g *= value;
+                }
+            }
+            k += values.len();
+        });
+        flat
+    }
+
+    /// The kind of every entry of the flat vector.
+    pub fn flat_kinds(&self) -> Vec<Kind> {
+        let mut kinds = Vec::new();
+        self.visit(&mut |kind, values| kinds.extend(std::iter::repeat_n(kind, values.len())));
+        kinds
+    }
+
+    /// The same shapes, all entries zero.
+    pub fn zeros_like(&self) -> Params {
+        let mut zeros = self.clone();
+        zeros.visit_mut(&mut |_, values| values.fill(0.0));
+        for expert in zeros.experts.iter_mut().flatten() {
+            expert.kernel.variance = 0.0;
+        }
+        zeros
+    }
+}
+
+impl Kind {
+    /// The box of a flat entry of this kind.
+    pub fn flat_box(&self) -> (f64, f64) {
+        if self.positive { (self.lowest.ln(), self.highest.ln()) } else { (self.lowest, self.highest) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::testing::random_case;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn flat_vector_and_back() {
+        let (params, ..) = random_case(3);
+        let flat = params.to_flat();
+        let mut back = params.zeros_like();
+        for expert in back.experts.iter_mut().flatten() {
+            expert.kernel.variance = 1.0;
+        }
+        back.set_flat(&flat);
+        assert_relative_eq!(back.alpha, params.alpha, max_relative = 1e-14);
+        for (a, b) in back.parts.iter().zip(&params.parts) {
+            assert_relative_eq!(a.latents.mean, b.latents.mean);
+            assert_relative_eq!(a.latents.variance, b.latents.variance, max_relative = 1e-14);
+        }
+        assert_eq!(flat.len(), params.flat_kinds().len());
+    }
+
+    #[test]
+    fn values_outside_their_box_are_held_at_its_edge() {
+        let (mut params, ..) = random_case(0);
+        params.alpha[(0, 0)] = 1e9;
+        params.parts[0].latents.mean[(0, 0)] = -50.0;
+        let flat = params.to_flat();
+        assert_eq!(flat[0], -10.0);
+        params.set_flat(&flat);
+        assert_eq!(params.alpha[(0, 0)], 10.0);
+    }
+}

@@ -1,0 +1,190 @@
+//! From a file's world to the stage: which way is up, how large is the body, where is the ground.
+
+use crate::anatomy::{Anatomy, extents, standing_at_rest};
+use crate::clip::Clip;
+use crate::joint_names::Side;
+use crate::rotation;
+use nalgebra::{UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// On the stage every body is this tall, in metres.
+pub const STAGE_HEIGHT: f64 = 1.7;
+
+/// The axis of the file's world that points away from the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum UpAxis {
+    /// x points up.
+    #[serde(rename = "x")]
+    X,
+    /// y points up.
+    #[serde(rename = "y")]
+    Y,
+    /// z points up.
+    #[serde(rename = "z")]
+    Z,
+    /// x points down.
+    #[serde(rename = "-x")]
+    MinusX,
+    /// y points down.
+    #[serde(rename = "-y")]
+    MinusY,
+    /// z points down.
+    #[serde(rename = "-z")]
+    MinusZ,
+}
+
+impl UpAxis {
+    fn new(axis: usize, down: bool) -> UpAxis {
+        match (axis, down) {
+            (0, false) => UpAxis::X,
+            (0, true) => UpAxis::MinusX,
+            (1, false) => UpAxis::Y,
+            (1, true) => UpAxis::MinusY,
+            (_, false) => UpAxis::Z,
+            (_, true) => UpAxis::MinusZ,
+        }
+    }
+
+    /// The axis without its sign: "x", "y" or "z".
+    pub fn letter(self) -> &'static str {
+        match self {
+            UpAxis::X | UpAxis::MinusX => "x",
+            UpAxis::Y | UpAxis::MinusY => "y",
+            UpAxis::Z | UpAxis::MinusZ => "z",
+        }
+    }
+
+    /// The rotation from the file's world to one with y up.
+    pub fn to_y_up(self) -> UnitQuaternion<f64> {
+        match self {
+            UpAxis::X => rotation::about(2, FRAC_PI_2),
+            UpAxis::Y => UnitQuaternion::identity(),
+            UpAxis::Z => rotation::about(0, -FRAC_PI_2),
+            UpAxis::MinusX => rotation::about(2, -FRAC_PI_2),
+            UpAxis::MinusY => rotation::about(0, PI),
+            UpAxis::MinusZ => rotation::about(0, FRAC_PI_2),
+        }
+    }
+}
+
+/// How the stage shows a body: y up, in metres, the ground at y = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stage {
+    /// Which way is up in the file.
+    pub up: UpAxis,
+    /// Height of the body in file units.
+    pub height: f64,
+    /// Height of the ground in file units: the lowest point that the body reaches in the clip.
+    pub ground: f64,
+}
+
+impl Stage {
+    /// Metres on the stage for one file unit.
+    pub fn metres_per_unit(&self) -> f64 {
+        STAGE_HEIGHT / self.height
+    }
+
+    /// The place on the stage of a point given with y up in file units.
+    pub(crate) fn place(&self, y_up: &Vector3<f64>) -> [f32; 3] {
+        let scale = self.metres_per_unit();
+        [(y_up.x * scale) as f32, ((y_up.y - self.ground) * scale) as f32, (y_up.z * scale) as f32]
+    }
+}
+
+impl Clip {
+    /// Which way is up, how tall is the body, where is the ground. A leading T-pose is not looked at.
+    pub fn stage(&self) -> Stage {
+        let places = self.places_for_stage();
+        let up = self.up_axis_of(&places);
+        let turn = up.to_y_up();
+        let lowest = places.iter().flatten().map(|place| (turn * place).y).fold(f64::INFINITY, f64::min);
+        Stage { up, height: self.height_of(&places, up), ground: lowest }
+    }
+
+    /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the motion does not.
+    pub fn up_axis(&self) -> UpAxis {
+        self.up_axis_of(&self.places_for_stage())
+    }
+
+    /// The body's height in file units: see [`Skeleton::height`](crate::Skeleton::height); for a skeleton whose rest
+    /// pose does not stand, as high as the body (without arms) gets in 95 of 100 frames.
+    pub fn height(&self) -> f64 {
+        let places = self.places_for_stage();
+        self.height_of(&places, self.up_axis_of(&places))
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its lowest point
+    /// over the clip at y = 0.
+    pub fn stage_positions(&self) -> Vec<f32> {
+        let stage = self.stage();
+        let turn = stage.up.to_y_up();
+        let poses = (0..self.frames()).map(|frame| self.world_pose(frame).positions);
+        poses
+            .flat_map(|places| {
+                places.into_iter().flat_map(|place| stage.place(&(turn * place))).collect::<Vec<_>>()
+            })
+            .collect()
+    }
+
+    /// World places of the nodes in each frame of the motion itself, in file units.
+    fn places_for_stage(&self) -> Vec<Vec<Vector3<f64>>> {
+        let first = usize::from(self.begins_with_t_pose());
+        (first..self.frames()).map(|frame| self.world_pose(frame).positions).collect()
+    }
+
+    fn up_axis_of(&self, places: &[Vec<Vector3<f64>>]) -> UpAxis {
+        let Some(anatomy) = Anatomy::of(&self.skeleton) else {
+            // Nothing is known but the figure: it stands along the longest side of its box, y before z before x.
+            let extent = extents(&self.skeleton.rest_pose().positions);
+            let longest = extent.max() * 0.999;
+            let axis = [1, 2, 0].into_iter().find(|&axis| extent[axis] >= longest).unwrap_or(1);
+            return UpAxis::new(axis, false);
+        };
+        let rest = standing_at_rest(&self.skeleton, &anatomy);
+        let nodes = (
+            anatomy.head(&self.skeleton),
+            anatomy.foot(&self.skeleton, Side::Left),
+            anatomy.foot(&self.skeleton, Side::Right),
+        );
+        let (Some(head), Some(left), Some(right)) = nodes else { return UpAxis::Y };
+        let upward = |frame: &Vec<Vector3<f64>>| frame[head] - 0.5 * (frame[left] + frame[right]);
+        let mean: Vector3<f64> = places.iter().filter_map(|frame| upward(frame).try_normalize(0.0)).sum();
+        let (clear, axis) = (mean.amax() > 0.8 * mean.norm(), mean.iamax());
+        let ends = |axis: usize| {
+            let along = || places.iter().flatten().map(move |place| place[axis]);
+            (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
+        if let Some(rest) = rest {
+            let standing = rest.iamax();
+            // A body that lies on the ground for the whole clip points along another axis than at rest; the ground tells.
+            let on_ground = near_zero(ends(standing).0) && !near_zero(ends(axis).0);
+            if standing != axis && (!clear || on_ground) {
+                return UpAxis::new(standing, rest[standing] < 0.0);
+            }
+        }
+        // Upside down: a world whose axis points down, unless the body stands on its hands on the ground.
+        let (low, high) = ends(axis);
+        let on_hands = near_zero(low) && !near_zero(high);
+        UpAxis::new(axis, clear && mean[axis] < 0.0 && !on_hands)
+    }
+
+    fn height_of(&self, places: &[Vec<Vector3<f64>>], up: UpAxis) -> f64 {
+        let height = match Anatomy::of(&self.skeleton) {
+            Some(anatomy) if standing_at_rest(&self.skeleton, &anatomy).is_none() => {
+                let turn = up.to_y_up();
+                let extent = |frame: &Vec<Vector3<f64>>| {
+                    let body = anatomy.without_arms(&self.skeleton, frame);
+                    extents(&body.iter().map(|place| turn * place).collect::<Vec<_>>()).y
+                };
+                let mut heights: Vec<f64> = places.iter().map(extent).collect();
+                heights.sort_by(f64::total_cmp);
+                heights[(heights.len() - 1) * 95 / 100]
+            }
+            _ => self.skeleton.height(),
+        };
+        // A single joint has no height; anything but zero keeps it visible.
+        if height > 1e-9 { height } else { 1.0 }
+    }
+}

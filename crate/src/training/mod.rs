@@ -1,0 +1,7 @@
+//! Training: where it starts, how it searches, and how it is watched, stopped and kept.
+
+mod init;
+mod optimizer;
+mod trainer;
+
+pub use trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
