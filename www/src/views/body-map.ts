@@ -28,8 +28,8 @@ export class BodyMap extends View {
 
   override willUpdate(): void {
     const { model, learned } = this.app;
-    if (!model || !learned || this.bodyOf === model.info.provenance.clips[0]?.sha256 + JSON.stringify(model.info.parts)) return;
-    this.bodyOf = model.info.provenance.clips[0]?.sha256 + JSON.stringify(model.info.parts);
+    if (!model || !learned || this.bodyOf === model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts)) return;
+    this.bodyOf = model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts);
     this.body = this.layOut();
   }
 

@@ -28,9 +28,9 @@ export class HelpView extends View {
   private provenance() {
     const { model, version } = this.app;
     if (!model) return "";
-    const { provenance } = model.info;
-    return html`<p>The model now: trained by version ${provenance.engine} with seed ${provenance.seed} on
-      ${provenance.clips.map(({ name }) => name).join(", ") || "clips it does not name"}. This page runs version ${version}.</p>`;
+    const { provenance, sequences } = model.info;
+    return html`<p>The model now: trained by ${provenance.engine} with seed ${provenance.settings.seed} on
+      ${sequences.map(({ name }) => name).join(", ") || "clips it does not name"}. This page runs version ${version}.</p>`;
   }
 
   protected override render() {
