@@ -75,7 +75,7 @@ export class BoundChart extends View {
         height,
         legend: { show: false },
         cursor: { show: false },
-        padding: [8, 6, 0, 0],
+        padding: [8, 16, 0, 0],
         scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flatMap((row) => Array.from(row as number[]))) } },
         axes: [
           { stroke: quiet, grid: { show: false }, ticks: { show: false }, font, size: 22, gap: 2 },
@@ -112,7 +112,7 @@ export class BoundChart extends View {
     const last = steps.at(-1);
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption>Evidence lower bound <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span>Evidence lower bound${this.app.busy && last ? html`<small>, ${last.phase}</small>` : nothing}</span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
           ${steps.length === 0 ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}

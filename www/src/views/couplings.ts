@@ -1,7 +1,7 @@
 // The couplings as a table of sliders: which part predicts which, and how much its prediction counts.
 import { html, nothing } from "lit";
 import { resetCoupling, resetCouplings, setCoupling, setReading, setStart } from "../actions/couplings";
-import { short, weight } from "../format";
+import { clipTitle, short, weight } from "../format";
 import { partColour } from "../palette";
 import { ALPHA_MAX, ALPHA_MIN } from "../state";
 import "./body-map";
@@ -111,7 +111,7 @@ export class CouplingsView extends View {
       <label class="start">Start as
         <select aria-label="Start as in" @change=${(event: Event) =>
           void setStart(this.app, Number((event.target as HTMLSelectElement).value))}>
-          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${name}</option>`)}
+          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${clipTitle(name)}</option>`)}
         </select>
       </label>`;
   }

@@ -4,10 +4,10 @@ import {
   Group,
   LatheGeometry,
   type Material,
+  Matrix4,
   Mesh,
   MeshStandardMaterial,
   NotEqualStencilFunc,
-  Quaternion,
   ReplaceStencilOp,
   SphereGeometry,
   Vector2,
@@ -25,6 +25,8 @@ export type FigureStyle =
   | { kind: "accent"; part: number; opacity: number };
 
 const UP = new Vector3(0, 1, 0);
+/** A trunk is wider than it is deep. */
+const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
 /** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
 function stencil(material: MeshStandardMaterial, pale: boolean): void {
@@ -56,7 +58,9 @@ export class FigureView {
   private materials: MeshStandardMaterial[] = [];
   private readonly a = new Vector3();
   private readonly b = new Vector3();
-  private readonly turn = new Quaternion();
+  private readonly side = new Vector3();
+  private readonly front = new Vector3();
+  private readonly basis = new Matrix4();
 
   constructor(
     figure: Figure,
@@ -80,6 +84,7 @@ export class FigureView {
     };
     for (const capsule of shape.capsules) {
       const mesh = new Mesh(taperedCapsule(capsule.length, capsule.r0, capsule.r1), materialOf(capsule.joint));
+      if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
       this.bones.push({ mesh, capsule });
       this.add(mesh, style);
     }
@@ -131,9 +136,11 @@ export class FigureView {
       this.a.fromArray(positions, 3 * capsule.from);
       this.b.fromArray(positions, 3 * capsule.to).sub(this.a);
       const length = this.b.length();
-      if (length > 1e-6) this.turn.setFromUnitVectors(UP, this.b.divideScalar(length));
       mesh.position.copy(this.a);
-      mesh.quaternion.copy(this.turn);
+      if (length < 1e-6) continue;
+      this.b.divideScalar(length);
+      if (capsule.across) this.turnAcross(mesh, this.b, positions, capsule.across);
+      else mesh.quaternion.setFromUnitVectors(UP, this.b);
     }
     for (const { mesh, ball } of this.balls) {
       mesh.position.fromArray(positions, 3 * ball.node);
@@ -143,6 +150,19 @@ export class FigureView {
       if (length > 1e-6) mesh.quaternion.setFromUnitVectors(UP, this.b.clone().divideScalar(length));
       mesh.position.addScaledVector(this.b, 0.5);
     }
+  }
+
+  /** Lays a capsule along a bone, its wide side from the body's left to its right. */
+  private turnAcross(mesh: Mesh, along: Vector3, positions: Float32Array, [right, left]: [number, number]): void {
+    this.side.fromArray(positions, 3 * left).sub(this.front.fromArray(positions, 3 * right));
+    this.side.addScaledVector(along, -this.side.dot(along));
+    if (this.side.lengthSq() < 1e-8) {
+      mesh.quaternion.setFromUnitVectors(UP, along);
+      return;
+    }
+    this.side.normalize();
+    this.front.crossVectors(this.side, along);
+    mesh.quaternion.setFromRotationMatrix(this.basis.makeBasis(this.side, along, this.front));
   }
 
   dispose(): void {

@@ -19,7 +19,7 @@ import { Ground } from "./ground";
 
 const LOOK_AT_HEIGHT = 0.88;
 /** From the lowest node, inside a foot, to the ground. */
-const SOLE = 0.025;
+const SOLE = 0.03;
 
 export class Stage {
   private readonly renderer: WebGLRenderer;
@@ -264,11 +264,15 @@ function placed(marked: Float32Array, pose: Float32Array): Float32Array {
   return poseAt(motion, 0, placeOnto(marked, pose), new Float32Array(marked.length));
 }
 
-/** The height on which the figure stands. */
-function floorOf({ positions }: Motion): number {
-  let lowest = Infinity;
-  for (let i = 1; i < positions.length; i += 3) lowest = Math.min(lowest, positions[i]!);
-  return Number.isFinite(lowest) ? lowest : 0;
+/** The height on which the figure stands: of the lowest node of each frame, the middle one. */
+function floorOf({ positions, frames, nodes }: Motion): number {
+  const lowest = new Float32Array(frames).fill(Infinity);
+  for (let i = 0; i < frames * nodes; i++) {
+    const frame = Math.floor(i / nodes);
+    lowest[frame] = Math.min(lowest[frame]!, positions[3 * i + 1]!);
+  }
+  const middle = lowest.sort()[frames >> 1] ?? 0;
+  return Number.isFinite(middle) ? middle : 0;
 }
 
 /** Nodes that come down to the ground. */
