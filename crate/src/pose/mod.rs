@@ -6,6 +6,8 @@
 mod decode;
 mod encode;
 mod root;
+#[cfg(test)]
+mod tests;
 
 pub use encode::Encoded;
 pub use root::RootStart;
