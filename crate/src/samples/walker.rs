@@ -214,9 +214,9 @@ impl Ground {
         for (foot, first) in points.chunks_exact_mut(3).zip([joint::LEFT_UP_LEG, joint::RIGHT_UP_LEG]) {
             let mut rotation = q[joint::HIPS];
             let mut place = Vector3::zeros();
-            for k in first..first + 3 {
-                place += rotation * Vector3::from(skeleton.joints[k].offset);
-                rotation *= q[k];
+            for (joint, turn) in skeleton.joints[first..first + 3].iter().zip(&q[first..]) {
+                place += rotation * Vector3::from(joint.offset);
+                rotation *= turn;
             }
             foot[0] = place + rotation * body::HEEL;
             foot[1] = place + rotation * body::BALL;
