@@ -3,7 +3,7 @@
 use crate::clip::{Clip, ClipError};
 use crate::parts::{PartSpec, PartsError, PartsLayout};
 use crate::pose::{PoseError, PoseMapping};
-use crate::skeleton::BodyMismatch;
+use crate::same_body::BodyMismatch;
 use nalgebra::DMatrix;
 use thiserror::Error;
 

@@ -23,11 +23,11 @@ fn walker() -> Clip {
         ],
         [Channel::Zrotation, Channel::Xrotation, Channel::Yrotation],
     );
-    let joint = |name: &str, parent, offset| Joint {
+    let joint = |name: &str, parent: Option<usize>, offset| Joint {
         name: name.to_owned(),
         parent,
         offset,
-        channels: if parent == None { root.to_vec() } else { rest.to_vec() },
+        channels: if parent.is_none() { root.to_vec() } else { rest.to_vec() },
         end_sites: if name.ends_with("Foot") || name == "Head" { vec![[0.0, 0.1, 0.15]] } else { Vec::new() },
     };
     let skeleton = Skeleton {
