@@ -6,6 +6,7 @@
 use crate::linalg::NumericsError;
 use crate::model::exp;
 use crate::model::{FittedModel, Kernel, Reading};
+use crate::pose::PoseError;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -40,6 +41,14 @@ pub enum RolloutError {
         /// The one asked for.
         found: usize,
     },
+    /// Too many frames, or none.
+    #[error("expected from 1 to {most} frames, found {found}")]
+    Frames {
+        /// The most there can be.
+        most: usize,
+        /// The number asked for.
+        found: usize,
+    },
     /// The start latents do not fit the model.
     #[error(
         "the start latents of part {part} must be {rows} x {columns} numbers, found {found_rows} x {found_columns}"
@@ -56,6 +65,9 @@ pub enum RolloutError {
         /// Columns found.
         found_columns: usize,
     },
+    /// The columns cannot be turned into poses.
+    #[error(transparent)]
+    Pose(#[from] PoseError),
     /// A covariance could not be factorised.
     #[error(transparent)]
     Numerics(#[from] NumericsError),

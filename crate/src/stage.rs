@@ -166,7 +166,8 @@ impl Clip {
         }
         // Upside down: a world whose axis points down, unless the body stands on its hands on the ground.
         let (low, high) = ends(axis);
-        UpAxis::new(axis, clear && mean[axis] < 0.0 && !(near_zero(low) && !near_zero(high)))
+        let on_hands = near_zero(low) && !near_zero(high);
+        UpAxis::new(axis, clear && mean[axis] < 0.0 && !on_hands)
     }
 
     fn height_of(&self, places: &[Vec<Vector3<f64>>], up: UpAxis) -> f64 {

@@ -5,12 +5,16 @@
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
-use vcgpdm::{Clip, PoseMapping, bvh};
+use vcgpdm::{Clip, PoseMapping, bvh, check_parts, presets};
+
+fn folder() -> PathBuf {
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/bvh");
+    std::env::var_os("VCGPDM_CLIPS").map_or(beside, PathBuf::from)
+}
 
 /// All clips with their paths relative to the folder; `None` (and a note) where there is no such folder.
 fn clips(folders: &[&str]) -> Option<Vec<(String, Clip)>> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/bvh");
-    let root = std::env::var_os("VCGPDM_CLIPS").map_or(beside, PathBuf::from);
+    let root = folder();
     if !root.is_dir() {
         eprintln!("skipped: no recorded clips in {}", root.display());
         return None;
@@ -108,5 +112,46 @@ fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
             let largest = if path.ends_with("49_06.bvh") { 0.3 } else { 0.6 };
             assert!(steps < largest, "{path}, column {column}: {steps}");
         }
+    }
+}
+
+/// Up axis and body height of each clip as its index lists them.
+fn index() -> Vec<(String, String, f64)> {
+    let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap_or_default();
+    let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
+    fields.map(|row| (row[0].to_owned(), row[8].to_lowercase(), row[9].parse().unwrap())).collect()
+}
+
+#[test]
+fn up_axes_heights_and_parts_are_found() {
+    let index = index();
+    for (path, clip) in clips(&ALL).unwrap_or_default() {
+        let found = presets(&clip.skeleton);
+        let ids: Vec<&str> = found.iter().map(|preset| preset.id.as_str()).collect();
+        let (up, height) = (clip.up_axis(), clip.height());
+        println!("{path}: {ids:?}, up {}, height {height:.2}, {:?}", up.letter(), clip.warnings);
+        let person = clip.skeleton.joints.len() > 10;
+        assert_eq!(ids.len(), if person { 3 } else { 1 }, "{path}");
+        for preset in &found {
+            check_parts(&preset.parts, &clip.skeleton).unwrap();
+        }
+        let Some((_, listed_up, listed)) = index.iter().find(|(listed, ..)| *listed == path) else {
+            continue;
+        };
+        assert_eq!(up.letter(), listed_up.trim_end_matches('?'), "{path}");
+        // Listed is the extent in the motion: a body that crouches has less than its height.
+        let least = if person && !path.contains("mocapbank") { 0.88 } else { 0.5 };
+        assert!((least..1.06).contains(&(listed / height)), "{path}: {height}, listed {listed}");
+    }
+}
+
+#[test]
+fn the_walks_are_of_one_body_and_others_are_not() {
+    let Some(clips) = clips(&["cmu-walk", "varied"]) else { return };
+    let first = &clips[0].1.skeleton;
+    for (path, clip) in &clips {
+        let same = first.same_body(&clip.skeleton);
+        println!("{path}: {same:?}");
+        assert_eq!(same.is_ok(), path.contains("/35_"), "{path}");
     }
 }

@@ -204,14 +204,14 @@ impl TryFrom<StoredMapping> for PoseMapping {
         let finite =
             |rows: &[[f64; 3]]| rows.len() == joints && rows.iter().flatten().all(|x| x.abs() < 1e12);
         let field = |field, expected: &str| Err(PoseError::Field { field, expected: expected.to_owned() });
-        if !(stored.stage.height > 1e-12 && stored.stage.height < 1e12) {
+        if !(1e-12..1e12).contains(&stored.stage.height) {
             return field("stage.height", "a positive number");
         }
-        if !(stored.stage.ground.abs() < 1e12) {
+        if !(-1e12..1e12).contains(&stored.stage.ground) {
             return field("stage.ground", "a finite number");
         }
         let norm = stored.upright.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !((norm - 1.0).abs() < 1e-6) {
+        if !(0.999999..1.000001).contains(&norm) {
             return field("upright", "four numbers whose squares add up to 1");
         }
         if !finite(&stored.positions) {

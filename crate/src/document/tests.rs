@@ -1,0 +1,117 @@
+use super::*;
+use crate::dataset::{Dataset, Source};
+use crate::motion_model::RolloutRequest;
+use crate::parts::presets;
+use crate::samples;
+use crate::training::Trainer;
+use serde_json::{Value, json};
+use std::sync::OnceLock;
+
+fn trained() -> &'static MotionModel {
+    static MODEL: OnceLock<MotionModel> = OnceLock::new();
+    MODEL.get_or_init(|| {
+        let clip = samples::clip("walk-1").unwrap();
+        let parts = &presets(&clip.skeleton)[1].parts;
+        let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+        let settings =
+            TrainingSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
+        let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), settings).unwrap();
+        while !trainer.step().done {}
+        MotionModel::trained(&dataset, &trainer, 30.0).unwrap()
+    })
+}
+
+fn document() -> Value {
+    serde_json::from_str(&trained().to_json().unwrap()).unwrap()
+}
+
+fn refused(change: impl FnOnce(&mut Value)) -> String {
+    let mut value = document();
+    change(&mut value);
+    MotionModel::from_json(&value.to_string()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
+    let model = trained();
+    let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
+    assert_eq!(again.fitted, model.fitted);
+    assert_eq!(again.provenance, model.provenance);
+    assert_eq!(again.sequences, model.sequences);
+    let request = RolloutRequest { frames: 50, ..Default::default() };
+    assert_eq!(model.rollout(&request).unwrap().y, again.rollout(&request).unwrap().y);
+    assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
+}
+
+#[test]
+fn it_holds_no_training_clip() {
+    // 120 frames of 60 odd columns would be the largest thing in the file.
+    let model = trained();
+    let numbers = |v: &Value| -> usize {
+        fn count(v: &Value) -> usize {
+            match v {
+                Value::Array(a) => a.iter().map(count).sum(),
+                Value::Object(o) => o.values().map(count).sum(),
+                Value::Number(_) => 1,
+                _ => 0,
+            }
+        }
+        count(v)
+    };
+    let frames = model.sequences[0].frames;
+    assert!(numbers(&document()) < frames * model.column_means.len() / 2);
+}
+
+#[test]
+fn other_files_are_refused_with_the_reason() {
+    let error = |text: &str| MotionModel::from_json(text).unwrap_err().to_string();
+    assert!(error("HIERARCHY").starts_with("expected a model as JSON: "));
+    assert_eq!(error("{}"), "expected a model with \"format\": \"vcgpdm model\", found no format");
+    assert_eq!(
+        refused(|v| v["format"] = json!("pose")),
+        "expected a model with \"format\": \"vcgpdm model\", found \"pose\""
+    );
+    assert_eq!(
+        refused(|v| v["version"] = json!(7)),
+        "expected a model of version 1 or earlier, found version 7; a newer program wrote it"
+    );
+}
+
+#[test]
+fn wrong_fields_are_refused_with_their_path() {
+    let cases: [(&str, fn(&mut Value)); 12] = [
+        ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
+        ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
+            v["parts"][0]["r"][1] = json!([1.0])
+        }),
+        ("at parts[0].r[1][0]: invalid type: null", |v| v["parts"][0]["r"][1][0] = Value::Null),
+        ("at parts[0].v_mean: expected 4 x ", |v| v["parts"][0]["v_mean"] = json!([[1.0]])),
+        ("at dynamics[1].experts[0].lambda: expected 6, found 1", |v| {
+            v["dynamics"][1]["experts"][0]["lambda"] = json!([1.0]);
+        }),
+        ("at dynamics[0].sum_psi2: expected 10 x 10", |v| v["dynamics"][0]["sum_psi2"] = json!([])),
+        ("at alpha: expected positive numbers", |v| v["alpha"][0][1] = json!(0.0)),
+        ("at alpha: expected 2 x 2 numbers, found 1 x 2", |v| v["alpha"] = json!([[1.0, 1.0]])),
+        ("at order: expected from 1 to 100, found 1000000", |v| v["order"] = json!(1_000_000)),
+        ("at frame_time: expected seconds", |v| v["frame_time"] = json!(0.0)),
+        ("at sequences[0].start[1]: expected 2 x 3 numbers", |v| {
+            v["sequences"][0]["start"][1] = json!([[1, 2, 3]])
+        }),
+        ("at sequences[0]: missing field `frames`", |v| {
+            v["sequences"][0].as_object_mut().unwrap().remove("frames");
+        }),
+    ];
+    for (expected, change) in cases {
+        let error = refused(change);
+        assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
+    }
+    // A joint that is in no part, and a skeleton that is no tree.
+    assert!(
+        refused(|v| v["parts"][0]["joints"] = json!([0]))
+            .starts_with("at parts: expected each joint in one part")
+    );
+    assert!(refused(|v| v["pose"]["skeleton"]["joints"][3]["parent"] = json!(99)).starts_with("at pose"));
+    // serde_json itself refuses numbers that do not fit.
+    let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
+    assert!(MotionModel::from_json(&huge).unwrap_err().to_string().contains("out of range"));
+}
