@@ -10,12 +10,11 @@ use crate::{Clip as MotionClip, Skeleton, bvh, samples};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use tsify::Tsify;
+use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 /// Which joints move together: a part is a named group of joints, by their place in the skeleton.
 #[derive(Clone, Serialize, Deserialize, Tsify)]
-#[tsify(into_wasm_abi, from_wasm_abi)]
 pub struct PartSpec {
     pub name: String,
     pub joints: Vec<usize>,
@@ -23,7 +22,6 @@ pub struct PartSpec {
 
 /// A split of the body found from the names of its joints.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 pub struct PartsPreset {
     pub id: String,
     pub title: String,
@@ -31,7 +29,7 @@ pub struct PartsPreset {
 }
 
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi, missing_as_null)]
+#[tsify(missing_as_null)]
 pub struct JointInfo {
     pub name: String,
     pub parent: Option<usize>,
@@ -40,7 +38,7 @@ pub struct JointInfo {
 
 /// What a picture of the body draws: a node for every joint and end site; a bone runs from each node to its parent node.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi, missing_as_null)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
 pub struct FigureNode {
     pub joint: usize,
@@ -49,14 +47,12 @@ pub struct FigureNode {
 }
 
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 pub struct Figure {
     pub nodes: Vec<FigureNode>,
 }
 
 /// What there is to know of a clip.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 #[serde(rename_all = "camelCase")]
 pub struct ClipInfo {
     pub name: String,
@@ -79,7 +75,6 @@ pub struct ClipInfo {
 
 /// A clip that the project makes itself.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 pub struct SampleInfo {
     pub id: String,
     pub title: String,
@@ -88,7 +83,6 @@ pub struct SampleInfo {
 
 /// What training is asked to do.
 #[derive(Clone, Serialize, Deserialize, Tsify)]
-#[tsify(into_wasm_abi, from_wasm_abi)]
 #[serde(rename_all = "camelCase")]
 pub struct TrainingSettings {
     pub parts: Vec<PartSpec>,
@@ -110,7 +104,6 @@ pub struct TrainingSettings {
 
 /// The terms of the bound, in nats.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 pub struct Terms {
     /// The pose map of each part.
     pub kinematics: Vec<f64>,
@@ -122,7 +115,7 @@ pub struct Terms {
 
 /// How far training is.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi, missing_as_null)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
 pub struct TrainingProgress {
     pub iteration: usize,
@@ -145,7 +138,6 @@ pub struct TrainingProgress {
 
 /// A part of a trained model.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 #[serde(rename_all = "camelCase")]
 pub struct PartInfo {
     pub name: String,
@@ -158,7 +150,6 @@ pub struct PartInfo {
 
 /// A training sequence that a rollout can start from.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 pub struct SequenceInfo {
     pub name: String,
     pub sha256: String,
@@ -167,7 +158,7 @@ pub struct SequenceInfo {
 
 /// How a model was made.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi, missing_as_null)]
+#[tsify(missing_as_null)]
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
@@ -182,7 +173,6 @@ pub struct Provenance {
 
 /// What there is to know of a model.
 #[derive(Serialize, Tsify)]
-#[tsify(into_wasm_abi)]
 #[serde(rename_all = "camelCase")]
 pub struct ModelInfo {
     pub parts: Vec<PartInfo>,
@@ -202,7 +192,6 @@ pub struct ModelInfo {
 
 /// What a rollout is asked for.
 #[derive(Deserialize, Tsify)]
-#[tsify(from_wasm_abi)]
 pub struct RolloutOptions {
     /// Frames in all, the start included.
     pub frames: usize,
@@ -276,15 +265,13 @@ impl Clip {
     }
 
     /// The clips that the project makes itself.
-    #[wasm_bindgen(unchecked_return_type = "SampleInfo[]")]
-    pub fn samples() -> Result<JsValue, JsError> {
+    pub fn samples() -> Result<Vec<Ts<SampleInfo>>, JsError> {
         let info = |s: samples::SampleInfo| SampleInfo {
             id: s.id.to_owned(),
             title: s.title.to_owned(),
             movement: s.movement.to_owned(),
         };
-        let all: Vec<SampleInfo> = samples::list().into_iter().map(info).collect();
-        serde_wasm_bindgen::to_value(&all).map_err(error)
+        samples::list().into_iter().map(|s| info(s).into_ts().map_err(error)).collect()
     }
 
     /// The clip's name.
@@ -294,14 +281,14 @@ impl Clip {
     }
 
     /// What there is to know of it.
-    pub fn info(&self) -> ClipInfo {
+    pub fn info(&self) -> Result<Ts<ClipInfo>, JsError> {
         let clip = &self.clip;
         let presets = parts::presets(&clip.skeleton).into_iter().map(|p| PartsPreset {
             id: p.id.to_string(),
             title: p.title.to_string(),
             parts: p.parts.iter().map(part_spec).collect(),
         });
-        ClipInfo {
+        let info = ClipInfo {
             name: clip.name.clone(),
             sha256: clip.sha256.clone(),
             joints: joints(&clip.skeleton),
@@ -312,7 +299,8 @@ impl Clip {
             up_axis: clip.up_axis().letter().to_owned(),
             warnings: clip.warnings.clone(),
             presets: presets.collect(),
-        }
+        };
+        info.into_ts().map_err(error)
     }
 
     /// The frames from `first` up to but not including `end`.
@@ -382,7 +370,8 @@ pub struct Trainer {
 impl Trainer {
     /// Prepares the clips and finds the starting point.
     #[wasm_bindgen(constructor)]
-    pub fn new(clips: &TrainingSet, settings: TrainingSettings) -> Result<Trainer, JsError> {
+    pub fn new(clips: &TrainingSet, settings: Ts<TrainingSettings>) -> Result<Trainer, JsError> {
+        let settings = settings.to_rust().map_err(|e| error(format!("settings: {e}")))?;
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
         let parts: Vec<Part> =
@@ -402,9 +391,9 @@ impl Trainer {
     }
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Result<Ts<TrainingProgress>, JsError> {
         let p = self.training.step();
-        TrainingProgress {
+        let progress = TrainingProgress {
             iteration: p.iteration,
             max_iterations: p.max_iterations,
             evaluations: p.evaluations,
@@ -415,7 +404,8 @@ impl Trainer {
             done: p.done,
             reason: p.reason,
             fraction: p.fraction,
-        }
+        };
+        progress.into_ts().map_err(error)
     }
 
     /// The best model so far, at any time.
@@ -469,7 +459,7 @@ impl Model {
     }
 
     /// What there is to know of it.
-    pub fn info(&self) -> ModelInfo {
+    pub fn info(&self) -> Result<Ts<ModelInfo>, JsError> {
         let model = &self.model;
         let fitted = &model.fitted;
         let parts: Vec<PartInfo> = model
@@ -504,7 +494,7 @@ impl Model {
             note: p.note.clone(),
         };
         let sequences = model.sequences.iter();
-        ModelInfo {
+        let info = ModelInfo {
             parts,
             order: fitted.order,
             frame_time: model.frame_time,
@@ -520,7 +510,8 @@ impl Model {
             joints: joints(model.mapping.skeleton()),
             figure: figure(model.mapping.skeleton()),
             provenance,
-        }
+        };
+        info.into_ts().map_err(error)
     }
 
     /// The weights `w[source][target]` that coupling variances give; the weights into each part sum to 1.
@@ -539,7 +530,8 @@ impl Model {
     }
 
     /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
-    pub fn rollout(&self, options: RolloutOptions) -> Result<Rollout, JsError> {
+    pub fn rollout(&self, options: Ts<RolloutOptions>) -> Result<Rollout, JsError> {
+        let options = options.to_rust().map_err(|e| error(format!("rollout: {e}")))?;
         let reading = match options.reading.as_deref() {
             None | Some("as learned") => Reading::AsLearned,
             Some("re-inferred") => Reading::ReInferred,

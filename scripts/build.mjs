@@ -1,0 +1,20 @@
+// `npm run build`: from a clean clone to a static site in www/dist. With --wasm-only it stops at the npm package crate/pkg.
+import { fileURLToPath } from "node:url";
+import { main, step } from "./run.mjs";
+import { buildSite, weigh } from "./site.mjs";
+import { installTools } from "./tools.mjs";
+import { buildWasm } from "./wasm.mjs";
+
+export async function build({ wasmOnly = false } = {}) {
+  await step("npm package vcgpdm (wasm)", buildWasm);
+  if (wasmOnly) return;
+  await step("page", buildSite);
+  await step("sizes", weigh);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    await installTools();
+    await build({ wasmOnly: process.argv.includes("--wasm-only") });
+  });
+}

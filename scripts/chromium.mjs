@@ -1,0 +1,24 @@
+// The system's Chromium, driven by playwright-core: nothing is downloaded.
+import { existsSync } from "node:fs";
+import { chromium } from "playwright-core";
+import { Failure, which } from "./run.mjs";
+
+const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+const MAC = ["Google Chrome", "Chromium"].map((name) => `/Applications/${name}.app/Contents/MacOS/${name}`);
+
+/** The browser's program: what the variable CHROMIUM names, else the first that is found; or null. */
+export function findChromium() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  return NAMES.map(which).find((file) => file !== null) ?? MAC.find((file) => existsSync(file)) ?? null;
+}
+
+/** Starts it without a window, with WebGL drawn in software. */
+export async function launchChromium() {
+  const executablePath = findChromium();
+  if (!executablePath) {
+    throw new Failure("no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) or name it in the variable CHROMIUM");
+  }
+  // Containers run as root and have a small /dev/shm.
+  const args = ["--no-sandbox", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader", "--use-angle=swiftshader"];
+  return chromium.launch({ executablePath, args });
+}

@@ -1,0 +1,35 @@
+// The static site in www/dist, and what a visit to it costs.
+import { readFileSync } from "node:fs";
+import { basename, relative, sep } from "node:path";
+import { gzipSync } from "node:zlib";
+import { budget } from "./budget.mjs";
+import { at, Failure, filesUnder, runModule, whenChanged } from "./run.mjs";
+
+export const dist = at("www", "dist");
+
+export function buildSite() {
+  const inputs = filesUnder([at("www"), at("crate/pkg/web"), at("package-lock.json"), at("scripts/site.mjs")], ["node_modules", "dist"]);
+  return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () => runModule("vite/bin/vite.js", "build", at("www"), "--logLevel", "warn", "--emptyOutDir"));
+}
+
+const kilobytes = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1).padStart(8)} kB`;
+
+/** Prints every file's gzipped size; throws when the site is over its budget. */
+export function weigh() {
+  const files = filesUnder([dist])
+    .filter((file) => !file.endsWith(".map"))
+    .map((file) => ({ name: relative(dist, file).split(sep).join("/"), size: gzipSync(readFileSync(file)).length }))
+    .sort((a, b) => b.size - a.size);
+  const sum = (/** @type {typeof files} */ some) => some.reduce((total, { size }) => total + size, 0);
+  const total = sum(files);
+  const wasm = sum(files.filter(({ name }) => basename(name).endsWith(".wasm")));
+
+  const rows = [...files.map(({ name, size }) => [name, size, ""]), ["wasm", wasm, budget.wasm], ["everything", total, budget.firstVisit]];
+  const width = Math.max(...rows.map(([name]) => String(name).length));
+  console.log(`${"gzipped".padStart(width + 13)}`);
+  for (const [name, size, limit] of rows) {
+    console.log(`${String(name).padEnd(width)}  ${kilobytes(Number(size))}${limit ? `  of ${kilobytes(Number(limit)).trim()}` : ""}`);
+  }
+  if (wasm > budget.wasm) throw new Failure(`the wasm is over its budget of ${budget.wasm} bytes (scripts/budget.mjs)`);
+  if (total > budget.firstVisit) throw new Failure(`the site is over its budget of ${budget.firstVisit} bytes (scripts/budget.mjs)`);
+}

@@ -1,0 +1,53 @@
+// The npm package `vcgpdm` in crate/pkg: the same wasm for the browser (web/) and for Node (node/).
+import { copyFileSync, existsSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
+
+const TARGETS = /** @type {const} */ ([
+  { folder: "web", target: "web", type: "module" },
+  { folder: "node", target: "nodejs", type: "commonjs" },
+]);
+
+// The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
+const FEATURES = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue"];
+
+export async function buildWasm() {
+  const sources = ["crate", "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"];
+  const inputs = filesUnder(sources.map((path) => at(path)), ["pkg", "target", "tests", "benches"]);
+  const outputs = TARGETS.map(({ folder }) => at("crate/pkg", folder, "vcgpdm.js"));
+  const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
+    rmSync(at("crate/pkg"), { recursive: true, force: true });
+    for (const { folder, target, type } of TARGETS) {
+      // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
+      await run("wasm-pack", "build", at("crate"), "--mode", "no-install", "--target", target, "--out-dir", `pkg/${folder}`, "--no-pack");
+      const wasm = at("crate/pkg", folder, "vcgpdm_bg.wasm");
+      await runModule("binaryen/bin/wasm-opt", wasm, "-O3", ...FEATURES.map((name) => `--enable-${name}`), "-o", wasm);
+      rmSync(at("crate/pkg", folder, ".gitignore"), { force: true }); // npm would leave out what it names
+      writeFileSync(at("crate/pkg", folder, "package.json"), `${JSON.stringify({ type })}\n`);
+    }
+  });
+  describe();
+  return note;
+}
+
+/** Writes the package's package.json from what Cargo knows, with README and licences. */
+function describe() {
+  const metadata = JSON.parse(output("cargo", "metadata", "--no-deps", "--format-version", "1") ?? "null");
+  const crate = metadata?.packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
+  if (!crate) throw new Failure("cargo metadata does not name the package vcgpdm");
+  const entry = (/** @type {string} */ folder) => ({ types: `./${folder}/vcgpdm.d.ts`, default: `./${folder}/vcgpdm.js` });
+  const about = {
+    name: crate.name,
+    version: crate.version,
+    description: crate.description,
+    license: crate.license,
+    exports: { ".": { node: entry("node"), default: entry("web") } },
+    types: "./web/vcgpdm.d.ts",
+    files: ["node", "web"],
+    sideEffects: false,
+    engines: { node: ">=20" },
+  };
+  writeFileSync(at("crate/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
+  const readme = ["crate/README.md", "README.md"].map((file) => at(file)).find((file) => existsSync(file));
+  if (readme) copyFileSync(readme, at("crate/pkg/README.md"));
+  for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE"))) copyFileSync(at(file), at("crate/pkg", file));
+}

@@ -1,0 +1,25 @@
+// The npm package as a user gets it: packed by npm, installed into an empty folder, loaded from there.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { at } from "../../scripts/run.mjs";
+
+/** A folder in which `vcgpdm` is installed, and what loading it there gives. */
+export async function installPackage() {
+  const folder = mkdtempSync(join(tmpdir(), "vcgpdm-"));
+  const npm = (/** @type {string[]} */ ...args) => {
+    const cli = process.env.npm_execpath;
+    return execFileSync(cli ? process.execPath : "npm", [...(cli ? [cli] : []), ...args], { cwd: folder, encoding: "utf8" });
+  };
+  writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }\n');
+  const tarball = npm("pack", at("crate/pkg"), "--loglevel=error").trim().split("\n").at(-1) ?? "";
+  npm("install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${tarball}`);
+
+  const require = createRequire(join(folder, "user.js"));
+  /** @type {typeof import("vcgpdm")} */
+  const vcgpdm = await import(pathToFileURL(require.resolve("vcgpdm")).href);
+  return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
+}

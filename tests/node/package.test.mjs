@@ -1,0 +1,156 @@
+// What a Node user does with the package: read a BVH, train, roll out, save the model, load it again.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { installPackage } from "./package.mjs";
+
+/** @type {Awaited<ReturnType<typeof installPackage>>} */
+let installed;
+/** @type {typeof import("vcgpdm")} */
+let vcgpdm;
+
+before(async () => {
+  installed = await installPackage();
+  vcgpdm = installed.vcgpdm;
+});
+after(() => installed?.remove());
+
+/** The bundled walk as the text of a BVH file. */
+const walkBvh = () => {
+  const walk = vcgpdm.Clip.samples().find(({ movement }) => movement === "walk");
+  assert.ok(walk, "a bundled clip of a walk");
+  return vcgpdm.Clip.sample(walk.id).toBvh();
+};
+const read = (/** @type {string} */ name, /** @type {string} */ text) => vcgpdm.Clip.read(name, new TextEncoder().encode(text));
+
+/** A small model of the bundled walk, trained for a few iterations, and how the bound went. */
+function train(/** @type {number} */ seed = 1) {
+  const clip = read("walk.bvh", walkBvh()).cut(0, 60);
+  const clips = new vcgpdm.TrainingSet();
+  clips.add(clip);
+  const preset = clip.info().presets.find(({ id }) => id === "lower-upper");
+  assert.ok(preset, "the walker's joint names give a lower and an upper body");
+  const maxIterations = 8;
+  const trainer = new vcgpdm.Trainer(clips, {
+    parts: preset.parts, latent: 2, dynamicsIps: 6, poseIps: 6, order: 2, framesPerSecond: 30, seed, maxIterations,
+  });
+  const progress = [trainer.step()];
+  while (!progress.at(-1)?.done) {
+    assert.ok(progress.length <= 4 * maxIterations, "training ends");
+    progress.push(trainer.step());
+  }
+  return { model: trainer.model(), progress };
+}
+
+const finite = (/** @type {ArrayLike<number>} */ numbers) => Array.from(numbers).every(Number.isFinite);
+
+describe("the package", () => {
+  it("loads with import and with require, at the version of its package.json", () => {
+    const about = JSON.parse(readFileSync(at("crate/pkg/package.json"), "utf8"));
+    assert.equal(vcgpdm.version(), about.version);
+    assert.equal(installed.require("vcgpdm").version(), about.version);
+  });
+
+  it("reads what it writes", () => {
+    const text = walkBvh();
+    const first = read("walk.bvh", text);
+    const again = read("again.bvh", first.toBvh());
+    const { frames, frameTime, joints, figure, sha256 } = first.info();
+    assert.equal(again.info().frames, frames);
+    assert.equal(again.info().frameTime, frameTime);
+    assert.deepEqual(again.info().joints, joints);
+    assert.match(sha256, /^[0-9a-f]{64}$/);
+    const [a, b] = [first.positions(), again.positions()];
+    assert.equal(a.length, frames * figure.nodes.length * 3);
+    assert.ok(finite(a));
+    assert.deepEqual(b, a);
+  });
+
+  it("says in which line a file is wrong, and what was expected", () => {
+    const lines = walkBvh().split("\n");
+    const broken = lines.findIndex((line) => line.includes("CHANNELS"));
+    lines[broken] = "CHANNELS three Zrotation Xrotation Yrotation";
+    assert.throws(
+      () => read("broken.bvh", lines.join("\n")),
+      (error) => error instanceof Error && error.message.includes(String(broken + 1)) && error.message.includes("three"),
+    );
+    assert.throws(() => read("empty.bvh", ""), Error);
+  });
+
+  it("refuses to train on two different skeletons", () => {
+    const other = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n" +
+      "JOINT Head\n{\nOFFSET 0 5 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n}\n" +
+      "MOTION\nFrames: 2\nFrame Time: 0.0333333\n0 9 0 0 0 0 0 0 0\n0 9 1 0 0 0 0 0 0\n";
+    const clips = new vcgpdm.TrainingSet();
+    clips.add(read("walk.bvh", walkBvh()));
+    assert.throws(() => clips.add(read("other.bvh", other)), Error);
+    assert.equal(clips.length, 1);
+  });
+});
+
+describe("a trained model", () => {
+  it("has a bound that rose, and stages that say where training is", () => {
+    const { progress } = train();
+    const [first, last] = [progress[0], progress.at(-1)];
+    assert.ok(first && last);
+    assert.ok(finite(progress.map(({ bound }) => bound)));
+    assert.ok(last.best > first.bound, `${first.bound} to ${last.best}`);
+    assert.ok(last.reason, "the reason why it ended");
+    assert.equal(last.fraction, 1);
+  });
+
+  it("is the same again for the same seed, and another for another", () => {
+    const [a, b, c] = [train(7).model.toJson(), train(7).model.toJson(), train(8).model.toJson()];
+    assert.equal(a, b);
+    assert.notEqual(a, c);
+  });
+
+  it("rolls out, and does so again after it was saved and loaded", () => {
+    const { model } = train();
+    const loaded = vcgpdm.Model.fromJson(model.toJson());
+    const options = { frames: 50, sequence: 0 };
+    const [a, b] = [model.rollout(options), loaded.rollout(options)];
+    assert.equal(a.frames, 50);
+    assert.equal(a.latents(0).length, 50 * 2);
+    assert.equal(a.positions().length, 50 * model.info().figure.nodes.length * 3);
+    assert.ok(finite(a.positions()));
+    assert.deepEqual(b.latents(0), a.latents(0));
+    assert.deepEqual(b.positions(), a.positions());
+    assert.equal(read("rollout.bvh", a.toBvh()).info().frames, 50);
+  });
+
+  it("moves differently under other couplings, whose weights into a part sum to 1", () => {
+    const { model } = train();
+    const { alpha } = model.info();
+    const changed = alpha.map((row) => [...row]);
+    const [row] = changed;
+    assert.ok(row);
+    row[1] = (row[1] ?? 1) * 100;
+    for (const couplings of [alpha, changed]) {
+      const weights = model.weights(couplings);
+      for (const target of couplings.keys()) {
+        const sum = weights.reduce((total, row) => total + (row[target] ?? NaN), 0);
+        assert.ok(Math.abs(sum - 1) < 1e-12, `weights into ${target} sum to ${sum}`);
+      }
+    }
+    const options = { frames: 50, sequence: 0 };
+    const learned = model.rollout(options).positions();
+    assert.notDeepEqual(model.rollout({ ...options, alpha: changed }).positions(), learned);
+    assert.notDeepEqual(model.rollout({ ...options, alpha: changed, reading: "re-inferred" }).positions(), learned);
+    assert.deepEqual(model.rollout({ ...options, alpha }).positions(), learned);
+  });
+
+  it("is refused with the path of the field when its file is wrong", () => {
+    const { model } = train();
+    const document = JSON.parse(model.toJson());
+    assert.throws(() => vcgpdm.Model.fromJson("not JSON"), Error);
+    assert.throws(() => vcgpdm.Model.fromJson("{}"), Error);
+    const [key] = Object.keys(document).filter((key) => typeof document[key] === "object");
+    assert.ok(key);
+    assert.throws(
+      () => vcgpdm.Model.fromJson(JSON.stringify({ ...document, [key]: 5 })),
+      (error) => error instanceof Error && error.message.includes(key),
+    );
+  });
+});

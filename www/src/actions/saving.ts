@@ -1,0 +1,37 @@
+// Files that leave the page, to the visitor's own disk.
+import type { App } from "../app";
+import { messageOf } from "./couplings";
+
+function download(name: string, type: string, text: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+function baseName(app: App): string {
+  const clip = app.model?.info.provenance.clips[0]?.name ?? "model";
+  const plain = clip.replace(/[^\p{L}\p{N}_-]+/gu, "-").replace(/^-+|-+$/g, "");
+  return `${plain || "model"}-${app.model?.info.parts.length ?? 1}-parts`;
+}
+
+async function save(app: App, name: string, type: string, text: () => Promise<string>): Promise<void> {
+  try {
+    download(name, type, await text());
+  } catch (problem) {
+    app.notify({ kind: "error", title: `${name} was not saved`, text: messageOf(problem), at: null });
+  }
+}
+
+export async function saveModel(app: App): Promise<void> {
+  if (!app.engine || !app.model) return;
+  await save(app, `${baseName(app)}.model.json`, "application/json", () => app.engine!.modelJson());
+}
+
+/** The rollout on the stage, with the couplings as they are now. */
+export async function saveMotion(app: App): Promise<void> {
+  if (!app.engine || !app.model) return;
+  await save(app, `${baseName(app)}.bvh`, "text/plain", () => app.engine!.rolloutBvh(app.rolloutRequest()));
+}

@@ -1,0 +1,197 @@
+// What the page knows now, and who wants to hear when it changes. No rendering, no wasm.
+import type { Engine } from "./engine";
+import { Walk } from "./motion";
+import type {
+  Couplings,
+  Figure,
+  InducingPoint,
+  InducingReport,
+  LoadedClip,
+  ModelView,
+  Motion,
+  PartSpec,
+  RolloutRequest,
+  RolloutResult,
+  TrainingProgress,
+} from "./protocol";
+import { Player } from "./player";
+import type { Settings } from "./state";
+
+export type Topic =
+  | "settings" // a setting changed
+  | "engine" // the worker got ready, or cannot
+  | "shown" // another motion or figure on the stage
+  | "model" // another model
+  | "rollout" // another rollout or other couplings
+  | "clips"
+  | "training" // started, ended, or went on
+  | "pointed" // another inducing point is pointed at, or its report came
+  | "notices"
+  | "playback" // play, pause, speed, loop
+  | "tick"; // the frame now changed
+
+/** What the stage plays. */
+export interface Shown {
+  /** "first": the stored first seconds; "model": a rollout; "clip": a recording. */
+  kind: "first" | "model" | "clip";
+  figure: Figure;
+  joints: string[];
+  parts: PartSpec[];
+  motion: Motion;
+  /** The key of the clip, when it is one. */
+  clip?: string;
+}
+
+export interface ClipEntry {
+  key: string;
+  title: string;
+  /** "made": by this project's procedural walker; "own": opened by the visitor. */
+  origin: "made" | "own";
+  movement: string;
+  loaded: LoadedClip;
+  ticked: boolean;
+  /** The frames to train on: first up to, not including, end. */
+  first: number;
+  end: number;
+}
+
+export interface Notice {
+  id: number;
+  kind: "error" | "done";
+  title: string;
+  text: string;
+  /** Where a dropped file landed, in page pixels; null: in the list of clips. */
+  at: { x: number; y: number } | null;
+}
+
+export interface Training {
+  status: "idle" | "running" | "cancelling";
+  /** The course of the bound [iterations]. */
+  steps: TrainingProgress[];
+  parts: string[];
+  /** Seconds. */
+  elapsed: number;
+  /** How the last training ended, or why it could not start. */
+  ending: string;
+  failed: boolean;
+}
+
+export class App {
+  engine: Engine | null = null;
+  engineState: "loading" | "ready" | "failed" = "loading";
+  engineProblem = "";
+  version = "";
+
+  shown: Shown | null = null;
+  walk: Walk | null = null;
+  readonly player = new Player();
+
+  model: ModelView | null = null;
+  /** The rollout of the model as learned, and under the couplings now. */
+  learned: RolloutResult | null = null;
+  rollout: RolloutResult | null = null;
+
+  clips: ClipEntry[] = [];
+  /** Why the ticked clips cannot be trained on together; empty when they can. */
+  clash = "";
+  training: Training = { status: "idle", steps: [], parts: [], elapsed: 0, ending: "", failed: false };
+  pointing: InducingPoint | null = null;
+  pointed: InducingReport | null = null;
+  notices: Notice[] = [];
+
+  private readonly listeners = new Map<Topic, Set<() => void>>();
+  private lastNotice = 0;
+
+  constructor(
+    public settings: Settings,
+    readonly embedded: boolean,
+  ) {
+    this.player.speed = settings.speed;
+    this.player.loops = settings.loop;
+  }
+
+  /** Calls back after each change of these topics; answers how to stop that. */
+  on(topics: readonly Topic[], listener: () => void): () => void {
+    for (const topic of topics) {
+      if (!this.listeners.has(topic)) this.listeners.set(topic, new Set());
+      this.listeners.get(topic)!.add(listener);
+    }
+    return () => topics.forEach((topic) => this.listeners.get(topic)?.delete(listener));
+  }
+
+  tell(...topics: Topic[]): void {
+    const told = new Set<() => void>();
+    for (const topic of topics) this.listeners.get(topic)?.forEach((listener) => told.add(listener));
+    told.forEach((listener) => listener());
+  }
+
+  notify(notice: Omit<Notice, "id">): void {
+    this.notices = [...this.notices, { ...notice, id: ++this.lastNotice }].slice(-6);
+    this.tell("notices");
+  }
+
+  dismiss(id: number): void {
+    this.notices = this.notices.filter((notice) => notice.id !== id);
+    this.tell("notices");
+  }
+
+  /** Puts a motion on the stage. The same figure goes on from where it stands, at the same time. */
+  show(shown: Shown): void {
+    const sameKind = this.shown?.kind !== "clip" && shown.kind !== "clip";
+    const sameFigure = this.shown?.motion.nodes === shown.motion.nodes;
+    const pose = this.walk && sameFigure ? this.walk.at(this.player.frame).slice() : null;
+    if (!sameKind || !sameFigure) this.player.frame = 0;
+    this.shown = shown;
+    this.walk = new Walk(shown.motion);
+    this.player.load(shown.motion.frames, shown.motion.frameTime, this.walk.loop.end);
+    if (pose) this.walk.standAt(this.player.frame, pose);
+    this.tell("shown", "tick");
+  }
+
+  /** Moves the clock on by seconds. */
+  advance(seconds: number): void {
+    if (!this.player.playing) return;
+    const laps = this.player.advance(seconds);
+    for (let lap = 0; lap < laps; lap++) this.walk?.lap();
+    if (!this.player.playing) this.tell("playback");
+    this.tell("tick");
+  }
+
+  /** Goes to a frame at once. */
+  goTo(frame: number): void {
+    this.player.scrub(frame);
+    this.walk?.settle();
+    this.tell("tick");
+  }
+
+  /** alpha[source][target] now; the learned ones where nothing was changed. */
+  couplings(): Couplings {
+    const learned = this.model?.info.alpha ?? [];
+    return learned.map((row, source) =>
+      row.map((alpha, target) => this.settings.alpha[`${source}.${target}`] ?? alpha));
+  }
+
+  /** Whether the rollout differs from the one as learned. */
+  get altered(): boolean {
+    return Object.keys(this.settings.alpha).length > 0;
+  }
+
+  rolloutRequest(): RolloutRequest {
+    const { frames, reading } = this.settings;
+    const sequences = this.model?.info.sequences.length ?? 1;
+    return {
+      frames,
+      sequence: Math.min(this.settings.start, Math.max(0, sequences - 1)),
+      alpha: this.altered ? this.couplings() : null,
+      reading: this.altered ? reading : "as learned",
+    };
+  }
+
+  tickedClips(): ClipEntry[] {
+    return this.clips.filter(({ ticked }) => ticked);
+  }
+
+  get busy(): boolean {
+    return this.training.status !== "idle";
+  }
+}

@@ -1,0 +1,39 @@
+// Promises over the worker. The page knows the model only through this.
+import * as Comlink from "comlink";
+import type { TrainingJob, TrainingOutcome, TrainingReport, Workbench } from "./protocol";
+
+type Remote = Comlink.Remote<Workbench>;
+
+export type Engine = Omit<Remote, "train"> & {
+  train(job: TrainingJob, report: (report: TrainingReport) => void): Promise<TrainingOutcome>;
+};
+
+/** Starts the worker. The promise fails, with words for a person, where wasm or workers are missing. */
+export async function startEngine(): Promise<{
+  engine: Engine;
+  version: string;
+  samples: Awaited<ReturnType<Remote["start"]>>["samples"];
+}> {
+  if (typeof WebAssembly !== "object") {
+    throw new Error("This browser has no WebAssembly, which the model needs.");
+  }
+  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "vcgpdm" });
+  const broken = new Promise<never>((_, fail) => {
+    worker.addEventListener("error", (event) => {
+      fail(new Error(event.message || "The worker that computes the model could not be started."));
+    });
+  });
+  const remote = Comlink.wrap<Workbench>(worker);
+  const { version, samples } = await Promise.race([remote.start(), broken]);
+  const engine = new Proxy(remote, {
+    get(target, name) {
+      if (name === "train") {
+        return (job: TrainingJob, report: (report: TrainingReport) => void) =>
+          target.train(job, Comlink.proxy(report));
+      }
+      if (name === "then") return undefined;
+      return Reflect.get(target, name);
+    },
+  }) as unknown as Engine;
+  return { engine, version, samples };
+}

@@ -1,0 +1,34 @@
+// Numbers as the page writes them.
+
+/** Three significant digits, without an exponent between 0.001 and 10,000. */
+export function short(value: number): string {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e4 || size < 1e-3) return value.toExponential(1).replace("e+", "e");
+  return size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toPrecision(2);
+}
+
+/** A weight between 0 and 1. */
+export function weight(value: number): string {
+  return value > 0 && value < 0.005 ? "<0.01" : value.toFixed(2);
+}
+
+const groups = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
+
+export function grouped(value: number): string {
+  return groups.format(value).replace("-", "\u2212");
+}
+
+/** "3.2 s", "1 min 20 s" */
+export function duration(seconds: number): string {
+  const whole = Math.round(seconds);
+  return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
+}
+
+/** Time left, rounded so that it does not flicker. */
+export function timeLeft(elapsed: number, fraction: number): string {
+  if (fraction <= 0.01 || elapsed < 1) return "estimating the time left";
+  const left = (elapsed * (1 - fraction)) / fraction;
+  const step = left > 60 ? 10 : left > 20 ? 5 : 1;
+  return `at most ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
+}

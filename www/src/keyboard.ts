@@ -1,0 +1,37 @@
+// Keys that work anywhere on the page, unless a control wants them.
+
+export interface KeyActions {
+  togglePlay(): void;
+  step(direction: 1 | -1): void;
+  resetCouplings(): void;
+  help(): void;
+  projector(): void;
+}
+
+/** Whether the focused control uses this key itself. */
+function taken(event: KeyboardEvent): boolean {
+  const target = event.target as HTMLElement | null;
+  if (!target || event.ctrlKey || event.metaKey || event.altKey) return true;
+  if (document.querySelector("dialog[open]")) return true;
+  if (target.matches("input:not([type=range]):not([type=checkbox]), select, textarea")) return true;
+  if (event.key === " ") return target.matches("button, summary, a, input[type=checkbox], [role=tab]");
+  if (event.key.startsWith("Arrow")) return target.matches("input, [role=tab]");
+  return false;
+}
+
+export function listenToKeys(actions: KeyActions): void {
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || taken(event)) return;
+    const action = {
+      " ": () => actions.togglePlay(),
+      ArrowLeft: () => actions.step(-1),
+      ArrowRight: () => actions.step(1),
+      "0": () => actions.resetCouplings(),
+      "?": () => actions.help(),
+      p: () => actions.projector(),
+    }[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,85 @@
+// Wiring: the first motion, the worker, the views, the clock.
+import { html, render } from "lit";
+import { loadSamples, openFiles } from "./actions/clips";
+import { messageOf, resetCouplings, takeUp } from "./actions/couplings";
+import { App } from "./app";
+import { listenToDrops } from "./dropping";
+import { startEngine } from "./engine";
+import { decodeFirstMotion } from "./first-motion.js";
+import { listenToKeys } from "./keyboard";
+import { isEmbedded, readSettings } from "./state";
+import "./styles/base.css";
+import "./styles/layout.css";
+import "./styles/panels.css";
+import "./views/page";
+import type { PageView } from "./views/page";
+
+const app = new App(readSettings(location.hash), isEmbedded(location.search));
+const root = document.documentElement;
+root.dataset["engine"] = "loading";
+root.toggleAttribute("data-large", app.embedded);
+app.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+render(html`<pg-page .app=${app}></pg-page>`, document.body);
+const page = document.querySelector("pg-page") as PageView;
+
+listenToKeys({
+  togglePlay: () => page.timeline.togglePlay(),
+  step: (direction) => page.timeline.step(direction),
+  resetCouplings: () => resetCouplings(app),
+  help: () => page.help.open(),
+  projector: () => root.toggleAttribute("data-large"),
+});
+listenToDrops((files, at) => void openFiles(app, files, at));
+addEventListener("hashchange", () => {
+  app.settings = readSettings(location.hash);
+  app.player.speed = app.settings.speed;
+  app.player.loops = app.settings.loop;
+  if (app.model) takeUp(app, { model: app.model, rollout: app.learned! }, true);
+  app.tell("settings", "playback");
+});
+
+let before = performance.now();
+function frame(now: number): void {
+  const seconds = Math.min(0.25, (now - before) / 1000);
+  before = now;
+  app.advance(seconds);
+  page.stage?.draw(seconds);
+  requestAnimationFrame(frame);
+}
+requestAnimationFrame(frame);
+
+/** The stored first seconds walk until the worker has rolled out the real thing. */
+async function showFirstMotion(): Promise<void> {
+  const answer = await fetch(new URL("first/motion.bin", document.baseURI));
+  if (!answer.ok) return;
+  const { figure, joints, parts, positions, frames, frameTime } = decodeFirstMotion(await answer.arrayBuffer());
+  if (app.shown) return;
+  const motion = { positions, frames, nodes: figure.nodes.length, frameTime };
+  app.show({ kind: "first", figure, joints, parts, motion });
+}
+
+async function startModel(): Promise<void> {
+  const text = fetch(new URL("first/model.json", document.baseURI)).then((answer) => (answer.ok ? answer.text() : null));
+  try {
+    const { engine, version, samples } = await startEngine();
+    app.engine = engine;
+    app.version = version;
+    const model = await text;
+    if (model !== null) takeUp(app, await engine.openModel(model, app.settings.frames), true);
+    app.engineState = "ready";
+    root.dataset["engine"] = "ready";
+    app.tell("engine");
+    await loadSamples(app, samples);
+  } catch (problem) {
+    app.engineState = "failed";
+    app.engineProblem = messageOf(problem);
+    root.dataset["engine"] = "failed";
+    app.tell("engine");
+  }
+}
+
+showFirstMotion().catch(() => {
+  // Only the head start is lost: the model rolls out its own motion as soon as it is there.
+});
+void startModel();

@@ -1,0 +1,50 @@
+// One colour a part, everywhere: the Okabe-Ito colours, which colour-blind people can tell apart,
+// shifted in lightness (never in hue) for the dark page.
+
+interface Shades {
+  light: string;
+  dark: string;
+}
+
+const PARTS: Shades[] = [
+  { light: "#0072b2", dark: "#3ea3e6" }, // blue
+  { light: "#e08a00", dark: "#f0a52a" }, // orange
+  { light: "#009e73", dark: "#1fbf92" }, // bluish green
+  { light: "#c0609a", dark: "#d98bb8" }, // reddish purple
+  { light: "#d55e00", dark: "#ec7a2c" }, // vermillion
+  { light: "#3f9fd6", dark: "#7cc5f0" }, // sky blue
+  { light: "#a89a00", dark: "#e3d64a" }, // yellow
+  { light: "#6b6b6b", dark: "#a5a5a5" }, // grey, for an eighth part
+];
+
+export interface Theme {
+  dark: boolean;
+  ground: string;
+  ink: string;
+  quiet: string;
+  faint: string;
+  line: string;
+  ghost: string;
+}
+
+const LIGHT: Theme = {
+  dark: false, ground: "#f3f2ef", ink: "#1d2329", quiet: "#5c6670", faint: "#8b949c", line: "#dcdad5", ghost: "#8d9399",
+};
+const DARK: Theme = {
+  dark: true, ground: "#16191d", ink: "#e9ebed", quiet: "#a3abb3", faint: "#7a838b", line: "#31373d", ghost: "#8b939a",
+};
+
+const darkScheme = typeof matchMedia === "function" ? matchMedia("(prefers-color-scheme: dark)") : null;
+
+export function theme(): Theme {
+  return darkScheme?.matches ? DARK : LIGHT;
+}
+
+export function partColour(part: number): string {
+  const shades = PARTS[part % PARTS.length]!;
+  return darkScheme?.matches ? shades.dark : shades.light;
+}
+
+export function onThemeChange(listener: () => void): void {
+  darkScheme?.addEventListener("change", listener);
+}

@@ -1,0 +1,65 @@
+// The one clock of the page: which frame is now, and how it moves on.
+
+export class Player {
+  /** The frame now; need not be whole. */
+  frame = 0;
+  playing = false;
+  speed = 1;
+  loops = true;
+  private frames = 1;
+  private loopEnd = 0;
+  private frameTime = 1 / 30;
+
+  /** Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it. */
+  load(frames: number, frameTime: number, loopEnd: number): void {
+    this.frames = frames;
+    this.frameTime = frameTime;
+    this.loopEnd = Math.min(loopEnd, frames - 1);
+    if (this.frame > this.last) this.frame = this.loops ? 0 : this.last;
+  }
+
+  get last(): number {
+    return this.frames - 1;
+  }
+
+  /** Moves the clock on by seconds of the visitor's time; answers how many laps ended meanwhile. */
+  advance(seconds: number): number {
+    if (!this.playing || this.last < 1) return 0;
+    this.frame += (seconds * this.speed) / this.frameTime;
+    if (!this.loops) {
+      if (this.frame >= this.last) {
+        this.frame = this.last;
+        this.playing = false;
+      }
+      return 0;
+    }
+    // Scrubbed beyond the place to loop from: play on to the end.
+    const end = this.frame - (seconds * this.speed) / this.frameTime > this.loopEnd ? this.last : this.loopEnd;
+    let laps = 0;
+    while (this.frame >= end && end > 0) {
+      this.frame -= end;
+      laps += 1;
+    }
+    return laps;
+  }
+
+  play(): void {
+    if (!this.loops && this.frame >= this.last) this.frame = 0;
+    this.playing = true;
+  }
+
+  pause(): void {
+    this.playing = false;
+  }
+
+  /** Stops at the next whole frame in a direction, around the ends. */
+  step(direction: 1 | -1): void {
+    this.playing = false;
+    const next = direction > 0 ? Math.floor(this.frame + 1e-6) + 1 : Math.ceil(this.frame - 1e-6) - 1;
+    this.frame = next < 0 ? this.last : next > this.last ? 0 : next;
+  }
+
+  scrub(frame: number): void {
+    this.frame = Math.min(Math.max(frame, 0), this.last);
+  }
+}

@@ -1,0 +1,156 @@
+// What the page and its worker say to each other. Types only.
+import type {
+  ClipInfo,
+  ModelInfo,
+  Reading,
+  SampleInfo,
+  TrainingProgress,
+  TrainingSettings,
+} from "vcgpdm";
+
+export type {
+  BoundTerms,
+  ClipInfo,
+  Figure,
+  FigureNode,
+  JointInfo,
+  ModelInfo,
+  PartSpec,
+  PartsPreset,
+  Provenance,
+  Reading,
+  SampleInfo,
+  TrainingProgress,
+  TrainingSettings,
+} from "vcgpdm";
+
+/** A square table indexed [source][target]. */
+export type Couplings = number[][];
+
+/** World positions of a figure's nodes over time, y up, metres. */
+export interface Motion {
+  /** [frames x nodes x 3] */
+  positions: Float32Array;
+  frames: number;
+  nodes: number;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+/** A clip that the worker holds, with what the page needs to show it. */
+export interface LoadedClip {
+  /** The worker's number for the clip. */
+  id: number;
+  info: ClipInfo;
+  motion: Motion;
+}
+
+/** The dynamics inducing points of one coupling. */
+export interface DynamicsInducing {
+  count: number;
+  /** Histories, oldest state first [count x order*Qsource]. */
+  inputs: Float64Array;
+  /** Predictions [count x Qtarget]. */
+  outputs: Float64Array;
+}
+
+/** A fitted model as the page sees it: everything but the functions themselves. */
+export interface ModelView {
+  /** Grows with every model the worker takes up; results of an older model are dropped. */
+  revision: number;
+  info: ModelInfo;
+  /** Pose inducing inputs of each part [L x Q]. */
+  poseInducing: Float64Array[];
+  /** [source][target] */
+  dynamicsInducing: DynamicsInducing[][];
+  /** Latent means of the training frames of each part [N x Q]; null for a model from a file. */
+  trainingLatents: Float64Array[] | null;
+}
+
+export interface RolloutRequest {
+  frames: number;
+  sequence: number;
+  /** Absent: as learned. */
+  alpha: Couplings | null;
+  reading: Reading;
+}
+
+export interface RolloutResult {
+  revision: number;
+  request: RolloutRequest;
+  motion: Motion;
+  /** Latent path of each part [frames x Q]. */
+  latents: Float64Array[];
+  /** w[source][target] */
+  weights: Couplings;
+}
+
+/** A model with its rollout as learned. */
+export interface OpenedModel {
+  model: ModelView;
+  rollout: RolloutResult;
+}
+
+/** A clip chosen for training: frames first (counted from 0) up to, not including, end. */
+export interface TrainingClip {
+  id: number;
+  first: number;
+  end: number;
+}
+
+/** The inducing point that the visitor points at. */
+export type InducingPoint =
+  | { kind: "pose"; part: number; index: number }
+  | { kind: "dynamics"; source: number; target: number; index: number };
+
+/** What an inducing point stands for. */
+export interface InducingReport {
+  point: InducingPoint;
+  /** Node positions of the pose, and for a dynamics point of the pose it predicts [nodes x 3]. */
+  poses: Float32Array[];
+  /** How much the point speaks for each frame of the rollout, 0..1 [frames]. */
+  frames: Float64Array;
+}
+
+/** Sent about ten times a second while training. */
+export interface TrainingReport {
+  /** One entry for each iteration since the last report. */
+  steps: TrainingProgress[];
+  /** Seconds since the start. */
+  elapsed: number;
+  /** About once a second: the best model so far. */
+  snapshot: OpenedModel | null;
+}
+
+export interface TrainingOutcome {
+  cancelled: boolean;
+  /** Why training ended, in plain words. */
+  reason: string;
+  result: OpenedModel;
+}
+
+export interface TrainingJob {
+  clips: TrainingClip[];
+  settings: TrainingSettings;
+  /** How the snapshots are rolled out. */
+  frames: number;
+}
+
+/** The worker's face; every call answers with a promise on the page's side. */
+export interface Workbench {
+  start(): Promise<{ version: string; samples: SampleInfo[] }>;
+  freshSeed(): number;
+  readClip(name: string, bytes: Uint8Array): LoadedClip;
+  sampleClip(id: string): LoadedClip;
+  dropClip(id: number): void;
+  /** Throws with the reason when these clips cannot be trained on together. */
+  checkTogether(ids: number[]): void;
+  openModel(text: string, frames: number): OpenedModel;
+  rollout(request: RolloutRequest): RolloutResult;
+  inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
+  train(job: TrainingJob, report: (report: TrainingReport) => void): Promise<TrainingOutcome>;
+  cancelTraining(): void;
+  modelJson(): string;
+  rolloutBvh(request: RolloutRequest): string;
+}
+

@@ -1,0 +1,127 @@
+// The bound while it rises, and its terms beneath.
+import { html } from "lit";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { grouped } from "../format";
+import { onThemeChange, partColour, theme } from "../palette";
+import type { TrainingProgress } from "../protocol";
+import { swatchStyle, View } from "./view";
+
+interface Line {
+  label: string;
+  colour: string;
+  dash?: number[];
+  value(step: TrainingProgress): number;
+}
+
+function boundLine(): Line {
+  return { label: "bound", colour: theme().ink, value: ({ bound }) => bound };
+}
+
+function termLines(parts: readonly string[]): Line[] {
+  const { quiet, faint } = theme();
+  return [
+    ...parts.map((name, i): Line => ({ label: `poses, ${name}`, colour: partColour(i), value: ({ terms }) => terms.kinematics[i] ?? 0 })),
+    ...parts.map((name, i): Line => ({ label: `dynamics, ${name}`, colour: partColour(i), dash: [5, 4], value: ({ terms }) => terms.dynamics[i] ?? 0 })),
+    { label: "entropy", colour: quiet, value: ({ terms }) => terms.entropy },
+    { label: "first frames", colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
+  ];
+}
+
+/** The range to draw: the first iterations come from far below and would flatten the rest. */
+export function boundRange(values: readonly number[]): [number, number] {
+  const finite = values.filter(Number.isFinite);
+  if (finite.length === 0) return [0, 1];
+  const sorted = [...finite].sort((a, b) => a - b);
+  const top = sorted.at(-1)!;
+  const low = sorted[Math.floor(sorted.length * (sorted.length > 30 ? 0.12 : 0))]!;
+  const pad = Math.max(1, 0.08 * (top - low));
+  return [low - pad, top + pad];
+}
+
+export class BoundChart extends View {
+  static override topics = ["training"] as const;
+  private bound: uPlot | null = null;
+  private terms: uPlot | null = null;
+  private of = "";
+
+  override firstUpdated(): void {
+    onThemeChange(() => {
+      this.of = "";
+      this.fill();
+    });
+    new ResizeObserver(() => this.fit()).observe(this);
+  }
+
+  override updated(): void {
+    this.fill();
+  }
+
+  private fit(): void {
+    const width = this.clientWidth;
+    if (width === 0) return;
+    this.bound?.setSize({ width, height: 132 });
+    this.terms?.setSize({ width, height: 92 });
+  }
+
+  private make(box: HTMLElement, lines: Line[], height: number): uPlot {
+    const { quiet, line } = theme();
+    const grid = { stroke: line, width: 1 };
+    const font = "11px system-ui, sans-serif";
+    box.replaceChildren();
+    return new uPlot(
+      {
+        width: Math.max(120, this.clientWidth),
+        height,
+        legend: { show: false },
+        cursor: { show: false },
+        padding: [8, 6, 0, 0],
+        scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flatMap((row) => Array.from(row as number[]))) } },
+        axes: [
+          { stroke: quiet, grid: { show: false }, ticks: { show: false }, font, size: 22, gap: 2 },
+          { stroke: quiet, grid, ticks: { show: false }, font, size: 58, gap: 4, values: (_, ticks) => ticks.map(grouped) },
+        ],
+        series: [{}, ...lines.map(({ label, colour, dash }) => ({ label, stroke: colour, width: 1.75, ...(dash ? { dash } : {}), points: { show: false } }))],
+      },
+      [[], ...lines.map(() => [])],
+      box,
+    );
+  }
+
+  private fill(): void {
+    const { steps, parts } = this.app.training;
+    if (steps.length === 0 || this.clientWidth === 0) return;
+    const lines = termLines(parts);
+    const key = `${parts.join("|")}|${theme().dark}`;
+    const first = steps[0];
+    if (this.of !== key || !this.bound || !this.terms) {
+      this.of = key;
+      this.bound?.destroy();
+      this.terms?.destroy();
+      this.bound = this.make(this.querySelector(".bound")!, [boundLine()], 132);
+      this.terms = this.make(this.querySelector(".terms")!, lines, 92);
+    }
+    if (!first) return;
+    const x = steps.map(({ iteration }) => iteration);
+    this.bound.setData([x, steps.map(({ bound }) => bound)]);
+    this.terms.setData([x, ...lines.map(({ value }) => steps.map(value))]);
+  }
+
+  protected override render() {
+    const { steps, parts } = this.app.training;
+    const last = steps.at(-1);
+    return html`
+      <figure class="chart" ?hidden=${steps.length === 0} data-testid="bound-chart">
+        <figcaption>Evidence lower bound <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <div class="bound" role="img" aria-label="The bound over the iterations"></div>
+        <figcaption>Its terms</figcaption>
+        <div class="terms" role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul class="term-list">
+          ${termLines(parts).map(({ label, colour, dash, value }) => html`
+            <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
+              <output>${last ? grouped(value(last)) : ""}</output></li>`)}
+        </ul>
+      </figure>`;
+  }
+}
+customElements.define("pg-bound-chart", BoundChart);

@@ -1,0 +1,38 @@
+// The head of the page: what this is, and the files to save and open.
+import { html } from "lit";
+import { openFiles } from "../actions/clips";
+import { saveModel, saveMotion } from "../actions/saving";
+import { icon } from "./icons";
+import { View } from "./view";
+
+export class HeaderView extends View {
+  static override topics = ["model", "engine"] as const;
+
+  protected override render() {
+    const { app } = this;
+    const none = !app.model || !app.engine;
+    const open = (event: Event) => {
+      const input = event.target as HTMLInputElement;
+      const files = [...(input.files ?? [])];
+      input.value = "";
+      void openFiles(app, files, null);
+    };
+    return html`
+      <div class="title">
+        <h1>Coupled movement primitives</h1>
+        <p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(event: Event) => {
+          event.preventDefault();
+          this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));
+        }}>Drag a slider</a> and watch its parts fall out of step.</p>
+      </div>
+      <div class="actions" role="group" aria-label="Files">
+        <label class="small file-button">${icon("open")} Open
+          <input type="file" class="visually-hidden" data-testid="open-model" multiple accept=".json,.bvh,application/json" aria-label="Open a model (.json) or clips (.bvh)" @change=${open} /></label>
+        <button class="small" data-testid="save-model" ?disabled=${none} title="The trained model, as JSON" @click=${() => void saveModel(app)}>${icon("save")} Save model</button>
+        <button class="small" data-testid="save-motion" ?disabled=${none} title="The motion on the stage, as BVH" @click=${() => void saveMotion(app)}>${icon("save")} Save motion</button>
+        <button class="round" aria-label="Help and keys" title="Help and keys (?)" data-testid="help" @click=${() =>
+          this.dispatchEvent(new CustomEvent("show-help", { bubbles: true }))}>${icon("help")}</button>
+      </div>`;
+  }
+}
+customElements.define("pg-header", HeaderView);

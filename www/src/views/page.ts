@@ -1,0 +1,104 @@
+// The page: where each view goes. On narrow screens the panels beside the stage become tabs.
+import { html, nothing } from "lit";
+import "./clips";
+import "./couplings";
+import "./header";
+import { ACKNOWLEDGEMENT, type HelpView } from "./help";
+import "./latents";
+import "./notices";
+import type { StageView } from "./stage-view";
+import "./stage-view";
+import type { TimelineView } from "./timeline";
+import "./timeline";
+import "./training";
+import { View } from "./view";
+
+const TABS = [
+  ["latents", "Latents"],
+  ["couplings", "Couplings"],
+  ["training", "Training"],
+  ["clips", "Clips"],
+] as const;
+type Tab = (typeof TABS)[number][0];
+
+export class PageView extends View {
+  static override topics = ["engine"] as const;
+  static override properties = { tab: { state: true } };
+  declare tab: Tab;
+
+  constructor() {
+    super();
+    this.tab = "couplings";
+  }
+
+  get stage(): StageView {
+    return this.querySelector("pg-stage")!;
+  }
+
+  get timeline(): TimelineView {
+    return this.querySelector("pg-timeline")!;
+  }
+
+  get help(): HelpView {
+    return this.querySelector("pg-help")!;
+  }
+
+  private tabKeys(event: KeyboardEvent): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const tabs = this.tabs();
+    const at = tabs.findIndex(([id]) => id === this.tab);
+    this.tab = tabs[(at + step + tabs.length) % tabs.length]![0];
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${this.tab}`)?.focus());
+  }
+
+  private tabs() {
+    return this.app.embedded ? TABS.slice(0, 2) : TABS;
+  }
+
+  protected override render() {
+    const { app } = this;
+    const panel = (id: Tab) => (this.tab === id ? "panel active" : "panel");
+    return html`
+      <div class="page" data-embed=${app.embedded ? "1" : "0"} @show-help=${() => this.help.open()}
+        @show-couplings=${() => {
+          this.tab = "couplings";
+          void this.updateComplete.then(() =>
+            this.querySelector<HTMLElement>("pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input")?.focus());
+        }}>
+        ${app.embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
+        ${app.engineState === "failed"
+          ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout of it; sliders and training need the model.</p>`
+          : nothing}
+        <main>
+          <section class="stage-area" aria-label="Stage">
+            <pg-stage .app=${app}></pg-stage>
+            <pg-timeline .app=${app}></pg-timeline>
+          </section>
+          <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.tabKeys}>
+            ${this.tabs().map(([id, title]) => html`
+              <button role="tab" id="tab-${id}" aria-controls="panel-${id}" aria-selected=${this.tab === id ? "true" : "false"}
+                tabindex=${this.tab === id ? 0 : -1} @click=${() => (this.tab = id)}>${title}</button>`)}
+          </div>
+          <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces"><pg-latents .app=${app}></pg-latents></section>
+          <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings"><pg-couplings .app=${app}></pg-couplings></section>
+          ${app.embedded ? nothing : html`
+            <div class="side">
+              <section id="panel-training" class=${panel("training")} aria-label="Training"><pg-training .app=${app}></pg-training></section>
+              <section id="panel-clips" class=${panel("clips")} aria-label="Clips"><pg-clips .app=${app}></pg-clips></section>
+            </div>`}
+        </main>
+        ${app.embedded ? nothing : html`
+          <footer>
+            <span>Nothing you load leaves your machine.</span>
+            <span>The start model was trained on CMU subject 35. ${ACKNOWLEDGEMENT}</span>
+          </footer>`}
+        <pg-notices .app=${app}></pg-notices>
+        <pg-help .app=${app}></pg-help>
+        <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh) or a model (.json)</p></div>
+      </div>`;
+  }
+}
+customElements.define("pg-page", PageView);

@@ -1,0 +1,258 @@
+// The stage: figure, ghost and ground, seen by a camera that follows the walk.
+import {
+  DirectionalLight,
+  HemisphereLight,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { App, Shown } from "../app";
+import { HERE, placeOnto, poseAt } from "../motion";
+import { onThemeChange, theme } from "../palette";
+import type { Motion } from "../protocol";
+import { type FigureStyle, FigureView } from "./figure";
+import { Ground } from "./ground";
+
+const LOOK_AT_HEIGHT = 0.88;
+
+export class Stage {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
+  private readonly controls: OrbitControls;
+  private readonly ground = new Ground();
+  private readonly sun = new DirectionalLight(0xffffff, 2.1);
+  private readonly sky = new HemisphereLight(0xffffff, 0xb8b2a6, 1.5);
+  private figure: FigureView | null = null;
+  private ghost: FigureView | null = null;
+  private marked: FigureView[] = [];
+  private figureOf: Shown | null = null;
+  private feet: number[] = [];
+  private readonly focus = new Vector3(0, LOOK_AT_HEIGHT, 0);
+  private placed = false;
+  private dirty = true;
+  private drawn = 0;
+  private ghostPose = new Float32Array(0);
+
+  /** Throws where the browser has no WebGL. */
+  constructor(
+    private readonly app: App,
+    readonly canvas: HTMLCanvasElement,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "low-power" });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.radius = 5;
+    this.sun.shadow.bias = -0.0005;
+    this.sun.shadow.normalBias = 0.02;
+    const view = this.sun.shadow.camera;
+    [view.left, view.right, view.top, view.bottom, view.near, view.far] = [-1.6, 1.6, 1.9, -1.3, 0.5, 9];
+    this.scene.add(this.sky, this.sun, this.sun.target, this.ground.group);
+    this.controls = new OrbitControls(this.camera, canvas);
+    Object.assign(this.controls, {
+      enablePan: false, enableDamping: true, dampingFactor: 0.12, minDistance: 1.6, maxDistance: 12,
+      minPolarAngle: 0.15, maxPolarAngle: Math.PI / 2 - 0.03, rotateSpeed: 0.8, zoomSpeed: 0.7,
+    });
+    this.controls.target.copy(this.focus);
+    this.controls.addEventListener("change", () => (this.dirty = true));
+    canvas.addEventListener("keydown", (event) => this.turnByKey(event));
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
+    onThemeChange(() => this.recolour());
+    app.on(["shown"], () => this.rebuild());
+    app.on(["rollout", "model"], () => this.rebuildGhost());
+    app.on(["pointed"], () => this.rebuildMarked());
+    app.on(["tick"], () => (this.dirty = true));
+    this.resize();
+    this.recolour();
+  }
+
+  private recolour(): void {
+    const { dark, ground } = theme();
+    this.renderer.setClearColor(ground);
+    this.sky.intensity = dark ? 1.15 : 1.6;
+    this.sky.groundColor.set(dark ? 0x2a2d33 : 0xc9c3b8);
+    this.sun.intensity = dark ? 2.0 : 2.1;
+    this.ground.recolour();
+    this.figureOf = null;
+    this.rebuild();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.dirty = true;
+  }
+
+  private make(shown: Shown, style: FigureStyle): FigureView {
+    const pose = poseAt(shown.motion, 0, HERE, new Float32Array(shown.motion.nodes * 3));
+    const view = new FigureView(shown.figure, shown.joints, shown.parts, pose, style);
+    this.scene.add(view.group);
+    return view;
+  }
+
+  private rebuild(): void {
+    const { shown } = this.app;
+    this.dirty = true;
+    if (!shown) return;
+    const before = this.figureOf;
+    const same =
+      before !== null &&
+      JSON.stringify([before.figure, before.joints, before.parts]) ===
+        JSON.stringify([shown.figure, shown.joints, shown.parts]);
+    this.figureOf = shown;
+    if (!same) {
+      this.figure?.dispose();
+      this.figure = this.make(shown, { kind: "solid" });
+      this.feet = feetOf(shown.motion);
+      this.ghost?.dispose();
+      this.ghost = null;
+    }
+    this.rebuildGhost();
+    this.rebuildMarked();
+    if (!this.placed || (before && before.motion.nodes !== shown.motion.nodes)) this.placeCamera();
+  }
+
+  private rebuildGhost(): void {
+    const { app } = this;
+    const wanted = app.shown?.kind === "model" && app.altered && app.learned !== null;
+    this.dirty = true;
+    if (!wanted) {
+      this.ghost?.dispose();
+      this.ghost = null;
+    } else if (!this.ghost && app.shown) {
+      this.ghost = this.make(app.shown, { kind: "ghost" });
+    }
+  }
+
+  /** The pose of the inducing point that is pointed at; for a dynamics point also the pose it predicts. */
+  private rebuildMarked(): void {
+    const { pointed, shown } = this.app;
+    this.marked.forEach((figure) => figure.dispose());
+    this.marked = [];
+    this.dirty = true;
+    if (pointed && shown?.kind === "model") {
+      const { point } = pointed;
+      const parts = point.kind === "pose" ? [point.part] : [point.source, point.target];
+      this.marked = pointed.poses.map((_, i) =>
+        this.make(shown, { kind: "accent", part: parts[i] ?? 0, opacity: point.kind === "dynamics" && i === 0 ? 0.5 : 1 }));
+    }
+    this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
+  }
+
+  /** Looks at the walk from the side and a little from the front. */
+  private placeCamera(): void {
+    const { shown, walk, player } = this.app;
+    if (!shown || !walk) return;
+    const { positions, frames, nodes } = shown.motion;
+    const end = Math.min(frames - 1, 60) * nodes * 3;
+    const [dx, dz] = [positions[end]! - positions[0]!, positions[end + 2]! - positions[2]!];
+    const heading = Math.hypot(dx, dz) > 0.2 ? Math.atan2(dx, dz) : 0;
+    const pose = walk.at(player.frame);
+    this.focus.set(pose[0]!, LOOK_AT_HEIGHT, pose[2]!);
+    const away = this.camera.aspect < 0.9 ? 5.6 : 4.7;
+    const angle = heading + 0.95;
+    this.controls.target.copy(this.focus);
+    this.camera.position.set(
+      this.focus.x + away * Math.sin(angle), LOOK_AT_HEIGHT + 0.5, this.focus.z + away * Math.cos(angle));
+    this.controls.update();
+    this.placed = true;
+  }
+
+  private turnByKey(event: KeyboardEvent): void {
+    const turn = { a: [-0.12, 0], d: [0.12, 0], w: [0, -0.08], s: [0, 0.08] }[event.key];
+    const zoom = { "+": 0.9, "-": 1.1 }[event.key];
+    if (!turn && !zoom) return;
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    if (zoom) offset.multiplyScalar(zoom);
+    if (turn) {
+      offset.applyAxisAngle(new Vector3(0, 1, 0), turn[0]!);
+      const side = new Vector3(0, 1, 0).cross(offset).normalize();
+      offset.applyAxisAngle(side, turn[1]!);
+    }
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.dirty = true;
+    event.preventDefault();
+  }
+
+  /** Draws when something changed. `seconds` since the last call. */
+  draw(seconds: number): void {
+    this.controls.update();
+    const { app } = this;
+    if (!app.walk || !this.figure) {
+      if (this.dirty) this.renderer.render(this.scene, this.camera);
+      this.dirty = false;
+      return;
+    }
+    if (!this.dirty && !this.settling()) return;
+    const pose = app.walk.at(app.player.frame);
+    this.figure.pose(pose);
+    this.poseGhost(pose);
+    app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose, i)));
+    this.followWalk(pose, seconds);
+    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet);
+    this.renderer.render(this.scene, this.camera);
+    this.canvas.dataset["framesDrawn"] = String(++this.drawn);
+    this.dirty = false;
+  }
+
+  private poseGhost(pose: Float32Array): void {
+    const motion: Motion | undefined = this.app.learned?.motion;
+    if (!this.ghost || !motion || motion.nodes * 3 !== pose.length) return;
+    if (this.ghostPose.length !== pose.length) this.ghostPose = new Float32Array(pose.length);
+    const frame = this.app.player.frame;
+    poseAt(motion, frame, HERE, this.ghostPose);
+    this.ghost.pose(poseAt(motion, frame, placeOnto(this.ghostPose, pose), this.ghostPose));
+  }
+
+  private settling(): boolean {
+    const pose = this.app.walk?.at(this.app.player.frame);
+    return pose !== undefined && Math.hypot(pose[0]! - this.focus.x, pose[2]! - this.focus.z) > 0.02;
+  }
+
+  /** Moves camera and light along with the figure, softly. */
+  private followWalk(pose: Float32Array, seconds: number): void {
+    const [x, z] = [pose[0]!, pose[2]!];
+    const gap = Math.hypot(x - this.focus.x, z - this.focus.z);
+    const part = gap > 3 ? 1 : 1 - Math.exp(-6 * Math.min(seconds, 0.1));
+    const [dx, dz] = [part * (x - this.focus.x), part * (z - this.focus.z)];
+    this.focus.x += dx;
+    this.focus.z += dz;
+    this.camera.position.x += dx;
+    this.camera.position.z += dz;
+    this.controls.target.copy(this.focus);
+    this.ground.follow(x, z);
+    this.sun.target.position.set(x, 0.6, z);
+    this.sun.position.set(x + 1.6, 4.4, z + 1.3);
+  }
+}
+
+/** Puts a marked pose where the figure stands, turned as it is. */
+function placed(marked: Float32Array, pose: Float32Array, index: number): Float32Array {
+  const motion: Motion = { positions: marked, frames: 1, nodes: marked.length / 3, frameTime: 1 };
+  const placement = placeOnto(marked, pose);
+  // The predicted pose stands a little ahead, so that the two can be told apart.
+  const ahead = 0.0 * index;
+  return poseAt(motion, 0, { ...placement, x: placement.x + ahead }, new Float32Array(marked.length));
+}
+
+/** Nodes that come down to the ground. */
+function feetOf({ positions, frames, nodes }: Motion): number[] {
+  const lowest = new Float32Array(nodes).fill(Infinity);
+  for (let t = 0; t < frames; t++) {
+    for (let node = 0; node < nodes; node++) {
+      lowest[node] = Math.min(lowest[node]!, positions[(t * nodes + node) * 3 + 1]!);
+    }
+  }
+  return [...lowest.keys()].filter((node) => lowest[node]! < 0.14).slice(0, 8);
+}

@@ -1,0 +1,139 @@
+// Train, follow and cancel; and what to train.
+import { html, nothing } from "lit";
+import { changeSettings } from "../actions/settings";
+import { cancelTraining, newSeed, train, whyNotTrain } from "../actions/training";
+import { timeLeft } from "../format";
+import { partColour } from "../palette";
+import { partsFor } from "../parts";
+import { BY_HAND, type NumberSetting, SETTINGS } from "../state";
+import "./bound-chart";
+import { icon } from "./icons";
+import "./parts-editor";
+import { swatchStyle, View } from "./view";
+
+type Count = "latent" | "dynamicsIps" | "poseIps" | "framesPerSecond" | "seed" | "maxIterations" | "order";
+
+export class TrainingView extends View {
+  static override topics = ["training", "settings", "clips", "engine"] as const;
+
+  private count(name: Count, label: string, hint: string) {
+    const { min, max, step } = SETTINGS[name] as NumberSetting;
+    const { settings, busy } = this.app;
+    return html`
+      <label class="field" title=${hint}>
+        <span>${label}</span>
+        <input type="number" data-testid="setting-${name}" min=${min} max=${max} step=${step} .value=${String(settings[name])} ?disabled=${busy}
+          @change=${(event: Event) => {
+            const input = event.target as HTMLInputElement;
+            changeSettings(this.app, { [name]: input.valueAsNumber });
+            input.value = String(this.app.settings[name]);
+          }} />
+      </label>`;
+  }
+
+  private partsField() {
+    const { app } = this;
+    const clip = app.tickedClips()[0];
+    const presets = clip?.loaded.info.presets ?? [];
+    const { parts, split } = app.settings;
+    const hand = parts === BY_HAND;
+    const chosen = hand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
+    const now = clip ? partsFor(clip.loaded.info, parts, split) : [];
+    const choose = (event: Event) => {
+      const value = (event.target as HTMLSelectElement).value;
+      changeSettings(app, value === BY_HAND ? { parts: BY_HAND, split: now } : { parts: value });
+      app.tell("clips");
+    };
+    return html`
+      <label class="field wide">
+        <span>Parts</span>
+        <select data-testid="setting-parts" aria-label="Parts" ?disabled=${app.busy || !clip} @change=${choose}>
+          ${presets.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
+          <option value=${BY_HAND} ?selected=${hand}>By hand</option>
+        </select>
+      </label>
+      <ul class="part-row" aria-label="The parts to train">
+        ${now.map(({ name, joints }, part) => html`
+          <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`)}
+      </ul>
+      ${hand && clip ? html`<pg-parts-editor .app=${app}></pg-parts-editor>` : nothing}`;
+  }
+
+  private progress() {
+    const { training } = this.app;
+    const last = training.steps.at(-1);
+    const fraction = last?.fraction ?? 0;
+    const running = this.app.busy;
+    return html`
+      <div class="progress-row">
+        <progress max="1" .value=${running ? fraction : training.steps.length > 0 ? 1 : 0} aria-label="Training" ?hidden=${!running}></progress>
+        <p class="progress-text" data-testid="progress">
+          ${running
+            ? last
+              ? html`<span>Iteration ${last.iteration}</span><span>${timeLeft(training.elapsed, fraction)}</span><span>${last.phase}</span>`
+              : html`<span>Setting up</span>`
+            : training.ending
+              ? html`<span class=${training.failed ? "bad" : ""}>${training.failed ? `Training failed: ${training.ending}` : training.ending}</span>`
+              : nothing}
+        </p>
+      </div>`;
+  }
+
+  /** Heard by screen readers: the state, not each iteration. */
+  private announcement(): string {
+    const { training } = this.app;
+    const last = training.steps.at(-1);
+    if (training.status === "running") {
+      return last ? `Training, ${Math.floor(last.fraction * 10) * 10} per cent of the iterations` : "Training started";
+    }
+    if (training.status === "cancelling") return "Cancelling";
+    return training.ending ? `Training ended. ${training.ending}` : "";
+  }
+
+  protected override render() {
+    const { app } = this;
+    const why = whyNotTrain(app);
+    const ticked = app.tickedClips().length;
+    const started = app.busy || app.training.steps.length > 0 || app.training.ending !== "";
+    return html`
+      <header class="panel-head"><h2>Training</h2></header>
+      <div class="train-row">
+        ${app.busy
+          ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
+              title="Stop here and keep the best model so far" @click=${() => cancelTraining(app)}>Cancel</button>`
+          : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
+              @click=${() => void train(app)}>Train</button>`}
+        <p id="train-why" class="hint">${why || (app.busy
+          ? "Cancel keeps the best so far."
+          : `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`)}</p>
+      </div>
+      ${started ? this.progress() : nothing}
+      <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
+      <pg-bound-chart .app=${app}></pg-bound-chart>
+      <div class="fields">
+        ${this.partsField()}
+        ${this.count("latent", "Latent dimensions", "Q, the dimensions of each part's latent space")}
+        ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics")}
+        ${this.count("poseIps", "Pose points", "Inducing points of each part's pose map")}
+        ${this.count("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
+      </div>
+      <details class="advanced">
+        <summary>Advanced</summary>
+        <div class="fields">
+          <div class="field seed">
+            <label for="seed-input">Seed</label>
+            <input id="seed-input" type="number" data-testid="setting-seed" min="0" max=${SETTINGS.seed.max} .value=${String(app.settings.seed)} ?disabled=${app.busy}
+              @change=${(event: Event) => {
+                const input = event.target as HTMLInputElement;
+                changeSettings(app, { seed: input.valueAsNumber });
+                input.value = String(app.settings.seed);
+              }} />
+            <button class="round" aria-label="New seed" title="New seed" ?disabled=${app.busy || !app.engine} @click=${() => void newSeed(app)}>${icon("dice")}</button>
+          </div>
+          ${this.count("order", "Frames of history", "The order p of the dynamics")}
+          ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
+        </div>
+      </details>`;
+  }
+}
+customElements.define("pg-training", TrainingView);
