@@ -53,6 +53,7 @@ pub struct Figure {
 
 /// What there is to know of a clip.
 #[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
 pub struct ClipInfo {
     pub name: String,
@@ -173,6 +174,7 @@ pub struct Provenance {
 
 /// What there is to know of a model.
 #[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
 pub struct ModelInfo {
     pub parts: Vec<PartInfo>,

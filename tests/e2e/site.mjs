@@ -1,7 +1,10 @@
 // The built page in a real browser, served from a sub-folder as a university's web space would.
+import { readFile } from "node:fs/promises";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
 
 /**
  * @param {object} [options]
@@ -14,9 +17,9 @@ export async function openSite(options = {}) {
 
   /**
    * A fresh visitor on the page, and what went wrong while they were there.
-   * @param {import("playwright-core").BrowserContextOptions & { query?: string }} [options]
+   * @param {import("playwright-core").BrowserContextOptions & { settings?: string }} [options] `settings` as in the page's address
    */
-  async function visit({ query = "", ...options } = {}) {
+  async function visit({ settings = "", ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     const page = await context.newPage();
     /** @type {string[]} */
@@ -27,7 +30,7 @@ export async function openSite(options = {}) {
     context.on("request", (request) => {
       if (/^https?:/.test(request.url()) && !request.url().startsWith(server.address)) problems.push(`foreign: ${request.url()}`);
     });
-    await page.goto(server.address + query);
+    await page.goto(`${server.address}#${settings}`);
     return { page, problems, leave: () => context.close() };
   }
 
@@ -40,12 +43,33 @@ export async function openSite(options = {}) {
   };
 }
 
-/** Waits until the wasm has loaded and the page is fully usable. */
-export const ready = (/** @type {import("playwright-core").Page} */ page) => page.waitForSelector("html[data-engine=ready]", { timeout: 30_000 });
+/** Waits until the wasm runs and the sample clips are there: nothing is dead any more. */
+export async function ready(/** @type {Page} */ page) {
+  await page.waitForSelector("html[data-engine=ready], html[data-engine=failed]", { timeout: 30_000 });
+  await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached", timeout: 30_000 });
+}
 
 /** Whether what an element shows differs between two moments. */
 export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
   const before = await element.screenshot();
   await element.page().waitForTimeout(milliseconds);
   return !before.equals(await element.screenshot());
+}
+
+/** What a button saves to disk. */
+export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);
+  return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
+}
+
+/** Drops files onto the middle of the page, as from a file manager. */
+export async function drop(/** @type {Page} */ page, /** @type {Record<string, string>} */ files) {
+  const dataTransfer = await page.evaluateHandle((files) => {
+    const transfer = new DataTransfer();
+    for (const [name, text] of Object.entries(files)) transfer.items.add(new File([text], name));
+    return transfer;
+  }, files);
+  for (const type of ["dragenter", "dragover", "drop"]) {
+    await page.dispatchEvent("body", type, { dataTransfer, clientX: 640, clientY: 400 });
+  }
 }

@@ -32,3 +32,15 @@ export function timeLeft(elapsed: number, fraction: number): string {
   const step = left > 60 ? 10 : left > 20 ? 5 : 1;
   return `at most ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
 }
+
+/** A clip's name without the ending of its file. */
+export function clipTitle(name: string): string {
+  return name.replace(/\.bvh$/i, "");
+}
+
+/** Words from elsewhere as a sentence of their own. */
+export function sentence(words: string): string {
+  const text = words.trim();
+  if (text === "") return "";
+  return `${text[0]!.toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
+}

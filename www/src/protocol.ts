@@ -2,14 +2,12 @@
 import type {
   ClipInfo,
   ModelInfo,
-  Reading,
   SampleInfo,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
 
 export type {
-  BoundTerms,
   ClipInfo,
   Figure,
   FigureNode,
@@ -18,11 +16,13 @@ export type {
   PartSpec,
   PartsPreset,
   Provenance,
-  Reading,
   SampleInfo,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
+
+/** What changed couplings do to the experts. */
+export type Reading = "as learned" | "re-inferred";
 
 /** A square table indexed [source][target]. */
 export type Couplings = number[][];

@@ -1,5 +1,6 @@
 // Opening, ticking, cutting and looking at clips.
 import type { App, ClipEntry } from "../app";
+import { clipTitle } from "../format";
 import { partsFor } from "../parts";
 import type { SampleInfo } from "../protocol";
 import { messageOf, showRollout, takeUp } from "./couplings";
@@ -53,8 +54,8 @@ async function openModel(app: App, text: string): Promise<void> {
 
 async function openClip(app: App, file: File, first: boolean): Promise<void> {
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const title = file.name.replace(/\.bvh$/i, "");
-  const loaded = await app.engine!.readClip(title, bytes);
+  const title = clipTitle(file.name);
+  const loaded = await app.engine!.readClip(file.name, bytes);
   // Own clips are what the visitor wants to train on now: the made ones step back.
   if (first) app.clips = app.clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
   const key = `own-${loaded.id}`;

@@ -1,5 +1,6 @@
 // Files that leave the page, to the visitor's own disk.
 import type { App } from "../app";
+import { clipTitle } from "../format";
 import { messageOf } from "./couplings";
 
 function download(name: string, type: string, text: string): void {
@@ -12,7 +13,7 @@ function download(name: string, type: string, text: string): void {
 }
 
 function baseName(app: App): string {
-  const clip = app.model?.info.provenance.clips[0]?.name ?? "model";
+  const clip = clipTitle(app.model?.info.sequences[0]?.name ?? "model");
   const plain = clip.replace(/[^\p{L}\p{N}_-]+/gu, "-").replace(/^-+|-+$/g, "");
   return `${plain || "model"}-${app.model?.info.parts.length ?? 1}-parts`;
 }

@@ -28,8 +28,8 @@ export class BodyMap extends View {
 
   override willUpdate(): void {
     const { model, learned } = this.app;
-    if (!model || !learned || this.bodyOf === model.info.provenance.clips[0]?.sha256 + JSON.stringify(model.info.parts)) return;
-    this.bodyOf = model.info.provenance.clips[0]?.sha256 + JSON.stringify(model.info.parts);
+    if (!model || !learned || this.bodyOf === model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts)) return;
+    this.bodyOf = model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts);
     this.body = this.layOut();
   }
 
@@ -82,7 +82,7 @@ export class BodyMap extends View {
     const w = rollout?.weights[source]?.[target] ?? 0;
     const [a, b] = [this.body.spots[source], this.body.spots[target]];
     if (!a || !b) return svg``;
-    const width = 1 + 8 * w;
+    const width = 1 + 6.5 * w;
     const path = source === target ? loopPath(a, WIDTH) : bowPath(a, b);
     const name = (part: number) => model!.info.parts[part]?.name ?? "";
     const alpha = this.app.couplings()[source]![target]!;
@@ -93,8 +93,8 @@ export class BodyMap extends View {
         @pointerup=${() => (this.drag = null)} @pointercancel=${() => (this.drag = null)}
         @dblclick=${() => resetCoupling(this.app, source, target)}>
         <title>${name(source)} to ${name(target)}: weight ${weight(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker.</title>
-        <marker id=${head} viewBox="0 0 10 10" refX="7" refY="5" markerUnits="userSpaceOnUse"
-          markerWidth=${7 + 1.3 * width} markerHeight=${7 + 1.3 * width} orient="auto"><path d="M0 0.8L10 5L0 9.2z" fill=${colour} /></marker>
+        <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
+          markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" fill=${colour} /></marker>
         <path class="grip" d=${path} />
         <path class="line" d=${path} stroke-width=${width.toFixed(2)} opacity=${(0.3 + 0.7 * Math.sqrt(w)).toFixed(2)} marker-end="url(#${head})" />
       </g>`;
@@ -163,9 +163,11 @@ function bowPath(a: Spot, b: Spot): string {
   return `M${from.x.toFixed(1)} ${from.y.toFixed(1)}Q${mx.toFixed(1)} ${my.toFixed(1)} ${to.x.toFixed(1)} ${to.y.toFixed(1)}`;
 }
 
-/** A loop on the outer side of a node. */
+/** A loop beside a node, on its outer side. */
 function loopPath({ x, y }: Spot, width: number): string {
   const side = x < width / 2 - 1 ? -1 : 1;
-  const r = NODE;
-  return `M${(x + side * r * 0.5).toFixed(1)} ${(y - r * 0.9).toFixed(1)}c${side * 12} -22 ${side * 34} 4 ${side * 9} ${(r * 1.15).toFixed(1)}`;
+  const at = (angle: number, away: number) =>
+    `${(x + side * away * Math.cos(angle)).toFixed(1)} ${(y - away * Math.sin(angle)).toFixed(1)}`;
+  const rim = NODE + 1;
+  return `M${at(0.75, rim)}C${at(0.62, 46)} ${at(-0.62, 46)} ${at(-0.62, rim + 5)}`;
 }

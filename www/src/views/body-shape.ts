@@ -11,6 +11,8 @@ export interface Capsule {
   r1: number;
   /** The joint that turns this bone. */
   joint: number;
+  /** Right and left node of the body here: across these a trunk is wider than it is deep. */
+  across: [number, number] | null;
 }
 
 export interface Ball {
@@ -38,10 +40,22 @@ const FLESH: [RegExp, number, number][] = [
   [/up_?leg|upper_?leg|thigh|(left|right|[lr]_?)_?hip$/, 0.078, 0.052],
   [/leg|knee|shin|calf|tibia/, 0.054, 0.036],
   [/head/, 0.05, 0.05],
-  [/neck/, 0.042, 0.04],
+  [/neck/, 0.05, 0.047],
   [/hips?$|pelvis|root/, 0.085, 0.08],
   [/spine|chest|torso|back|abdomen|waist|trunk/, 0.09, 0.098],
 ];
+
+const TRUNK = /^(?!.*(left|right)).*(hips$|pelvis|root|spine|chest|torso|back|abdomen|waist|trunk)/i;
+
+/** The first right and left node of a kind, by their names. */
+function pairOf(figure: Figure, joints: readonly string[], kind: RegExp): [number, number] | null {
+  const find = (side: RegExp) =>
+    figure.nodes.findIndex(({ joint, endSite }) => !endSite && kind.test(joints[joint] ?? "") && side.test(joints[joint] ?? ""));
+  const right = find(/right|^r(?=[A-Z_])|[_.:]r$|(?<=[_:])r(?=[A-Z_])/);
+  const left = find(/left|^l(?=[A-Z_])|[_.:]l$|(?<=[_:])l(?=[A-Z_])/);
+  const [r, l] = [right >= 0 ? right : find(/Right|^R(?=[A-Z_])|[_.]R$/), left >= 0 ? left : find(/Left|^L(?=[A-Z_])|[_.]L$/)];
+  return r >= 0 && l >= 0 ? [r, l] : null;
+}
 
 function radii(name: string, length: number): [number, number] {
   const plain = name.toLowerCase().replace(/^.*:/, "").replace(/\s+/g, "_");
@@ -56,6 +70,8 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
   const balls: Ball[] = [];
   const length = (a: number, b: number) =>
     Math.hypot(pose[3 * a]! - pose[3 * b]!, pose[3 * a + 1]! - pose[3 * b + 1]!, pose[3 * a + 2]! - pose[3 * b + 2]!);
+  const hips = pairOf(figure, joints, /up_?leg|upper_?leg|thigh|hip/i);
+  const shoulders = pairOf(figure, joints, /arm|shoulder|collar/i);
   figure.nodes.forEach(({ parent }, node) => {
     if (parent === null) return;
     const joint = figure.nodes[parent]!.joint;
@@ -68,7 +84,8 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
       const most = 0.45 * long;
       [r0, r1] = [Math.min(r0, Math.max(most, 0.01)), Math.min(r1, Math.max(most, 0.01))];
     }
-    capsules.push({ from: parent, to: node, length: long, r0, r1, joint });
+    const across = TRUNK.test(name) ? (/hip|pelvis|low|root/i.test(name) ? (hips ?? shoulders) : (shoulders ?? hips)) : null;
+    capsules.push({ from: parent, to: node, length: long, r0, r1, joint, across });
   });
   // Thin bones that leave the trunk sideways (hip and shoulder joints) stay thin enough to be covered by it.
   for (const capsule of capsules) {
@@ -77,8 +94,9 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
     if (parent === null && outward && capsule.r0 >= 0.08) [capsule.r0, capsule.r1] = [0.07, 0.07];
   }
   const head = headOf(figure, joints, pose);
-  if (head) balls.push(head);
-  return { capsules, balls };
+  if (!head) return { capsules, balls };
+  balls.push(head);
+  return { capsules: capsules.filter(({ to }) => to !== head.towards), balls };
 }
 
 /** The head: the joint of that name with its end, or nothing where no joint has it. */

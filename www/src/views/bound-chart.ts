@@ -1,5 +1,5 @@
 // The bound while it rises, and its terms beneath.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { grouped } from "../format";
@@ -75,7 +75,7 @@ export class BoundChart extends View {
         height,
         legend: { show: false },
         cursor: { show: false },
-        padding: [8, 6, 0, 0],
+        padding: [8, 16, 0, 0],
         scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flatMap((row) => Array.from(row as number[]))) } },
         axes: [
           { stroke: quiet, grid: { show: false }, ticks: { show: false }, font, size: 22, gap: 2 },
@@ -111,12 +111,15 @@ export class BoundChart extends View {
     const { steps, parts } = this.app.training;
     const last = steps.at(-1);
     return html`
-      <figure class="chart" ?hidden=${steps.length === 0} data-testid="bound-chart">
-        <figcaption>Evidence lower bound <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
-        <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-        <figcaption>Its terms</figcaption>
-        <div class="terms" role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul class="term-list">
+      <figure class="chart" data-testid="bound-chart">
+        <figcaption><span>Evidence lower bound${this.app.busy && last ? html`<small>, ${last.phase}</small>` : nothing}</span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <div class="bound-box">
+          <div class="bound" role="img" aria-label="The bound over the iterations"></div>
+          ${steps.length === 0 ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+        </div>
+        <figcaption ?hidden=${steps.length === 0}>Its terms</figcaption>
+        <div class="terms" ?hidden=${steps.length === 0} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${steps.length === 0} class="term-list">
           ${termLines(parts).map(({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`)}

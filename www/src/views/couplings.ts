@@ -1,7 +1,7 @@
 // The couplings as a table of sliders: which part predicts which, and how much its prediction counts.
 import { html, nothing } from "lit";
 import { resetCoupling, resetCouplings, setCoupling, setReading, setStart } from "../actions/couplings";
-import { short, weight } from "../format";
+import { clipTitle, short, weight } from "../format";
 import { partColour } from "../palette";
 import { ALPHA_MAX, ALPHA_MIN } from "../state";
 import "./body-map";
@@ -11,10 +11,10 @@ import { swatchStyle, View } from "./view";
 const LOG_MIN = Math.log10(ALPHA_MIN);
 const LOG_MAX = Math.log10(ALPHA_MAX);
 
-/** Per cent from the strong (left: none of it, right: all of it) end; sliders run from weak to strong. */
+/** Where on its slider a value lies: 0 at the left, weak end, 1 at the right, strong end. */
 function strength(alpha: number): number {
   const log = Math.min(LOG_MAX, Math.max(LOG_MIN, Math.log10(alpha)));
-  return (100 * (LOG_MAX - log)) / (LOG_MAX - LOG_MIN);
+  return (LOG_MAX - log) / (LOG_MAX - LOG_MIN);
 }
 
 export class CouplingsView extends View {
@@ -46,8 +46,8 @@ export class CouplingsView extends View {
     return html`
       <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
         <div class="slider">
-          <span class="fill" style="width:${strength(alpha)}%"></span>
-          <span class="tick" style="left:${strength(learned)}%" title="As learned: ${short(learned)}"></span>
+          <span class="fill" style="--at:${strength(alpha).toFixed(4)}"></span>
+          <span class="tick" style="--at:${strength(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
           <input type="range" dir="rtl" min=${LOG_MIN} max=${LOG_MAX} step="0.01" .value=${Math.log10(alpha).toFixed(2)}
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
@@ -111,7 +111,7 @@ export class CouplingsView extends View {
       <label class="start">Start as
         <select aria-label="Start as in" @change=${(event: Event) =>
           void setStart(this.app, Number((event.target as HTMLSelectElement).value))}>
-          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${name}</option>`)}
+          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${clipTitle(name)}</option>`)}
         </select>
       </label>`;
   }

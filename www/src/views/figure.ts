@@ -1,12 +1,14 @@
 // A figure of capsules in its parts' colours, posed from node positions.
 import {
-  Color,
+  AlwaysStencilFunc,
   Group,
   LatheGeometry,
   type Material,
+  Matrix4,
   Mesh,
   MeshStandardMaterial,
-  Quaternion,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
   SphereGeometry,
   Vector2,
   Vector3,
@@ -23,6 +25,16 @@ export type FigureStyle =
   | { kind: "accent"; part: number; opacity: number };
 
 const UP = new Vector3(0, 1, 0);
+/** A trunk is wider than it is deep. */
+const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
+
+/** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
+function stencil(material: MeshStandardMaterial, pale: boolean): void {
+  material.stencilWrite = true;
+  material.stencilRef = 1;
+  material.stencilFunc = pale ? NotEqualStencilFunc : AlwaysStencilFunc;
+  material.stencilZPass = ReplaceStencilOp;
+}
 
 /** A capsule with a radius for each end, from the origin upwards. */
 function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
@@ -46,7 +58,9 @@ export class FigureView {
   private materials: MeshStandardMaterial[] = [];
   private readonly a = new Vector3();
   private readonly b = new Vector3();
-  private readonly turn = new Quaternion();
+  private readonly side = new Vector3();
+  private readonly front = new Vector3();
+  private readonly basis = new Matrix4();
 
   constructor(
     figure: Figure,
@@ -70,6 +84,7 @@ export class FigureView {
     };
     for (const capsule of shape.capsules) {
       const mesh = new Mesh(taperedCapsule(capsule.length, capsule.r0, capsule.r1), materialOf(capsule.joint));
+      if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
       this.bones.push({ mesh, capsule });
       this.add(mesh, style);
     }
@@ -85,7 +100,7 @@ export class FigureView {
     mesh.castShadow = style.kind === "solid";
     mesh.receiveShadow = style.kind === "solid";
     mesh.frustumCulled = false;
-    mesh.renderOrder = style.kind === "solid" ? 0 : 1;
+    mesh.renderOrder = style.kind === "solid" ? 0 : style.kind === "accent" && style.opacity === 1 ? 1 : 2;
     this.group.add(mesh);
   }
 
@@ -93,10 +108,12 @@ export class FigureView {
     const { ghost } = theme();
     const own = part < 0 ? ghost : partColour(part);
     const look = { roughness: 0.62, metalness: 0 };
-    if (style.kind === "solid") return new MeshStandardMaterial({ ...look, color: own });
     const accent = style.kind === "accent" && style.part === part;
-    const opacity = style.kind === "ghost" ? 0.34 : accent ? style.opacity : 0.3 * style.opacity;
-    return new MeshStandardMaterial({ ...look, color: accent ? own : ghost, transparent: true, opacity });
+    const opacity = style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
+    const color = accent || style.kind === "solid" ? own : ghost;
+    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity });
+    stencil(material, opacity < 1);
+    return material;
   }
 
   /** Fades the whole figure, 0 to 1. */
@@ -104,9 +121,13 @@ export class FigureView {
     for (const material of this.materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
+      stencil(material, opacity < 1);
       material.needsUpdate = true;
     }
-    for (const { mesh } of [...this.bones, ...this.balls]) mesh.castShadow = opacity > 0.5;
+    for (const { mesh } of [...this.bones, ...this.balls]) {
+      mesh.castShadow = opacity > 0.5;
+      mesh.renderOrder = opacity < 1 ? 3 : 0;
+    }
   }
 
   /** Node positions [nodes x 3]. */
@@ -115,9 +136,11 @@ export class FigureView {
       this.a.fromArray(positions, 3 * capsule.from);
       this.b.fromArray(positions, 3 * capsule.to).sub(this.a);
       const length = this.b.length();
-      if (length > 1e-6) this.turn.setFromUnitVectors(UP, this.b.divideScalar(length));
       mesh.position.copy(this.a);
-      mesh.quaternion.copy(this.turn);
+      if (length < 1e-6) continue;
+      this.b.divideScalar(length);
+      if (capsule.across) this.turnAcross(mesh, this.b, positions, capsule.across);
+      else mesh.quaternion.setFromUnitVectors(UP, this.b);
     }
     for (const { mesh, ball } of this.balls) {
       mesh.position.fromArray(positions, 3 * ball.node);
@@ -129,14 +152,22 @@ export class FigureView {
     }
   }
 
-  /** Colours again, after a change of theme. */
+  /** Lays a capsule along a bone, its wide side from the body's left to its right. */
+  private turnAcross(mesh: Mesh, along: Vector3, positions: Float32Array, [right, left]: [number, number]): void {
+    this.side.fromArray(positions, 3 * left).sub(this.front.fromArray(positions, 3 * right));
+    this.side.addScaledVector(along, -this.side.dot(along));
+    if (this.side.lengthSq() < 1e-8) {
+      mesh.quaternion.setFromUnitVectors(UP, along);
+      return;
+    }
+    this.side.normalize();
+    this.front.crossVectors(this.side, along);
+    mesh.quaternion.setFromRotationMatrix(this.basis.makeBasis(this.side, along, this.front));
+  }
+
   dispose(): void {
     for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
     this.materials.forEach((material: Material) => material.dispose());
     this.group.removeFromParent();
   }
-}
-
-export function groundColour(): Color {
-  return new Color(theme().ground);
 }

@@ -86,7 +86,7 @@ export class Ground {
   recolour(): void {
     const { dark } = theme();
     this.grid.uniforms["colour"]!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
-    this.grid.uniforms["strength"]!.value = dark ? 0.34 : 0.36;
+    this.grid.uniforms["strength"]!.value = dark ? 0.3 : 0.28;
     this.shadow.material.opacity = dark ? 0.5 : 0.2;
   }
 
@@ -98,7 +98,7 @@ export class Ground {
   }
 
   /** A soft shade under each of these nodes, the darker the closer they are to the ground. */
-  touch(positions: Float32Array, nodes: readonly number[]): void {
+  touch(positions: Float32Array, nodes: readonly number[], floor: number): void {
     while (this.contacts.length < nodes.length) {
       const geometry = new CircleGeometry(1, 24).rotateX(-Math.PI / 2);
       const material = new ShaderMaterial({
@@ -118,7 +118,7 @@ export class Ground {
       const node = nodes[i];
       mesh.visible = node !== undefined;
       if (node === undefined) return;
-      const height = Math.max(0, positions[3 * node + 1]!);
+      const height = Math.max(0, positions[3 * node + 1]! - floor - 0.02);
       mesh.position.set(positions[3 * node]!, 0.002 + 0.0002 * i, positions[3 * node + 2]!);
       mesh.scale.setScalar(0.1 + 0.25 * height);
       mesh.material.uniforms["strength"]!.value = most * Math.max(0, 1 - height / 0.22);

@@ -1,5 +1,6 @@
 // Help and keys, and about this page.
 import { html } from "lit";
+import { clipTitle } from "../format";
 import { icon } from "./icons";
 import { View } from "./view";
 
@@ -28,9 +29,9 @@ export class HelpView extends View {
   private provenance() {
     const { model, version } = this.app;
     if (!model) return "";
-    const { provenance } = model.info;
-    return html`<p>The model now: trained by version ${provenance.engine} with seed ${provenance.seed} on
-      ${provenance.clips.map(({ name }) => name).join(", ") || "clips it does not name"}. This page runs version ${version}.</p>`;
+    const { provenance, sequences } = model.info;
+    return html`<p>The model now: trained by ${provenance.engine} with seed ${provenance.settings.seed} on
+      ${sequences.map(({ name }) => clipTitle(name)).join(", ") || "clips it does not name"}. This page runs version ${version}.</p>`;
   }
 
   protected override render() {

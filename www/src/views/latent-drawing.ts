@@ -1,6 +1,7 @@
 // Draws one part's latent space on a canvas: training latents, rollout, inducing points, and now.
 import { theme } from "../palette";
 import type { DynamicsInducing, InducingReport } from "../protocol";
+import { spotlight } from "./spotlight";
 import { project, type Projection, type Turn, turned } from "../projection";
 
 /** Inducing points of a coupling from or to another part. */
@@ -71,7 +72,7 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   if (picture.training) drawTraining(draw, picture, plane, picture.training);
   if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
   drawRollout(draw, picture, plane);
-  if (picture.lit && picture.report) drawLit(draw, picture, plane, picture.report.frames);
+  if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
   if (picture.dynamics) drawPairs(draw, picture, plane, picture.dynamics);
   for (const between of picture.outgoing) drawOutgoing(draw, picture, plane, between);
   for (const between of picture.incoming) drawIncoming(draw, plane, between);
@@ -127,13 +128,13 @@ function drawRollout(draw: CanvasRenderingContext2D, picture: LatentPicture, pla
   }
 }
 
-function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, share: Float64Array): void {
+function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, light: Float64Array): void {
   draw.fillStyle = picture.colour;
-  const count = Math.min(share.length, rows(picture.rollout, picture));
+  const count = Math.min(light.length, rows(picture.rollout, picture));
   for (let t = 0; t < count; t++) {
-    if (share[t]! < 0.05) continue;
+    if (light[t]! < 0.05) continue;
     const [x, y] = plane.place(picture.rollout, t);
-    draw.globalAlpha = 0.55 * share[t]!;
+    draw.globalAlpha = 0.55 * light[t]!;
     draw.beginPath();
     draw.arc(x, y, 4.5, 0, 2 * Math.PI);
     draw.fill();
@@ -252,6 +253,6 @@ function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   draw.arc(x, y, 6, 0, 2 * Math.PI);
   draw.fill();
   draw.lineWidth = 2;
-  draw.strokeStyle = theme().dark ? "#ffffff" : "#ffffff";
+  draw.strokeStyle = "#ffffff";
   draw.stroke();
 }

@@ -4,7 +4,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { pointAt } from "../actions/pointing";
 import { onThemeChange, partColour } from "../palette";
 import type { InducingPoint } from "../protocol";
-import { principalAxes, type Projection, type Turn } from "../projection";
+import { principalAxes, project, type Projection, type Turn } from "../projection";
 import { changeSettings } from "../actions/settings";
 import { drawLatents, type LatentPicture, Plane } from "./latent-drawing";
 import { swatchStyle, View } from "./view";
@@ -67,6 +67,7 @@ export class LatentPlot extends View {
     if (model && learned && this.projectionOf !== learned) {
       const q = model.info.parts[this.bodyPart]?.latent ?? 0;
       this.projection = principalAxes(this.cloud(q), q, this.projection);
+      this.projection.reach = Math.max(this.projection.reach, this.reachOfMarks(this.projection));
       this.projectionOf = learned;
     }
     if (settings.plot === "2d") this.turn = { ...FLAT };
@@ -83,6 +84,22 @@ export class LatentPlot extends View {
     cloud.set(path);
     cloud.set(training, path.length);
     return q > 0 ? cloud : new Float64Array(0);
+  }
+
+  /** How far out this part's inducing points lie, but no further than half again the path: one stray point must not shrink the rest. */
+  private reachOfMarks(projection: Projection): number {
+    const { model } = this.app;
+    const own = model?.dynamicsInducing[this.bodyPart]?.[this.bodyPart];
+    const at = new Float64Array(3);
+    let reach = 0;
+    for (const points of [model?.poseInducing[this.bodyPart], own?.inputs, own?.outputs]) {
+      const count = (points?.length ?? 0) / projection.dimensions;
+      for (let i = 0; i < count; i++) {
+        project(projection, points!, i, at);
+        reach = Math.max(reach, Math.hypot(at[0]!, at[1]!));
+      }
+    }
+    return Math.min(reach, 1.5 * projection.reach);
   }
 
   private listMarks(): Mark[] {

@@ -47,7 +47,7 @@ export class LatentsView extends View {
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1.5 10.5L9.5 2.5M5 2.2h4.8V7" /></svg>dynamics</button>
             ${parts.length > 1 ? html`
               <button class="chip" aria-pressed=${pressed("between")} @click=${this.toggle("between")} title="Dynamics inducing points of the couplings between parts: dots are histories that predict another part, triangles are predictions by another part">
-                <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>between parts</button>` : ""}
+                <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>couplings</button>` : ""}
           </div>`}
     `;
   }

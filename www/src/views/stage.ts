@@ -18,6 +18,8 @@ import { type FigureStyle, FigureView } from "./figure";
 import { Ground } from "./ground";
 
 const LOOK_AT_HEIGHT = 0.88;
+/** From the lowest node, inside a foot, to the ground. */
+const SOLE = 0.03;
 
 export class Stage {
   private readonly renderer: WebGLRenderer;
@@ -32,10 +34,14 @@ export class Stage {
   private marked: FigureView[] = [];
   private figureOf: Shown | null = null;
   private feet: number[] = [];
+  private floor = 0;
   private readonly focus = new Vector3(0, LOOK_AT_HEIGHT, 0);
   private placed = false;
   private dirty = true;
   private drawn = 0;
+  /** Seconds between frames, smoothed. */
+  private pace = 0.017;
+  private slow = false;
   private ghostPose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
@@ -43,7 +49,7 @@ export class Stage {
     private readonly app: App,
     readonly canvas: HTMLCanvasElement,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "low-power" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: "low-power" });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -87,7 +93,7 @@ export class Stage {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(this.slow ? 1 : 2, devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -114,7 +120,9 @@ export class Stage {
     if (!same) {
       this.figure?.dispose();
       this.figure = this.make(shown, { kind: "solid" });
-      this.feet = feetOf(shown.motion);
+      this.floor = floorOf(shown.motion) - SOLE;
+      this.feet = feetOf(shown.motion, this.floor + SOLE);
+      this.ground.group.position.y = this.floor;
       this.ghost?.dispose();
       this.ghost = null;
     }
@@ -159,12 +167,12 @@ export class Stage {
     const [dx, dz] = [positions[end]! - positions[0]!, positions[end + 2]! - positions[2]!];
     const heading = Math.hypot(dx, dz) > 0.2 ? Math.atan2(dx, dz) : 0;
     const pose = walk.at(player.frame);
-    this.focus.set(pose[0]!, LOOK_AT_HEIGHT, pose[2]!);
+    this.focus.set(pose[0]!, this.floor + LOOK_AT_HEIGHT, pose[2]!);
     const away = this.camera.aspect < 0.9 ? 5.6 : 4.7;
     const angle = heading + 0.95;
     this.controls.target.copy(this.focus);
     this.camera.position.set(
-      this.focus.x + away * Math.sin(angle), LOOK_AT_HEIGHT + 0.5, this.focus.z + away * Math.cos(angle));
+      this.focus.x + away * Math.sin(angle), this.focus.y + 0.5, this.focus.z + away * Math.cos(angle));
     this.controls.update();
     this.placed = true;
   }
@@ -198,12 +206,25 @@ export class Stage {
     const pose = app.walk.at(app.player.frame);
     this.figure.pose(pose);
     this.poseGhost(pose);
-    app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose, i)));
+    app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose)));
     this.followWalk(pose, seconds);
-    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet);
+    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
+    this.keepPace(seconds);
     this.renderer.render(this.scene, this.camera);
     this.canvas.dataset["framesDrawn"] = String(++this.drawn);
     this.dirty = false;
+  }
+
+  /** On a machine that cannot keep up: fewer pixels, and the shadow drawn anew every third frame only. */
+  private keepPace(seconds: number): void {
+    this.pace += 0.05 * (Math.min(seconds, 0.2) - this.pace);
+    const slow = this.pace > (this.slow ? 0.024 : 0.042);
+    if (slow !== this.slow) {
+      this.slow = slow;
+      this.resize();
+    }
+    this.renderer.shadowMap.autoUpdate = !slow;
+    this.renderer.shadowMap.needsUpdate = slow && this.drawn % 3 === 0;
   }
 
   private poseGhost(pose: Float32Array): void {
@@ -224,7 +245,7 @@ export class Stage {
   private followWalk(pose: Float32Array, seconds: number): void {
     const [x, z] = [pose[0]!, pose[2]!];
     const gap = Math.hypot(x - this.focus.x, z - this.focus.z);
-    const part = gap > 3 ? 1 : 1 - Math.exp(-6 * Math.min(seconds, 0.1));
+    const part = gap > 3 ? 1 : 1 - Math.exp(-9 * Math.min(seconds, 0.1));
     const [dx, dz] = [part * (x - this.focus.x), part * (z - this.focus.z)];
     this.focus.x += dx;
     this.focus.z += dz;
@@ -232,27 +253,35 @@ export class Stage {
     this.camera.position.z += dz;
     this.controls.target.copy(this.focus);
     this.ground.follow(x, z);
-    this.sun.target.position.set(x, 0.6, z);
-    this.sun.position.set(x + 1.6, 4.4, z + 1.3);
+    this.sun.target.position.set(x, this.floor + 0.6, z);
+    this.sun.position.set(x + 1.6, this.floor + 4.4, z + 1.3);
   }
 }
 
 /** Puts a marked pose where the figure stands, turned as it is. */
-function placed(marked: Float32Array, pose: Float32Array, index: number): Float32Array {
+function placed(marked: Float32Array, pose: Float32Array): Float32Array {
   const motion: Motion = { positions: marked, frames: 1, nodes: marked.length / 3, frameTime: 1 };
-  const placement = placeOnto(marked, pose);
-  // The predicted pose stands a little ahead, so that the two can be told apart.
-  const ahead = 0.0 * index;
-  return poseAt(motion, 0, { ...placement, x: placement.x + ahead }, new Float32Array(marked.length));
+  return poseAt(motion, 0, placeOnto(marked, pose), new Float32Array(marked.length));
+}
+
+/** The height on which the figure stands: of the lowest node of each frame, the middle one. */
+function floorOf({ positions, frames, nodes }: Motion): number {
+  const lowest = new Float32Array(frames).fill(Infinity);
+  for (let i = 0; i < frames * nodes; i++) {
+    const frame = Math.floor(i / nodes);
+    lowest[frame] = Math.min(lowest[frame]!, positions[3 * i + 1]!);
+  }
+  const middle = lowest.sort()[frames >> 1] ?? 0;
+  return Number.isFinite(middle) ? middle : 0;
 }
 
 /** Nodes that come down to the ground. */
-function feetOf({ positions, frames, nodes }: Motion): number[] {
+function feetOf({ positions, frames, nodes }: Motion, floor: number): number[] {
   const lowest = new Float32Array(nodes).fill(Infinity);
   for (let t = 0; t < frames; t++) {
     for (let node = 0; node < nodes; node++) {
       lowest[node] = Math.min(lowest[node]!, positions[(t * nodes + node) * 3 + 1]!);
     }
   }
-  return [...lowest.keys()].filter((node) => lowest[node]! < 0.14).slice(0, 8);
+  return [...lowest.keys()].filter((node) => lowest[node]! < floor + 0.12).slice(0, 8);
 }

@@ -4,6 +4,7 @@ import { changeSettings } from "../actions/settings";
 import { partColour, theme } from "../palette";
 import { SETTINGS } from "../state";
 import { icon } from "./icons";
+import { spotlight } from "./spotlight";
 import { View } from "./view";
 
 export class TimelineView extends View {
@@ -48,12 +49,13 @@ export class TimelineView extends View {
     if (!draw) return;
     draw.clearRect(0, 0, canvas.width, canvas.height);
     if (!pointed) return;
-    const { frames, point } = pointed;
+    const { point } = pointed;
+    const frames = spotlight(pointed.frames);
     draw.fillStyle = point ? partColour(point.kind === "pose" ? point.part : point.source) : theme().ink;
     const width = canvas.width / Math.max(1, frames.length);
     frames.forEach((share, frame) => {
       if (share < 0.02) return;
-      draw.globalAlpha = Math.min(1, share);
+      draw.globalAlpha = share;
       draw.fillRect(frame * width, 0, Math.max(1, width + 0.5), canvas.height);
     });
   }

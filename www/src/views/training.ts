@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { changeSettings } from "../actions/settings";
 import { cancelTraining, newSeed, train, whyNotTrain } from "../actions/training";
-import { timeLeft } from "../format";
+import { sentence, timeLeft } from "../format";
 import { partColour } from "../palette";
 import { partsFor } from "../parts";
 import { BY_HAND, type NumberSetting, SETTINGS } from "../state";
@@ -59,24 +59,23 @@ export class TrainingView extends View {
       ${hand && clip ? html`<pg-parts-editor .app=${app}></pg-parts-editor>` : nothing}`;
   }
 
-  private progress() {
-    const { training } = this.app;
+  /** Beside the button: what would happen, what is happening, or how it ended. */
+  private words(why: string) {
+    const { app } = this;
+    const { training } = app;
     const last = training.steps.at(-1);
-    const fraction = last?.fraction ?? 0;
-    const running = this.app.busy;
-    return html`
-      <div class="progress-row">
-        <progress max="1" .value=${running ? fraction : training.steps.length > 0 ? 1 : 0} aria-label="Training" ?hidden=${!running}></progress>
-        <p class="progress-text" data-testid="progress">
-          ${running
-            ? last
-              ? html`<span>Iteration ${last.iteration}</span><span>${timeLeft(training.elapsed, fraction)}</span><span>${last.phase}</span>`
-              : html`<span>Setting up</span>`
-            : training.ending
-              ? html`<span class=${training.failed ? "bad" : ""}>${training.failed ? `Training failed: ${training.ending}` : training.ending}</span>`
-              : nothing}
-        </p>
-      </div>`;
+    if (app.busy) {
+      return last
+        ? html`<span>${last.iteration} of ${last.maxIterations} iterations</span><span>${sentence(timeLeft(training.elapsed, last.fraction))}</span>`
+        : html`<span>Setting up</span>`;
+    }
+    if (why) return why;
+    if (training.ending) {
+      const ending = sentence(training.ending);
+      return html`<span class=${training.failed ? "bad" : ""}>${training.failed ? `Training failed. ${ending}` : ending}</span>`;
+    }
+    const ticked = app.tickedClips().length;
+    return `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
@@ -87,30 +86,26 @@ export class TrainingView extends View {
       return last ? `Training, ${Math.floor(last.fraction * 10) * 10} per cent of the iterations` : "Training started";
     }
     if (training.status === "cancelling") return "Cancelling";
-    return training.ending ? `Training ended. ${training.ending}` : "";
+    return training.ending ? `Training ended. ${sentence(training.ending)}` : "";
   }
 
   protected override render() {
     const { app } = this;
     const why = whyNotTrain(app);
-    const ticked = app.tickedClips().length;
-    const started = app.busy || app.training.steps.length > 0 || app.training.ending !== "";
     return html`
       <header class="panel-head"><h2>Training</h2></header>
       <div class="train-row">
         ${app.busy
           ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
-              title="Stop here and keep the best model so far" @click=${() => cancelTraining(app)}>Cancel</button>`
+              title="Stops here and keeps the best so far" @click=${() => cancelTraining(app)}>Cancel</button>`
           : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
               @click=${() => void train(app)}>Train</button>`}
-        <p id="train-why" class="hint">${why || (app.busy
-          ? "Cancel keeps the best so far."
-          : `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`)}</p>
+        <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
-      ${started ? this.progress() : nothing}
+      <progress max="1" .value=${app.busy ? (app.training.steps.at(-1)?.fraction ?? 0) : 0} aria-label="Training"
+        class=${app.busy ? "" : "resting"} aria-hidden=${app.busy ? "false" : "true"}></progress>
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
-      <pg-bound-chart .app=${app}></pg-bound-chart>
-      <div class="fields">
+      <div class="fields main-fields">
         ${this.partsField()}
         ${this.count("latent", "Latent dimensions", "Q, the dimensions of each part's latent space")}
         ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics")}
@@ -133,7 +128,8 @@ export class TrainingView extends View {
           ${this.count("order", "Frames of history", "The order p of the dynamics")}
           ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
         </div>
-      </details>`;
+      </details>
+      <pg-bound-chart .app=${app}></pg-bound-chart>`;
   }
 }
 customElements.define("pg-training", TrainingView);

@@ -1,0 +1,91 @@
+// Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => { site = await openSite(); });
+after(() => site?.close());
+
+const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
+
+/** What axe-core finds that keeps somebody out. */
+async function barriers(/** @type {Page} */ page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await /** @type {any} */ (globalThis).axe.run();
+    return /** @type {import("axe-core").Result[]} */ (violations)
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`));
+  });
+}
+
+describe("accessibility", () => {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    it(`has no serious barrier in ${colorScheme} colours, on a desk or a phone`, async () => {
+      for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+        const { page, leave } = await site.visit({ colorScheme, viewport, reducedMotion: "reduce" });
+        await ready(page);
+        assert.deepEqual(await barriers(page), []);
+        await page.getByTestId("help").click();
+        assert.deepEqual(await barriers(page), [], "with the help open");
+        await leave();
+      }
+    });
+  }
+
+  it("reaches and works the main controls by keyboard alone", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "iterations=4000&fps=15" });
+    await ready(page);
+    const tabTo = async (/** @type {string} */ id) => {
+      for (let i = 0; i < 120; i++) {
+        await page.keyboard.press("Tab");
+        if (await page.evaluate((id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset["testid"] === id, id)) return;
+      }
+      assert.fail(`the Tab key does not reach ${id}`);
+    };
+    await tabTo("play");
+    await page.keyboard.press("Enter");
+    await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+
+    const alpha = page.getByTestId("alpha-0-1");
+    const before = await alpha.textContent();
+    await tabTo("coupling-0-1");
+    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowLeft");
+    assert.notEqual(await alpha.textContent(), before);
+    await page.keyboard.press("Delete");
+    assert.equal(await alpha.textContent(), before);
+
+    await tabTo("train");
+    await page.keyboard.press("Enter");
+    await page.getByTestId("cancel").waitFor();
+    await tabTo("cancel");
+    await page.keyboard.press("Enter");
+    await page.getByTestId("train").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a phone", () => {
+  it("shows everything without scrolling sideways", async () => {
+    const { page, problems, leave } = await site.visit({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    await ready(page);
+    const tabs = page.getByRole("tab");
+    assert.ok((await tabs.count()) >= 3);
+    for (const tab of await tabs.all()) {
+      await tab.click();
+      const [wide, high] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok((wide ?? Infinity) <= 390 && high === 390, `${await tab.textContent()}: ${wide} pixels wide`);
+    }
+    const stage = await page.getByTestId("stage").boundingBox();
+    assert.ok(stage && stage.y < 300 && stage.width >= 360 && stage.height >= 200, `stage ${JSON.stringify(stage)}`);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

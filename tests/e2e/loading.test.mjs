@@ -1,0 +1,78 @@
+// The first seconds: nothing fails, a figure moves at once, and a visit stays small.
+import assert from "node:assert/strict";
+import { after, before, beforeEach, describe, it } from "node:test";
+import { budget } from "../../scripts/budget.mjs";
+import { changes, openSite, ready } from "./site.mjs";
+
+/** Holds the wasm back until it is released. */
+let wasm = Promise.resolve();
+let sent = 0;
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+
+before(async () => {
+  site = await openSite({
+    before: (path) => (path.endsWith(".wasm") ? wasm : undefined),
+    onSend: (_, bytes) => { sent += bytes; },
+  });
+});
+beforeEach(() => { wasm = Promise.resolve(); sent = 0; });
+after(() => site?.close());
+
+describe("a first visit", () => {
+  it("gets ready without an error and without asking another host", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    assert.equal(await page.locator("html").getAttribute("data-engine"), "ready");
+    assert.ok(await changes(page.getByTestId("stage")), "the figure moves");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it(`transfers less than ${budget.firstVisit} bytes`, async (test) => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    test.diagnostic(`${sent} bytes`);
+    assert.ok(sent > 10_000 && sent < budget.firstVisit, `${sent} bytes`);
+    await leave();
+  });
+
+  it("shows a moving figure before the wasm is there, and goes on with the model's when it is", async () => {
+    let release = () => {};
+    wasm = new Promise((resolve) => { release = resolve; });
+    const { page, problems, leave } = await site.visit();
+    const stage = page.getByTestId("stage");
+    await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset["framesDrawn"]) > 5);
+    assert.ok(await changes(stage), "the figure moves");
+    await page.getByTestId("play").click();
+    assert.ok(!(await changes(stage)), "Pause stops it");
+    await page.getByTestId("play").click();
+    assert.equal(await page.locator("html").getAttribute("data-engine"), "loading");
+    assert.ok(await page.getByTestId("train").isDisabled());
+    release();
+    await ready(page);
+    assert.ok(await changes(stage), "the figure moves on");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("says so when the wasm cannot be had, and the figure keeps walking", async () => {
+    const { page, leave } = await site.visit();
+    await page.route("**/*.wasm", (route) => route.abort());
+    await page.reload();
+    await page.waitForSelector("html[data-engine=failed]");
+    await page.getByRole("alert").first().waitFor();
+    assert.ok(await changes(page.getByTestId("stage")));
+    await leave();
+  });
+
+  it("starts paused for those who want less motion", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    await page.getByRole("button", { name: "Play" }).waitFor();
+    const frame = await page.getByTestId("scrub").inputValue();
+    await page.waitForTimeout(500);
+    assert.equal(await page.getByTestId("scrub").inputValue(), frame);
+    await leave();
+  });
+});

@@ -1,0 +1,117 @@
+// Train, cancel, own files, save and open: what a visitor does with their own data.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { Clip, Model } from "../../crate/pkg/node/vcgpdm.js";
+import { changes, drop, openSite, ready, saved } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => { site = await openSite(); });
+after(() => site?.close());
+
+/** A clip as a visitor may bring it. */
+function bvh() {
+  const wave = Clip.samples().find(({ movement }) => movement !== "walk");
+  assert.ok(wave);
+  return Clip.sample(wave.id).cut(0, 60).toBvh();
+}
+
+const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 90_000 });
+const provenance = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info().provenance;
+const iteration = (/** @type {Page} */ page) =>
+  page.waitForFunction(() => Number(/Iteration (\d+)/.exec(document.querySelector("[data-testid=progress]")?.textContent ?? "")?.[1]) >= 2);
+
+describe("training", () => {
+  it("shows progress, keeps the figure moving, and ends with another model", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "iterations=12&fps=15&dynamics=6&poses=6" });
+    await ready(page);
+    const before = await provenance(page);
+    await page.getByTestId("train").click();
+    await iteration(page);
+    await page.getByRole("progressbar", { name: "Training" }).waitFor();
+    assert.ok(await changes(page.getByTestId("stage")), "training does not block the page");
+    await trainIsBack(page);
+    const { bound, iterations, settings } = await provenance(page);
+    assert.ok(Number.isFinite(bound));
+    assert.notEqual(bound, before.bound);
+    assert.ok(iterations >= 2 && iterations <= 12, `${iterations} iterations`);
+    assert.equal(settings.framesPerSecond, 15);
+    assert.equal(settings.dynamicsIps, 6);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("keeps the best so far when it is cancelled", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "iterations=5000&fps=15" });
+    await ready(page);
+    const before = await provenance(page);
+    await page.getByTestId("train").click();
+    await iteration(page);
+    await page.getByTestId("cancel").click();
+    await trainIsBack(page);
+    const after = await provenance(page);
+    assert.notEqual(after.bound, before.bound);
+    assert.ok(after.iterations >= 2 && after.iterations < 5000, `${after.iterations} iterations`);
+    assert.ok(await changes(page.getByTestId("stage")), "its rollout is on the stage");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("own files", () => {
+  it("trains on a dropped clip", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "iterations=10&fps=15" });
+    await ready(page);
+    await drop(page, { "mine.bvh": bvh() });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    assert.deepEqual((await provenance(page)).clips.map(({ name }) => name), ["mine"]);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("says in which line a dropped file is wrong, and loses nothing", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "alpha=0.1:50" });
+    await ready(page);
+    const [model, motion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
+    const clips = await page.getByTestId("made-clips").textContent();
+
+    const lines = bvh().split("\n");
+    const line = lines.findIndex((text) => text.includes("OFFSET"));
+    lines[line] = "OFFSET 0 here 0";
+    await drop(page, { "broken.bvh": lines.join("\n") });
+    const notice = page.getByTestId("notice").filter({ hasText: "broken" });
+    assert.match((await notice.textContent()) ?? "", new RegExp(`line ${line + 1}\\b`));
+    await drop(page, { "no.json": '{ "format": "something else" }', "picture.png": "x" });
+    await page.getByTestId("notice").filter({ hasText: "no.json" }).waitFor();
+    await page.getByTestId("notice").filter({ hasText: "picture.png" }).waitFor();
+
+    assert.equal(await page.getByTestId("own-clips").count(), 0);
+    assert.equal(await page.getByTestId("made-clips").textContent(), clips);
+    assert.equal((await saved(page, "save-model")).text, model.text);
+    assert.equal((await saved(page, "save-motion")).text, motion.text);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("opens a model that was saved: it moves as it did", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "iterations=8&fps=15" });
+    await ready(page);
+    const [first, firstMotion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
+    assert.match(first.name, /\.json$/);
+    assert.match(firstMotion.name, /\.bvh$/);
+    assert.equal(Clip.read("saved", new TextEncoder().encode(firstMotion.text)).info().frames, 300);
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    assert.notEqual((await saved(page, "save-motion")).text, firstMotion.text);
+    await page.getByTestId("open-model").setInputFiles({ name: "first.json", mimeType: "application/json", buffer: Buffer.from(first.text) });
+    const deadline = Date.now() + 10_000;
+    while ((await saved(page, "save-model")).text !== first.text) assert.ok(Date.now() < deadline, "the first model is back");
+    assert.equal((await saved(page, "save-motion")).text, firstMotion.text);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
