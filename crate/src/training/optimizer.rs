@@ -46,9 +46,11 @@ impl Gradient for Problem {
     }
 }
 
+type Search = Stepper<Problem, FirstOrderState<Vec<f64>>, Lbfgsb<Vec<f64>>>;
+
 /// A minimisation inside a box that can be stopped after any iteration.
 pub struct Optimizer {
-    stepper: Option<Stepper<Problem, FirstOrderState<Vec<f64>>, Lbfgsb<Vec<f64>>>>,
+    stepper: Option<Search>,
 }
 
 impl Optimizer {
