@@ -1,6 +1,8 @@
 //! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model that can be shared.
 
-use vcgpdm::{Dataset, MotionModel, RolloutRequest, Source, Trainer, TrainingSettings, bvh, presets, samples};
+use vcgpdm::{
+    Dataset, MotionModel, RolloutRequest, Source, Trainer, TrainingSettings, bvh, presets, samples,
+};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 

@@ -5,6 +5,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use vcgpdm::{
     Case, Clip, Dataset, MotionModel, PartSpec, Skeleton, Source, Trainer, TrainingProgress,
@@ -36,6 +38,9 @@ pub struct Arguments {
     /// Inducing points of every pose map.
     #[arg(long, value_name = "L", default_value_t = TrainingSettings::default().pose_ips)]
     pose_ips: usize,
+    /// Frames of history that the dynamics see.
+    #[arg(long, value_name = "P", default_value_t = TrainingSettings::default().order)]
+    order: usize,
     /// Resample the clips to about so many frames a second.
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
@@ -48,6 +53,9 @@ pub struct Arguments {
     /// Write the starting point as the input of a case, for another implementation to start from.
     #[arg(long, value_name = "CASE.json")]
     write_start: Option<PathBuf>,
+    /// Keep a note in the model, such as an acknowledgement.
+    #[arg(long, value_name = "TEXT")]
+    note: Option<String>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -67,9 +75,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         latent: arguments.latent,
         dynamics_ips: arguments.dynamics_ips,
         pose_ips: arguments.pose_ips,
+        order: arguments.order,
         seed: arguments.seed,
         max_iterations: arguments.max_iterations,
-        ..TrainingSettings::default()
     };
     files::check_writable(&arguments.out)?;
 
@@ -78,10 +86,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &arguments.write_start {
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
     }
-    let progress = train(&mut trainer);
+    let progress = train(&mut trainer)?;
     let seconds = begin.elapsed().as_secs_f64();
 
-    let model = MotionModel::trained(&dataset, &trainer, arguments.fps)?;
+    let mut model = MotionModel::trained(&dataset, &trainer, arguments.fps)?;
+    model.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &model.to_json()?)?;
     let alpha: Vec<Vec<f64>> =
         model.fitted.alpha.row_iter().map(|row| row.iter().copied().collect()).collect();
@@ -92,12 +101,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "iterations": progress.iteration,
         "evaluations": progress.evaluations,
         "seconds": seconds,
-        "reason": progress.reason,
+        "reason": progress.reason.unwrap_or_else(|| "stopped".to_owned()),
     }))
 }
 
-/// Trains to the end. The bar is drawn on stderr, and only when that is a terminal.
-fn train(trainer: &mut Trainer) -> TrainingProgress {
+/// Trains to the end, or until Ctrl-C: then the best so far is kept. The bar is drawn on stderr, and only when that is a terminal.
+fn train(trainer: &mut Trainer) -> Result<TrainingProgress, Box<dyn Error>> {
+    let stopped = Arc::new(AtomicBool::new(false));
+    let signal = Arc::clone(&stopped);
+    ctrlc::set_handler(move || {
+        // A second Ctrl-C ends the program as usual.
+        if signal.swap(true, Ordering::Relaxed) {
+            std::process::exit(1);
+        }
+    })?;
     let bar = ProgressBar::new(trainer.settings().max_iterations as u64);
     if let Ok(style) =
         ProgressStyle::with_template("{bar:30} {pos}/{len}  {msg}  {elapsed} (at most {eta} left)")
@@ -108,9 +125,9 @@ fn train(trainer: &mut Trainer) -> TrainingProgress {
         let progress = trainer.step();
         bar.set_position(progress.iteration as u64);
         bar.set_message(format!("bound {:.1}, {}", progress.best, progress.phase));
-        if progress.done {
+        if progress.done || stopped.load(Ordering::Relaxed) {
             bar.finish_and_clear();
-            return progress;
+            return Ok(progress);
         }
     }
 }
