@@ -176,29 +176,41 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
 fn mirrored_pairs(skeleton: &Skeleton) -> Vec<Pair> {
     let paths = path_lengths(skeleton);
     let rest = skeleton.rest_pose().positions;
-    let depths: Vec<usize> =
-        (0..skeleton.joints.len()).map(|joint| ancestors(skeleton, joint).count()).collect();
-    let sizes: Vec<usize> = (0..skeleton.joints.len())
-        .map(|top| (0..skeleton.joints.len()).filter(|&joint| is_within(skeleton, joint, top)).count())
-        .collect();
+    let joints = skeleton.joints.len();
+    // Of each joint: how deep it hangs, how many joints hang on it, and the farthest node beyond it.
+    let mut depths = vec![0; joints];
+    let mut children = vec![Vec::new(); joints];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        if let Some(parent) = joint.parent {
+            depths[place] = depths[parent] + 1;
+            children[parent].push(place);
+        }
+    }
+    let mut farthest: Vec<usize> = (0..joints).collect();
+    for (node, end) in skeleton.figure().iter().enumerate().skip(joints) {
+        if paths[node] > paths[farthest[end.joint]] {
+            farthest[end.joint] = node;
+        }
+    }
+    let mut sizes = vec![1; joints];
+    for place in (1..joints).rev() {
+        if let Some(parent) = skeleton.joints[place].parent {
+            sizes[parent] += sizes[place];
+            if paths[farthest[place]] > paths[farthest[parent]] {
+                farthest[parent] = farthest[place];
+            }
+        }
+    }
     let mut pairs = Vec::new();
-    for parent in 0..skeleton.joints.len() {
-        let children: Vec<(usize, usize, f64)> = (skeleton.children(parent))
-            .filter_map(|child| {
-                let end = farthest(skeleton, &paths, |joint| is_within(skeleton, joint, child))?;
-                Some((child, end, paths[end] - paths[parent]))
-            })
-            .collect();
-        for (i, &(a, end_a, reach_a)) in children.iter().enumerate() {
-            for &(b, end_b, reach_b) in &children[i + 1..] {
-                let alike = sizes[a] == sizes[b] && (reach_a - reach_b).abs() < 0.1 * reach_a.max(reach_b);
-                if alike && (rest[end_a] - rest[end_b]).norm() > 0.02 * reach_a {
-                    pairs.push(Pair {
-                        members: [a, b],
-                        depth: depths[parent],
-                        reach: reach_a.max(reach_b),
-                        ends: [rest[end_a], rest[end_b]],
-                    });
+    for parent in 0..joints {
+        let reach = |child: usize| paths[farthest[child]] - paths[parent];
+        for (i, &a) in children[parent].iter().enumerate() {
+            for &b in &children[parent][i + 1..] {
+                let (longer, shorter) = (reach(a).max(reach(b)), reach(a).min(reach(b)));
+                let ends = [rest[farthest[a]], rest[farthest[b]]];
+                let alike = sizes[a] == sizes[b] && shorter > 0.9 * longer;
+                if alike && (ends[0] - ends[1]).norm() > 0.02 * longer {
+                    pairs.push(Pair { members: [a, b], depth: depths[parent], reach: longer, ends });
                 }
             }
         }

@@ -275,7 +275,7 @@ fn check(params: &Params, y: &[DMatrix<f64>], sequences: &Sequences, jitter: f64
         let (expected, found) = (format!("{m} (one for each part)"), found.to_string());
         Err(CaseError::Shape { path: path.to_owned(), expected, found })
     };
-    let positive = |path: String, values: &[f64]| match values.iter().find(|v| !(**v > 0.0)) {
+    let positive = |path: String, values: &[f64]| match values.iter().find(|v| v.is_nan() || **v <= 0.0) {
         None => Ok(()),
         Some(v) => Err(CaseError::Shape { path, expected: "positive numbers".into(), found: v.to_string() }),
     };

@@ -145,7 +145,10 @@ impl Clip {
             let kept: Vec<usize> = (0..self.frames()).step_by(step).collect();
             return Ok(self.with_values(self.values.select_rows(&kept), self.frame_time * step as f64));
         }
-        let last = (self.frames() - 1) as f64;
+        let Some(last) = self.frames().checked_sub(1) else {
+            return Ok(self.with_values(self.values.clone(), 1.0 / fps));
+        };
+        let last = last as f64;
         // A hair more, so that rounding does not lose the last frame.
         let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
         if frames.saturating_mul(self.values.ncols()) > crate::bvh::MAX_VALUES {
@@ -211,4 +214,102 @@ impl Clip {
 /// SHA-256 in lower-case hexadecimal.
 pub(crate) fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bvh::tests::any_clip;
+    use crate::skeleton::{Channel, Joint};
+    use approx::assert_abs_diff_eq;
+    use proptest::prelude::*;
+
+    /// One joint that goes along x by 1 and turns about y by `degrees` a frame.
+    fn turning(frames: usize, frame_time: f64, degrees: f64) -> Clip {
+        let channels = vec![Channel::Xposition, Channel::Zrotation, Channel::Yrotation, Channel::Xrotation];
+        let root =
+            Joint { name: "r".to_owned(), parent: None, offset: [0.0; 3], channels, end_sites: Vec::new() };
+        let values = DMatrix::from_fn(frames, 4, |t, column| match column {
+            0 => t as f64,
+            2 => degrees * t as f64,
+            _ => 0.0,
+        });
+        Clip::new("turning.bvh", Skeleton { joints: vec![root] }, frame_time, values)
+    }
+
+    #[test]
+    fn whole_multiples_of_the_rate_keep_frames_as_they_are() {
+        for (frame_time, fps, step) in [
+            (0.0083333, 30.0, 4),
+            (0.008342, 30.0, 4),
+            (1.0 / 30.0, 30.0, 1),
+            (0.0333, 31.0, 0),
+            (0.1, 10.1, 1),
+        ] {
+            let clip = turning(41, frame_time, 3.0);
+            let less = clip.resample(fps).unwrap();
+            if step == 0 {
+                assert_abs_diff_eq!(less.frame_time, 1.0 / fps);
+                continue;
+            }
+            assert_eq!(less.frames(), 40 / step + 1);
+            assert_eq!(less.frame_time, frame_time * step as f64);
+            for t in 0..less.frames() {
+                assert_eq!(less.values.row(t), clip.values.row(t * step));
+            }
+        }
+    }
+
+    #[test]
+    fn other_rates_interpolate() {
+        for (frame_time, fps) in [(1.0 / 24.0, 30.0), (1.0 / 100.0, 30.0), (1.0 / 25.0, 50.0)] {
+            // Through the lock of this joint's channels at 90 degrees, and round more than once.
+            let clip = turning(101, frame_time, 7.0);
+            let other = clip.resample(fps).unwrap();
+            assert_eq!(other.frames(), (100.0 * frame_time * fps + 1e-6) as usize + 1);
+            for t in 0..other.frames() {
+                let at = t as f64 / fps / frame_time;
+                assert_abs_diff_eq!(other.values[(t, 0)], at, epsilon = 1e-9);
+                let wanted = rotation::about(1, (7.0 * at).to_radians());
+                assert!(rotation::angle_between(&other.local_pose(t).rotations[0], &wanted) < 1e-9, "{t}");
+            }
+        }
+    }
+
+    #[test]
+    fn absurd_rates_and_ranges_are_refused() {
+        let clip = turning(10, 0.1, 1.0);
+        for fps in [0.0, -30.0, f64::NAN, f64::INFINITY, 1e9] {
+            assert!(clip.resample(fps).unwrap_err().to_string().contains("0.1 to 10000"));
+        }
+        assert_eq!(clip.cut(2, 5).unwrap().values, clip.values.rows(2, 3).into_owned());
+        for (first, end) in [(3, 3), (5, 2), (0, 11), (usize::MAX, 1)] {
+            let message = clip.cut(first, end).unwrap_err().to_string();
+            assert!(message.contains("turning.bvh: expected frames from 0 to 10"), "{message}");
+        }
+        let slow = Clip { frame_time: 3600.0, ..turning(10, 0.1, 1.0) };
+        assert!(slow.resample(10_000.0).unwrap_err().to_string().contains("too many"));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn interpolation_stays_on_the_shortest_arc(clip in any_clip(), fps in 26.0..80.0) {
+            let other = clip.resample(fps).unwrap();
+            for t in 0..other.frames() {
+                let at = (t as f64 / fps / clip.frame_time).min((clip.frames() - 1) as f64);
+                let (before, after) = (at.floor() as usize, (at.floor() as usize + 1).min(clip.frames() - 1));
+                let (a, b, now) = (clip.local_pose(before), clip.local_pose(after), other.local_pose(t));
+                for (j, joint) in clip.skeleton.joints.iter().enumerate() {
+                    if joint.rotation_axes().count() != 3 {
+                        continue;
+                    }
+                    let arc = rotation::angle_between(&a.rotations[j], &b.rotations[j]);
+                    let done = rotation::angle_between(&a.rotations[j], &now.rotations[j]);
+                    prop_assert!((done - arc * (at - before as f64)).abs() < 1e-6, "{} {}", done, arc);
+                }
+            }
+        }
+    }
 }

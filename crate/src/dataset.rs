@@ -3,7 +3,7 @@
 use crate::clip::{Clip, ClipError};
 use crate::parts::{PartSpec, PartsError, PartsLayout};
 use crate::pose::{PoseError, PoseMapping};
-use crate::skeleton::BodyMismatch;
+use crate::same_body::BodyMismatch;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -41,7 +41,7 @@ pub enum DatasetError {
         /// The clip it was compared with.
         first: String,
         /// How.
-        reason: BodyMismatch,
+        reason: Box<BodyMismatch>,
     },
     /// The clip is shorter than what is asked of it.
     #[error("{clip} has {found} frames, but the first {expected} were asked for")]
@@ -67,7 +67,7 @@ pub enum DatasetError {
         /// The clip.
         clip: String,
         /// Why.
-        reason: PoseError,
+        reason: Box<PoseError>,
     },
     /// The parts do not fit the body.
     #[error(transparent)]
@@ -103,7 +103,7 @@ impl Dataset {
             first.clip.skeleton.same_body(&source.clip.skeleton).map_err(|reason| DatasetError::Body {
                 clip: source.clip.name.clone(),
                 first: first.clip.name.clone(),
-                reason,
+                reason: Box::new(reason),
             })?;
         }
         let mut clips: Vec<Clip> = Vec::new();
@@ -130,7 +130,14 @@ impl Dataset {
         let mut rows = Vec::new();
         for clip in &clips {
             let encoded = mapping.encode(clip);
-            rows.push(encoded.map_err(|reason| DatasetError::Pose { clip: clip.name.clone(), reason })?.y);
+            rows.push(
+                encoded
+                    .map_err(|reason| DatasetError::Pose {
+                        clip: clip.name.clone(),
+                        reason: Box::new(reason),
+                    })?
+                    .y,
+            );
         }
         let total: usize = rows.iter().map(|y| y.nrows()).sum();
         let mut all = DMatrix::zeros(total, rows[0].ncols());

@@ -37,6 +37,7 @@ mod pose;
 mod rollout;
 mod rotation;
 mod rows;
+mod same_body;
 pub mod samples;
 mod skeleton;
 mod stage;
@@ -62,6 +63,7 @@ pub use parts::{
 };
 pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
 pub use rollout::{Poser, Roller, RolloutError};
-pub use skeleton::{BodyMismatch, Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
+pub use same_body::BodyMismatch;
+pub use skeleton::{Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
 pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};

@@ -156,64 +156,6 @@ pub enum SkeletonError {
     },
 }
 
-/// Why two joint trees are not the same body.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum BodyMismatch {
-    /// Another number of joints.
-    #[error("expected {expected} joints, found {found}{}", .missing.as_ref().map_or(String::new(), |m| format!(" ({m})")))]
-    JointCount {
-        /// Joints of the first body.
-        expected: usize,
-        /// Joints of the other.
-        found: usize,
-        /// The first difference, in words.
-        missing: Option<String>,
-    },
-    /// Another name in the same place.
-    #[error("joint {joint}: expected {expected:?}, found {found:?}")]
-    Name {
-        /// Its place.
-        joint: usize,
-        /// Its name in the first body.
-        expected: String,
-        /// Its name in the other.
-        found: String,
-    },
-    /// Attached elsewhere.
-    #[error("joint {joint} ({name:?}): expected it to hang on {expected:?}, found it on {found:?}")]
-    Parent {
-        /// Its place.
-        joint: usize,
-        /// Its name.
-        name: String,
-        /// The parent's name in the first body.
-        expected: String,
-        /// The parent's name in the other.
-        found: String,
-    },
-    /// A bone of clearly another length or direction.
-    #[error(
-        "joint {joint} ({name:?}): its offset differs by {percent:.1}% of the body's height (at most {limit:.0}%): expected {expected:?}, found {found:?}"
-    )]
-    Offset {
-        /// Its place.
-        joint: usize,
-        /// Its name.
-        name: String,
-        /// The difference in percent of the body's height.
-        percent: f64,
-        /// The most that is taken for the same body, in percent.
-        limit: f64,
-        /// The offset in the first body, in its file's units.
-        expected: [f64; 3],
-        /// The offset in the other.
-        found: [f64; 3],
-    },
-}
-
-/// Offsets of one subject differ a little between its files (each trial's skeleton is fitted anew); relative to height.
-const SAME_BODY_TOLERANCE: f64 = 0.02;
-
 impl Skeleton {
     /// Channels of all joints together: the numbers in one row of the file.
     pub fn channel_count(&self) -> usize {
@@ -328,55 +270,6 @@ impl Skeleton {
         let rotations = vec![UnitQuaternion::identity(); self.joints.len()];
         let positions: Vec<_> = self.joints.iter().map(|joint| Vector3::from(joint.offset)).collect();
         self.forward_kinematics(&rotations, &positions)
-    }
-
-    /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to 2% of the
-    /// body's height. Channels may differ: motions are compared as rotations.
-    pub fn same_body(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
-        for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate() {
-            if a.name != b.name {
-                if self.joints.len() != other.joints.len() {
-                    let missing =
-                        Some(format!("joint {joint} is {:?} in one and {:?} in the other", a.name, b.name));
-                    return Err(self.count_mismatch(other, missing));
-                }
-                return Err(BodyMismatch::Name { joint, expected: a.name.clone(), found: b.name.clone() });
-            }
-            if a.parent != b.parent {
-                let name = |body: &Skeleton, parent: Option<usize>| {
-                    parent.map_or("nothing".to_owned(), |p| body.joints[p].name.clone())
-                };
-                return Err(BodyMismatch::Parent {
-                    joint,
-                    name: a.name.clone(),
-                    expected: name(self, a.parent),
-                    found: name(other, b.parent),
-                });
-            }
-        }
-        if self.joints.len() != other.joints.len() {
-            return Err(self.count_mismatch(other, None));
-        }
-        let height = self.height().max(f64::MIN_POSITIVE);
-        // The root's offset is no bone: its place comes from its channels.
-        for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate().skip(1) {
-            let difference = (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height;
-            if difference > SAME_BODY_TOLERANCE {
-                return Err(BodyMismatch::Offset {
-                    joint,
-                    name: a.name.clone(),
-                    percent: 100.0 * difference,
-                    limit: 100.0 * SAME_BODY_TOLERANCE,
-                    expected: a.offset,
-                    found: b.offset,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn count_mismatch(&self, other: &Skeleton, missing: Option<String>) -> BodyMismatch {
-        BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), missing }
     }
 }
 

@@ -99,7 +99,8 @@ impl Clip {
         let up = self.up_axis_of(&places);
         let turn = up.to_y_up();
         let lowest = places.iter().flatten().map(|place| (turn * place).y).fold(f64::INFINITY, f64::min);
-        Stage { up, height: self.height_of(&places, up), ground: lowest }
+        let ground = if lowest.is_finite() { lowest } else { 0.0 };
+        Stage { up, height: self.height_of(&places, up), ground }
     }
 
     /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the motion does not.
@@ -172,7 +173,7 @@ impl Clip {
 
     fn height_of(&self, places: &[Vec<Vector3<f64>>], up: UpAxis) -> f64 {
         let height = match Anatomy::of(&self.skeleton) {
-            Some(anatomy) if standing_at_rest(&self.skeleton, &anatomy).is_none() => {
+            Some(anatomy) if !places.is_empty() && standing_at_rest(&self.skeleton, &anatomy).is_none() => {
                 let turn = up.to_y_up();
                 let extent = |frame: &Vec<Vector3<f64>>| {
                     let body = anatomy.without_arms(&self.skeleton, frame);
@@ -186,5 +187,84 @@ impl Clip {
         };
         // A single joint has no height; anything but zero keeps it visible.
         if height > 1e-9 { height } else { 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn clips() -> Vec<Clip> {
+        samples::list().iter().map(|info| samples::clip(info.id).unwrap()).collect()
+    }
+
+    /// A clip of ours, its world turned.
+    fn in_other_world(clip: &Clip, turn: UnitQuaternion<f64>) -> Clip {
+        let mut clip = clip.clone();
+        let channels = clip.skeleton.joints[0].channels.clone();
+        let axes: Vec<usize> = clip.skeleton.joints[0].rotation_axes().collect();
+        for t in 0..clip.frames() {
+            let pose = clip.local_pose(t);
+            let place = turn * pose.positions[0];
+            let angles = rotation::angles_near(&(turn * pose.rotations[0]), &axes, &[0.0; 3]);
+            let mut angles = angles.into_iter();
+            for (column, channel) in channels.iter().enumerate() {
+                clip.values[(t, column)] = if channel.is_rotation() {
+                    angles.next().unwrap().to_degrees()
+                } else {
+                    place[channel.axis()]
+                };
+            }
+        }
+        clip
+    }
+
+    #[test]
+    fn every_up_axis_is_found_and_shown_the_same() {
+        let clip = &clips()[0];
+        let upright = clip.stage_positions();
+        assert_eq!(clip.up_axis(), UpAxis::Y);
+        for up in [UpAxis::X, UpAxis::Y, UpAxis::Z, UpAxis::MinusX, UpAxis::MinusY, UpAxis::MinusZ] {
+            let turned = in_other_world(clip, up.to_y_up().inverse());
+            assert_eq!(turned.up_axis(), up);
+            for (a, b) in turned.stage_positions().iter().zip(&upright) {
+                assert!((a - b).abs() < 1e-5, "{up:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_body_stands_on_the_ground_and_is_1_7_m_tall() {
+        for clip in clips() {
+            let nodes = clip.skeleton.figure().len();
+            let places = clip.stage_positions();
+            assert_eq!(places.len(), clip.frames() * nodes * 3);
+            let heights: Vec<f32> = places.chunks_exact(3).map(|place| place[1]).collect();
+            let low = heights.iter().copied().fold(f32::INFINITY, f32::min);
+            assert!(low.abs() < 1e-6, "{low}");
+            for frame in heights.chunks_exact(nodes) {
+                let top = frame[..clip.skeleton.joints.len()].iter().copied().fold(0.0, f32::max);
+                assert!((1.3..1.9).contains(&top), "{}: {top}", clip.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_body_lying_on_the_ground_does_not_turn_the_world() {
+        let mut clip = in_other_world(&clips()[0], rotation::about(0, FRAC_PI_2));
+        // Somewhere on the ground of a world with y up, on its front.
+        let stage = clip.stage();
+        let columns =
+            clip.skeleton.joints[0].channels.iter().position(|channel| *channel == crate::Channel::Zposition);
+        clip.values.column_mut(columns.unwrap()).add_scalar_mut(7.3 * stage.height);
+        let low = (0..clip.frames())
+            .flat_map(|t| clip.world_pose(t).positions)
+            .map(|p| p.y)
+            .fold(f64::INFINITY, f64::min);
+        let y =
+            clip.skeleton.joints[0].channels.iter().position(|channel| *channel == crate::Channel::Yposition);
+        clip.values.column_mut(y.unwrap()).add_scalar_mut(-low);
+        assert_eq!(clip.up_axis(), UpAxis::Y);
     }
 }

@@ -106,3 +106,218 @@ fn clips_that_cannot_be_read_or_written_say_why_and_where() {
     let nowhere = folder.join("no-such-folder").join("out.bvh");
     assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
 }
+
+#[test]
+fn bound_prints_a_golden_case_in_its_own_shape() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/golden/case-1.json");
+    let printed = json(&["bound", case, "--repeat", "3"]);
+    let golden: Value = serde_json::from_str(&fs::read_to_string(case).unwrap()).unwrap();
+    let expected = golden["expected"].as_object().unwrap();
+    for (key, value) in expected {
+        assert!(!printed[key].is_null(), "{key} is missing");
+        assert_eq!(printed[key].as_array().map(Vec::len), value.as_array().map(Vec::len), "{key}");
+    }
+    let (elbo, wanted) = (printed["elbo"].as_f64().unwrap(), expected["elbo"].as_f64().unwrap());
+    assert!((elbo / wanted - 1.0).abs() < 1e-9, "{elbo} is not {wanted}");
+    assert!(printed["median_ms"].as_f64().unwrap() > 0.0);
+    assert!(json(&["bound", case])["median_ms"].is_null());
+}
+
+#[test]
+fn cases_that_are_none_are_refused_with_file_and_field() {
+    let folder = folder("bad-cases");
+    let case = folder.join("case.json");
+    fs::write(&case, r#"{"input": {"params": {"parts": 3}}}"#).unwrap();
+    let error = fails(&["bound", text(&case)]);
+    assert!(error.contains("case.json: ") && error.contains("input.params.parts"), "{error}");
+    fs::write(&case, b"\xff\xfe").unwrap();
+    assert!(fails(&["bound", text(&case)]).contains("case.json: "));
+    assert!(fails(&["bound", "no-such-case.json"]).contains("no-such-case.json: "));
+}
+
+/// Trains a small model for a few iterations.
+fn train(folder: &Path, more: &[&str]) -> (PathBuf, Value) {
+    let model = folder.join("model.json");
+    let mut arguments = vec!["train", "sample:walk-1", "sample:walk-2", "--out", text(&model), "--parts"];
+    arguments.extend([
+        "lower,upper",
+        "--dynamics-ips",
+        "5",
+        "--pose-ips",
+        "6",
+        "--latent",
+        "2",
+        "--seed",
+        "3",
+    ]);
+    arguments.extend(["--fps", "15", "--max-iterations", "40", "--seed-frames", "sample:walk-3:5"]);
+    arguments.extend(more);
+    let printed = json(&arguments);
+    (model, printed)
+}
+
+#[test]
+fn train_then_roll_out_then_score() {
+    let folder = folder("train");
+    let (start, motion, latents) =
+        (folder.join("start.json"), folder.join("motion.bvh"), folder.join("latents.csv"));
+    let (model, printed) = train(&folder, &["--write-start", text(&start)]);
+    assert_eq!(printed["alpha"].as_array().unwrap().len(), 2);
+    assert_eq!(printed["iterations"].as_u64(), Some(40));
+    assert!(printed["evaluations"].as_u64().unwrap() >= 40 && printed["seconds"].as_f64().unwrap() > 0.0);
+    let elbo = printed["elbo"].as_f64().unwrap();
+    let sum = |value: &Value| value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).sum::<f64>();
+    let terms = &printed["terms"];
+    let total = sum(&terms["kinematics"])
+        + sum(&terms["dynamics"])
+        + terms["initial"].as_f64().unwrap()
+        + terms["entropy"].as_f64().unwrap();
+    assert!((elbo / total - 1.0).abs() < 1e-9);
+
+    // The starting point is a case of its own, with a bound below the trained one.
+    let input: Value = serde_json::from_str(&fs::read_to_string(&start).unwrap()).unwrap();
+    assert_eq!(input["input"]["lengths"].as_array().unwrap().len(), 3);
+    assert_eq!(input["input"]["lengths"][2].as_u64(), Some(5));
+    assert!(json(&["bound", text(&start)])["elbo"].as_f64().unwrap() < elbo);
+
+    let (model, motion, latents) = (text(&model), text(&motion), text(&latents));
+    let roll = |more: &[&str]| {
+        let mut arguments = vec!["rollout", model, "--frames", "50", "--out", motion, "--latents", latents];
+        arguments.extend(more);
+        let output = run(&arguments);
+        assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+        fs::read_to_string(latents).unwrap()
+    };
+    let learned = roll(&[]);
+    assert_eq!(learned.lines().next(), Some("frame,time,lower_0,lower_1,upper_0,upper_1"));
+    assert_eq!(learned.lines().count(), 51);
+    assert!(
+        learned.lines().skip(1).flat_map(|row| row.split(',')).all(|v| v.parse::<f64>().unwrap().is_finite())
+    );
+    let info = json(&["clip", motion]);
+    assert_eq!((info["frames"].as_u64(), info["joints"].as_array().map(Vec::len)), (Some(50), Some(21)));
+    assert_eq!(info["warnings"].as_array().map(Vec::len), Some(0));
+    // Another coupling into the upper body changes the upper body and, hardly coupled back, the start of neither.
+    let changed = roll(&["--alpha", "lower:upper=0.001", "1:0=10"]);
+    assert_ne!(learned, changed);
+    assert_eq!(learned.lines().take(3).collect::<Vec<_>>(), changed.lines().take(3).collect::<Vec<_>>());
+    assert_ne!(learned, roll(&["--from", "1"]));
+
+    let score = json(&["score", model, "sample:walk-3", "--from", "2"]);
+    let number = |key: &str| score[key].as_f64().unwrap();
+    assert!(number("dtw_mse") > 0.0 && number("dtw_mse") <= number("mse") && number("variance") > 1e-3);
+
+    for (arguments, said) in [
+        (&["score", model, "sample:walk-3", "--from", "7"][..], "from 0 to 2, found 7"),
+        (&["rollout", model, "--frames", "9", "--from", "3", "--out", motion], "found 3"),
+        (&["rollout", model, "--frames", "0", "--out", motion], "0"),
+        (&["rollout", model, "--frames", "9", "--alpha", "lower:tail=2", "--out", motion], "lower, upper"),
+        (&["rollout", model, "--frames", "9", "--alpha", "lower:upper=0", "--out", motion], "positive"),
+        (&["rollout", text(&start), "--frames", "9", "--out", motion], "start.json: "),
+        (&["score", motion, "sample:walk-3"], "motion.bvh: "),
+    ] {
+        let error = fails(arguments);
+        assert!(error.contains(said), "{arguments:?}: {error}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_model() {
+    let (first, _) = train(&folder("seed-a"), &[]);
+    let (second, _) = train(&folder("seed-b"), &[]);
+    assert_eq!(fs::read(first).unwrap(), fs::read(second).unwrap());
+}
+
+#[test]
+fn parts_are_named_or_read_from_a_file() {
+    let folder = folder("parts");
+    let (parts, model) = (folder.join("parts.json"), folder.join("model.json"));
+    let train = |parts: &str| {
+        [
+            "train",
+            "sample:walk-1",
+            "--parts",
+            parts,
+            "--out",
+            text(&model),
+            "--max-iterations",
+            "2",
+            "--fps",
+            "10",
+        ]
+        .map(str::to_owned)
+        .to_vec()
+    };
+    let ask = |parts: &str| {
+        let arguments = train(parts);
+        json(&arguments.iter().map(String::as_str).collect::<Vec<_>>())["alpha"].as_array().unwrap().len()
+    };
+    let refuse = |parts: &str| {
+        let arguments = train(parts);
+        fails(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    let names: Vec<String> = (0..21).map(|joint| joint.to_string()).collect();
+    let list = format!(
+        r#"[{{"name": "a", "joints": [{}]}}, {{"name": "b", "joints": ["RightHand"]}}]"#,
+        names[..20].join(",")
+    );
+    fs::write(&parts, &list).unwrap();
+    assert_eq!(
+        [ask("whole"), ask("upper,lower"), ask("legs,trunk,left arm,right arm"), ask(text(&parts))],
+        [1, 2, 4, 2]
+    );
+    fs::write(&parts, list.replace("RightHand", "LeftWing")).unwrap();
+    let error = refuse(text(&parts));
+    assert!(error.contains("parts.json: ") && error.contains("LeftWing"), "{error}");
+    assert!(refuse("head,tail").contains("lower,upper"));
+    assert!(refuse("lower,lower").contains("lower,upper"));
+}
+
+#[test]
+fn training_that_cannot_begin_says_why() {
+    let folder = folder("bad-training");
+    let model = folder.join("model.json");
+    let other = folder.join("other.bvh");
+    fs::write(&other, "HIERARCHY\nROOT Stick\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 4\nFrame Time: 0.1\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n").unwrap();
+    let refuse = |more: &[&str]| {
+        let mut arguments = vec!["train", "sample:walk-1", "--parts", "whole", "--out", text(&model)];
+        arguments.extend(more);
+        fails(&arguments)
+    };
+    assert!(refuse(&[text(&other)]).contains("other.bvh"));
+    assert!(refuse(&["--latent", "0"]).contains("latent"));
+    assert!(refuse(&["--fps", "0"]).contains("frames a second"));
+    assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
+    assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
+    assert!(refuse(&["--write-start", text(&folder)]).contains("bad-training"));
+    assert!(
+        fails(&["train", "sample:walk-1", "--parts", "whole", "--out", text(&folder)])
+            .contains("bad-training")
+    );
+    assert!(!model.exists(), "nothing is left behind");
+}
+
+/// Recorded clips are not part of the project; this one looks where they may lie.
+#[test]
+fn real_clips_are_told_and_written_back() {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/bvh").to_owned();
+    let folder_of_clips = PathBuf::from(std::env::var("VCGPDM_CLIPS").unwrap_or(beside)).join("cmu-walk");
+    let clip = folder_of_clips.join("35_01.bvh");
+    if !clip.exists() {
+        println!("skipped: no recorded clips in {}", folder_of_clips.display());
+        return;
+    }
+    let out = folder("real").join("out.bvh");
+    let first = json(&["clip", text(&clip), "--out", text(&out)]);
+    assert_eq!((first["up_axis"].as_str(), first["joints"].as_array().map(Vec::len)), (Some("y"), Some(31)));
+    assert!(first["warnings"].to_string().contains("T-pose"));
+    let again = json(&["clip", text(&out)]);
+    for key in ["frames", "frame_time", "joints", "height", "up_axis"] {
+        assert_eq!(first[key], again[key], "{key}");
+    }
+    assert_eq!(
+        again["warnings"].as_array().map(Vec::len),
+        Some(0),
+        "the T-pose was dropped once and for all"
+    );
+}

@@ -115,11 +115,14 @@ fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
     }
 }
 
-/// Up axis and body height of each clip as its index lists them.
-fn index() -> Vec<(String, String, f64)> {
+/// Of each clip, as its index lists them: path, up axis, body height, and whether its row 0 is an added T-pose.
+fn index() -> Vec<(String, String, f64, bool)> {
     let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap_or_default();
     let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
-    fields.map(|row| (row[0].to_owned(), row[8].to_lowercase(), row[9].parse().unwrap())).collect()
+    let entry = |row: Vec<&str>| {
+        (row[0].to_owned(), row[8].to_lowercase(), row[9].parse().unwrap(), row[1].contains("T-pose"))
+    };
+    fields.map(entry).collect()
 }
 
 #[test]
@@ -135,7 +138,7 @@ fn up_axes_heights_and_parts_are_found() {
         for preset in &found {
             check_parts(&preset.parts, &clip.skeleton).unwrap();
         }
-        let Some((_, listed_up, listed)) = index.iter().find(|(listed, ..)| *listed == path) else {
+        let Some((_, listed_up, listed, _)) = index.iter().find(|(listed, ..)| *listed == path) else {
             continue;
         };
         assert_eq!(up.letter(), listed_up.trim_end_matches('?'), "{path}");
@@ -154,4 +157,39 @@ fn the_walks_are_of_one_body_and_others_are_not() {
         println!("{path}: {same:?}");
         assert_eq!(same.is_ok(), path.contains("/35_"), "{path}");
     }
+}
+
+#[test]
+fn only_added_t_poses_are_dropped() {
+    let index = index();
+    for (path, clip) in clips(&ALL).unwrap_or_default() {
+        let Some((.., listed)) = index.iter().find(|(listed, ..)| *listed == path) else { continue };
+        for fps in [1.0 / clip.frame_time, 60.0, 30.0, 10.0] {
+            let clip = clip.resample(fps).unwrap();
+            let (rest, dropped) = clip.drop_t_pose();
+            assert_eq!(dropped, *listed, "{path} at {fps} frames a second");
+            assert_eq!(rest.frames() + usize::from(dropped), clip.frames());
+            assert!(!rest.drop_t_pose().1, "{path}");
+        }
+    }
+}
+
+/// Prints the time that a rollout's poses take: `cargo test --release --test real_clips -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement, not a check"]
+fn poses_of_a_rollout_are_fast() {
+    let Some(clips) = clips(&["cmu-walk"]) else { return };
+    let clip = clips[0].1.cut(1, 301).unwrap();
+    let mapping = PoseMapping::new(&clip);
+    let encoded = mapping.encode(&clip).unwrap();
+    let begin = std::time::Instant::now();
+    for _ in 0..100 {
+        std::hint::black_box(mapping.decode_positions(&encoded.y, &encoded.start).unwrap());
+    }
+    println!("decode_positions of 300 frames: {:?}", begin.elapsed() / 100);
+    let begin = std::time::Instant::now();
+    for _ in 0..10 {
+        std::hint::black_box(mapping.decode(&encoded.y, &encoded.start, 0.03).unwrap());
+    }
+    println!("decode of 300 frames: {:?}", begin.elapsed() / 10);
 }

@@ -86,10 +86,6 @@ fn triple(cursor: &mut Cursor) -> Result<[f64; 3], BvhError> {
     let mut numbers = [0.0; 3];
     for number in &mut numbers {
         *number = cursor.number()?;
-        if number.abs() > 1e9 {
-            let found = number.to_string();
-            return Err(cursor.error(BvhProblem::expected("an offset of at most 1e9", Some(&found))));
-        }
     }
     Ok(numbers)
 }

@@ -3,6 +3,8 @@
 mod hierarchy;
 mod motion;
 mod parse;
+#[cfg(test)]
+pub(crate) mod tests;
 mod text;
 mod write;
 

@@ -65,7 +65,7 @@ fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64
                 let Some(count) = count else {
                     return Err(cursor.error(BvhProblem::expected("a number of frames", value)));
                 };
-                frames = Some(count.min(1e15) as usize);
+                frames = Some(count as usize);
             }
             "frametime" | "framestime" if frame_time.is_none() => {
                 let seconds = value.and_then(finite).filter(|seconds| (1e-5..=3600.0).contains(seconds));

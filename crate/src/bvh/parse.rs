@@ -59,11 +59,12 @@ fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
         ));
     }
     let odd: Vec<&str> = (skeleton.joints.iter().map(|joint| joint.name.as_str()))
-        .filter(|name| name.is_empty() || name.contains(char::is_whitespace))
+        .filter(|name| name.is_empty() || name.contains(|c: char| c.is_whitespace() || c == ':'))
         .collect();
     if !odd.is_empty() {
         warnings.push(format!(
-            "names that are empty or hold blanks ({}): some programs cannot read them",
+            "{} names hold blanks or colons, or are empty ({}): they are kept, but some programs cannot read them",
+            odd.len(),
             listed(&odd)
         ));
     }

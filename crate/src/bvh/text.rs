@@ -140,9 +140,12 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// The number a word spells; `None` for anything else, NaN and infinities included.
+/// Nothing in a file is larger, in any unit; sums and products of such numbers stay finite.
+const LARGEST: f64 = 1e9;
+
+/// The number a word spells; `None` for anything else: NaN, infinities and absurd sizes included.
 pub(super) fn finite(word: &str) -> Option<f64> {
-    word.parse().ok().filter(|number: &f64| number.is_finite())
+    word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST)
 }
 
 /// The message about a word that is no number.
@@ -152,7 +155,7 @@ pub(super) fn not_a_number(word: Option<&str>) -> BvhProblem {
         (c == '-' || c == '+') && finite(&text[..at]).is_some() && finite(&text[at..]).is_some()
     });
     let expected = match text.parse::<f64>() {
-        Ok(_) => "a finite number",
+        Ok(_) => "a number from -1e9 to 1e9",
         Err(_) if glued => "a number (is a blank missing?)",
         Err(_) if finite(&text.replace(',', ".")).is_some() => "a number with a decimal point",
         Err(_) => "a number",

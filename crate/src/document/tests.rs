@@ -79,7 +79,8 @@ fn other_files_are_refused_with_the_reason() {
 
 #[test]
 fn wrong_fields_are_refused_with_their_path() {
-    let cases: [(&str, fn(&mut Value)); 12] = [
+    type Change = fn(&mut Value);
+    let cases: [(&str, Change); 12] = [
         ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
         ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
             v["parts"][0]["r"][1] = json!([1.0])

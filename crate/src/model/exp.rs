@@ -1,7 +1,8 @@
 //! An exponential that vectorises, the same in native and wasm.
 
-const LN2_HI: f64 = 6.931_471_803_691_238_16e-1;
-const LN2_LO: f64 = 1.908_214_929_270_587_70e-10;
+// ln 2 in two parts: n * LN2_HI is exact for every n that can occur.
+const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
+const LN2_LO: f64 = f64::from_bits(0x3dea_39ef_3579_3c76);
 /// Adding it rounds to a whole number and leaves that number in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
 /// e^-708 is the last normal number: what is smaller counts as this.
@@ -14,7 +15,6 @@ const HIGHEST: f64 = 709.0;
 /// native and wasm agree to the bit. 2^n e^r with n = round(x / ln 2) and the Taylor series of e^r, |r| <= 0.347, to r^13
 /// (remainder below 5e-18), summed pairwise.
 #[inline(always)]
-#[allow(clippy::excessive_precision)]
 pub fn exp(x: f64) -> f64 {
     let x = if x < LOWEST { LOWEST } else { x };
     let x = if x > HIGHEST { HIGHEST } else { x };

@@ -7,6 +7,9 @@ use crate::rotation;
 use crate::skeleton::WorldPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 
+/// No angle and no step is larger; squares of larger numbers may overflow.
+const LARGEST: f64 = 1e9;
+
 impl PoseMapping {
     /// The motion that rows of Y [frames x columns] tell, set out from `start`: the inverse of
     /// [`PoseMapping::encode`]. Each joint gets its own channels back, its angles without jumps where they can be.
@@ -91,11 +94,11 @@ impl PoseMapping {
             return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
         }
         for (at, &found) in y.iter().enumerate() {
-            if !found.is_finite() {
+            if !(-LARGEST..=LARGEST).contains(&found) {
                 return Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found });
             }
         }
-        if !start.position.iter().chain([&start.yaw]).all(|x| x.is_finite()) {
+        if !start.position.iter().chain([&start.yaw]).all(|x| (-1e12..1e12).contains(x)) {
             return Err(PoseError::Field { field: "start", expected: "finite numbers".to_owned() });
         }
         Ok(())

@@ -6,12 +6,15 @@
 mod decode;
 mod encode;
 mod root;
+#[cfg(test)]
+mod tests;
 
 pub use encode::Encoded;
 pub use root::RootStart;
 
 use crate::clip::Clip;
-use crate::skeleton::{BodyMismatch, Skeleton, SkeletonError};
+use crate::same_body::BodyMismatch;
+use crate::skeleton::{Skeleton, SkeletonError};
 use crate::stage::Stage;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -74,8 +77,8 @@ pub enum PoseError {
         /// Columns given.
         found: usize,
     },
-    /// NaN or an infinity in a row.
-    #[error("frame {frame}, column {column}: expected a finite number, found {found}")]
+    /// NaN, an infinity or a number of absurd size in a row.
+    #[error("frame {frame}, column {column}: expected a number from -1e9 to 1e9, found {found}")]
     NotFinite {
         /// The frame, counted from 0.
         frame: usize,

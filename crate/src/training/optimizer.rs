@@ -46,9 +46,11 @@ impl Gradient for Problem {
     }
 }
 
+type Search = Stepper<Problem, FirstOrderState<Vec<f64>>, Lbfgsb<Vec<f64>>>;
+
 /// A minimisation inside a box that can be stopped after any iteration.
 pub struct Optimizer {
-    stepper: Option<Stepper<Problem, FirstOrderState<Vec<f64>>, Lbfgsb<Vec<f64>>>>,
+    stepper: Option<Search>,
 }
 
 impl Optimizer {
@@ -61,7 +63,9 @@ impl Optimizer {
             .with_relative_cost_reduction_tolerance(1e-13);
         let problem = Problem { evaluate, lower, upper };
         // It can fail only for boxes that do not fit the point; then there is nothing to optimise.
-        Self { stepper: Executor::new(problem, solver, FirstOrderState::new(x)).into_stepper().ok() }
+        // The executor's own limit of iterations is lifted: the trainer counts.
+        let executor = Executor::new(problem, solver, FirstOrderState::new(x)).max_iter(u64::MAX);
+        Self { stepper: executor.into_stepper().ok() }
     }
 
     /// One iteration. False when no further one can improve the point.

@@ -6,6 +6,9 @@
 mod bound;
 mod clip;
 mod files;
+mod rollout;
+mod score;
+mod train;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
@@ -30,6 +33,9 @@ struct Arguments {
 enum Command {
     Bound(bound::Arguments),
     Clip(clip::Arguments),
+    Train(train::Arguments),
+    Rollout(rollout::Arguments),
+    Score(score::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -56,13 +62,16 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
     match command {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
+        Command::Train(arguments) => train::run(&arguments),
+        Command::Rollout(arguments) => rollout::run(&arguments),
+        Command::Score(arguments) => score::run(&arguments),
     }
 }
 
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
 fn usage(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound and clip (try --help)".to_owned();
+        return "expected one of the commands bound, clip, train, rollout and score (try --help)".to_owned();
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default();
