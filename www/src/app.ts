@@ -130,6 +130,13 @@ export class App {
     this.tell("notices");
   }
 
+  /** Takes back what was said about earlier drops. */
+  clearNotices(): void {
+    if (this.notices.length === 0) return;
+    this.notices = [];
+    this.tell("notices");
+  }
+
   dismiss(id: number): void {
     this.notices = this.notices.filter((notice) => notice.id !== id);
     this.tell("notices");
@@ -142,7 +149,7 @@ export class App {
     const pose = this.walk && sameFigure ? this.walk.at(this.player.frame).slice() : null;
     if (!sameKind || !sameFigure) this.player.frame = 0;
     this.shown = shown;
-    this.walk = new Walk(shown.motion);
+    this.walk = new Walk(shown.motion, shown.kind === "clip");
     this.player.load(shown.motion.frames, shown.motion.frameTime, this.walk.loop.end);
     if (pose) this.walk.standAt(this.player.frame, pose);
     this.tell("shown", "tick");

@@ -15,16 +15,19 @@ export async function startEngine(): Promise<{
   samples: Awaited<ReturnType<Remote["start"]>>["samples"];
 }> {
   if (typeof WebAssembly !== "object") {
-    throw new Error("This browser has no WebAssembly, which the model needs.");
+    throw new Error("this browser has no WebAssembly, which the model needs.");
   }
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "vcgpdm" });
   const broken = new Promise<never>((_, fail) => {
     worker.addEventListener("error", (event) => {
-      fail(new Error(event.message || "The worker that computes the model could not be started."));
+      fail(new Error(event.message || "the worker that computes it could not be started"));
     });
   });
   const remote = Comlink.wrap<Workbench>(worker);
-  const { version, samples } = await Promise.race([remote.start(), broken]);
+  const { version, samples } = await Promise.race([remote.start(), broken]).catch((problem: unknown) => {
+    const why = problem instanceof Error ? problem.message : String(problem);
+    throw new Error(`its program could not be loaded (${why}). Reloading the page may help.`);
+  });
   const engine = new Proxy(remote, {
     get(target, name) {
       if (name === "train") {

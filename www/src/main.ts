@@ -35,7 +35,7 @@ addEventListener("hashchange", () => {
   app.settings = readSettings(location.hash);
   app.player.speed = app.settings.speed;
   app.player.loops = app.settings.loop;
-  if (app.model) takeUp(app, { model: app.model, rollout: app.learned! }, true);
+  if (app.model) takeUp(app, { model: app.model, rollout: app.learned! }, { couplings: true });
   app.tell("settings", "playback");
 });
 
@@ -66,7 +66,7 @@ async function startModel(): Promise<void> {
     app.engine = engine;
     app.version = version;
     const model = await text;
-    if (model !== null) takeUp(app, await engine.openModel(model, app.settings.frames), true);
+    if (model !== null) takeUp(app, await engine.openModel(model, app.settings.frames), { couplings: true });
     app.engineState = "ready";
     root.dataset["engine"] = "ready";
     app.tell("engine");

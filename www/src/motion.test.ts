@@ -55,6 +55,14 @@ describe("looping", () => {
     expect(step).toBeLessThan(0.15);
   });
 
+  it("takes in every frame of a recording", () => {
+    const walk = new Walk(swinging(100), true);
+    expect(walk.loop.end).toBe(99);
+    const end = walk.at(99).slice();
+    walk.lap();
+    expect(apart(walk.at(0), end)).toBeLessThan(1e-4);
+  });
+
   it("takes a single frame", () => {
     const walk = new Walk(swinging(1));
     walk.lap();

@@ -88,12 +88,19 @@ export interface Loop {
 /** Frames over which one lap fades into the next. */
 export const FADE = 6;
 
+/** From the last frame back to the first. */
+function wholeLoop(motion: Motion): Loop {
+  const pose = (frame: number) => poseAt(motion, frame, HERE, new Float32Array(motion.nodes * 3));
+  const last = motion.frames - 1;
+  return { end: last, placement: last > 0 ? placeOnto(pose(0), pose(last)) : HERE };
+}
+
 /** Where to loop: of the frames of the last two seconds, the one most like frame 0 that also moves on as frame 0 does. */
 export function findLoop(motion: Motion): Loop {
   const width = motion.nodes * 3;
   const pose = (frame: number) => poseAt(motion, frame, HERE, new Float32Array(width));
   const last = motion.frames - 1;
-  if (last < 2 * FADE) return { end: last, placement: last > 0 ? placeOnto(pose(0), pose(last)) : HERE };
+  if (last < 2 * FADE) return wholeLoop(motion);
   const start = pose(0);
   const next = pose(3);
   const from = Math.max(Math.floor(last / 2), last - FADE - Math.round(2 / motion.frameTime));
@@ -117,8 +124,12 @@ export class Walk {
   private readonly pose: Float32Array;
   private readonly other: Float32Array;
 
-  constructor(readonly motion: Motion) {
-    this.loop = findLoop(motion);
+  /** `whole`: a lap takes in every frame, however badly the ends meet. */
+  constructor(
+    readonly motion: Motion,
+    whole = false,
+  ) {
+    this.loop = whole ? wholeLoop(motion) : findLoop(motion);
     this.pose = new Float32Array(motion.nodes * 3);
     this.other = new Float32Array(motion.nodes * 3);
   }

@@ -1,6 +1,6 @@
 // Opening, ticking, cutting and looking at clips.
 import type { App, ClipEntry } from "../app";
-import { clipTitle } from "../format";
+import { clipTitle, sentence } from "../format";
 import { partsFor } from "../parts";
 import type { SampleInfo } from "../protocol";
 import { messageOf, showRollout, takeUp } from "./couplings";
@@ -23,9 +23,10 @@ function add(app: App, entry: Omit<ClipEntry, "first" | "end">): void {
 
 /** Reads dropped or chosen files: motion clips (.bvh) and models (.json). Errors land where the files did. */
 export async function openFiles(app: App, files: readonly File[], at: { x: number; y: number } | null): Promise<void> {
+  app.clearNotices();
   const refuse = (title: string, text: string) => app.notify({ kind: "error", title, text, at });
   if (!app.engine) {
-    const text = app.engineProblem || "The page is still getting ready; try again in a moment.";
+    const text = sentence(app.engineProblem) || "The page is still getting ready; try again in a moment.";
     return refuse("Nothing was opened", text);
   }
   let opened = 0;

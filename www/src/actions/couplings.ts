@@ -103,8 +103,8 @@ export async function setStart(app: App, start: number): Promise<void> {
   rollOut(app);
 }
 
-/** Takes up a model that the worker has opened or trained. */
-export function takeUp(app: App, { model, rollout }: OpenedModel, keepCouplings = false): void {
+/** Takes up a model that the worker has opened or trained. A clip that is being looked at stays on the stage when asked to. */
+export function takeUp(app: App, { model, rollout }: OpenedModel, keep: { couplings?: boolean; clip?: boolean } = {}): void {
   queueOf(app).drop();
   app.model = model;
   app.learned = rollout;
@@ -113,9 +113,9 @@ export function takeUp(app: App, { model, rollout }: OpenedModel, keepCouplings 
   app.pointed = null;
   const parts = model.info.parts.length;
   const fits = Object.keys(app.settings.alpha).every((pair) => pair.split(".").every((part) => Number(part) < parts));
-  if (!keepCouplings || !fits) changeSettings(app, { alpha: {} });
+  if (!keep.couplings || !fits) changeSettings(app, { alpha: {} });
   if (app.settings.start >= model.info.sequences.length) changeSettings(app, { start: 0 });
   app.tell("model", "pointed");
-  showRollout(app, true);
+  showRollout(app, !keep.clip);
   if (app.altered || app.settings.start > 0) void setStart(app, app.settings.start);
 }

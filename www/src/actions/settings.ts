@@ -2,7 +2,22 @@
 import type { App } from "../app";
 import { type SettingName, type Settings, withinLimits, writeSettings } from "../state";
 
-let writing = 0;
+/** Browsers allow only so many history writes a second; a slider makes more. */
+const BETWEEN_WRITES = 300;
+let timer = 0;
+let written = -Infinity;
+
+function writeUrl(app: App): void {
+  clearTimeout(timer);
+  const wait = written + BETWEEN_WRITES - performance.now();
+  if (wait > 0) {
+    timer = window.setTimeout(() => writeUrl(app), wait);
+    return;
+  }
+  written = performance.now();
+  const fragment = writeSettings(app.settings);
+  history.replaceState(history.state, "", `${location.pathname}${location.search}${fragment ? `#${fragment}` : ""}`);
+}
 
 /** Changes settings, each within its limits; what is no value is left as it was. */
 export function changeSettings(app: App, change: Partial<Settings>): void {
@@ -14,12 +29,6 @@ export function changeSettings(app: App, change: Partial<Settings>): void {
   app.settings = next;
   app.player.speed = next.speed;
   app.player.loops = next.loop;
-  // Browsers allow only so many history writes a second; a slider makes more.
-  clearTimeout(writing);
-  writing = window.setTimeout(() => {
-    const fragment = writeSettings(app.settings);
-    const url = `${location.pathname}${location.search}${fragment ? `#${fragment}` : ""}`;
-    history.replaceState(history.state, "", url);
-  }, 250);
+  writeUrl(app);
   app.tell("settings", "playback");
 }

@@ -21,7 +21,7 @@ export function whyNotTrain(app: App): string {
   if (app.engineState === "loading") return "Getting ready";
   if (!app.engine) return "The model cannot run in this browser";
   if (app.tickedClips().length === 0) return "Tick at least one clip to train on";
-  return app.clash;
+  return app.clash ? "The ticked clips do not go together; Clips says why" : "";
 }
 
 export async function train(app: App): Promise<void> {
@@ -31,17 +31,22 @@ export async function train(app: App): Promise<void> {
   app.training = { status: "running", steps: [], parts, elapsed: 0, ending: "", failed: false };
   app.tell("training");
   const clips = app.tickedClips().map(({ loaded, first, end }) => ({ id: loaded.id, first, end }));
+  // The first snapshot takes the stage; after that a clip that is being looked at may keep it.
+  let onStage = false;
   const follow = (report: TrainingReport) => {
     if (!app.busy) return;
     app.training.steps.push(...report.steps);
     app.training.elapsed = report.elapsed;
-    if (report.snapshot) takeUp(app, report.snapshot);
+    if (report.snapshot) {
+      takeUp(app, report.snapshot, { clip: onStage });
+      onStage = true;
+    }
     app.tell("training");
   };
   try {
     const outcome = await app.engine.train({ clips, settings, frames: app.settings.frames }, follow);
     Object.assign(app.training, { status: "idle", ending: outcome.reason });
-    takeUp(app, outcome.result);
+    takeUp(app, outcome.result, { clip: onStage });
   } catch (problem) {
     Object.assign(app.training, { status: "idle", ending: messageOf(problem), failed: true });
     showRollout(app);

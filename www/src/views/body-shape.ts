@@ -47,14 +47,18 @@ const FLESH: [RegExp, number, number][] = [
 
 const TRUNK = /^(?!.*(left|right)).*(hips$|pelvis|root|spine|chest|torso|back|abdomen|waist|trunk)/i;
 
+const RIGHT = /[Rr]ight|RIGHT|(^|[_:. ])[Rr](?=[A-Z_. ]|$)/;
+const LEFT = /[Ll]eft|LEFT|(^|[_:. ])[Ll](?=[A-Z_. ]|$)/;
+
 /** The first right and left node of a kind, by their names. */
 function pairOf(figure: Figure, joints: readonly string[], kind: RegExp): [number, number] | null {
-  const find = (side: RegExp) =>
-    figure.nodes.findIndex(({ joint, endSite }) => !endSite && kind.test(joints[joint] ?? "") && side.test(joints[joint] ?? ""));
-  const right = find(/right|^r(?=[A-Z_])|[_.:]r$|(?<=[_:])r(?=[A-Z_])/);
-  const left = find(/left|^l(?=[A-Z_])|[_.:]l$|(?<=[_:])l(?=[A-Z_])/);
-  const [r, l] = [right >= 0 ? right : find(/Right|^R(?=[A-Z_])|[_.]R$/), left >= 0 ? left : find(/Left|^L(?=[A-Z_])|[_.]L$/)];
-  return r >= 0 && l >= 0 ? [r, l] : null;
+  const side = (pattern: RegExp) =>
+    figure.nodes.findIndex(({ joint, endSite }) => {
+      const name = joints[joint] ?? "";
+      return !endSite && kind.test(name) && pattern.test(name);
+    });
+  const [right, left] = [side(RIGHT), side(LEFT)];
+  return right >= 0 && left >= 0 ? [right, left] : null;
 }
 
 function radii(name: string, length: number): [number, number] {

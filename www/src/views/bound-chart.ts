@@ -5,6 +5,7 @@ import "uplot/dist/uPlot.min.css";
 import { grouped } from "../format";
 import { onThemeChange, partColour, theme } from "../palette";
 import type { TrainingProgress } from "../protocol";
+import { boundRange } from "./bound-range";
 import { swatchStyle, View } from "./view";
 
 interface Line {
@@ -26,17 +27,6 @@ function termLines(parts: readonly string[]): Line[] {
     { label: "entropy", colour: quiet, value: ({ terms }) => terms.entropy },
     { label: "first frames", colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
   ];
-}
-
-/** The range to draw: the first iterations come from far below and would flatten the rest. */
-export function boundRange(values: readonly number[]): [number, number] {
-  const finite = values.filter(Number.isFinite);
-  if (finite.length === 0) return [0, 1];
-  const sorted = [...finite].sort((a, b) => a - b);
-  const top = sorted.at(-1)!;
-  const low = sorted[Math.floor(sorted.length * (sorted.length > 30 ? 0.12 : 0))]!;
-  const pad = Math.max(1, 0.08 * (top - low));
-  return [low - pad, top + pad];
 }
 
 export class BoundChart extends View {

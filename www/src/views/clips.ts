@@ -9,6 +9,8 @@ import { View } from "./view";
 export class ClipsView extends View {
   static override topics = ["clips", "shown", "engine", "notices", "training"] as const;
   private readonly cutting = new Set<string>();
+  /** Where the clips have a tab of their own there is room for all of them. */
+  private readonly unfolded = matchMedia("(max-width: 1179.98px)").matches;
 
   private choose(event: Event): void {
     const input = event.target as HTMLInputElement;
@@ -81,11 +83,12 @@ export class ClipsView extends View {
       ${here.map((notice) => noticeCard(app, notice))}
       ${app.clash ? html`<p class="bad" role="alert" data-testid="clash">${app.clash}</p>` : nothing}
       ${own.length > 0
-        ? html`<h3>Yours</h3><ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
+        ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
         : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.</p>`}
       ${made.length > 0
-        ? html`<h3>Made by this project: a procedural walker</h3>
-          <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul>`
+        ? html`<details class="made" ?open=${this.unfolded}>
+            <summary>Made by this project: a procedural walker <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked</small></summary>
+            <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
         : app.engineState === "loading" ? html`<p class="empty">Getting the sample clips ready</p>` : nothing}`;
   }
 }

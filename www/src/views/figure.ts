@@ -39,7 +39,7 @@ function stencil(material: MeshStandardMaterial, pale: boolean): void {
 /** A capsule with a radius for each end, from the origin upwards. */
 function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
   const outline: Vector2[] = [];
-  const rounds = 6;
+  const rounds = 5;
   for (let i = 0; i <= rounds; i++) {
     const angle = (-0.5 + (0.5 * i) / rounds) * Math.PI;
     outline.push(new Vector2(Math.max(1e-5, r0 * Math.cos(angle)), r0 * Math.sin(angle)));
@@ -48,7 +48,7 @@ function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
     const angle = ((0.5 * i) / rounds) * Math.PI;
     outline.push(new Vector2(Math.max(1e-5, r1 * Math.cos(angle)), length + r1 * Math.sin(angle)));
   }
-  return new LatheGeometry(outline, 18);
+  return new LatheGeometry(outline, 16);
 }
 
 export class FigureView {

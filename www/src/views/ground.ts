@@ -13,6 +13,8 @@ import {
 import { theme } from "../palette";
 
 const REACH = 9;
+/** No wider than the light's shadow: each of its pixels is costly. */
+const SHADOW_REACH = 2;
 
 const GRID_VERTEX = `
 varying vec3 world;
@@ -72,10 +74,10 @@ export class Ground {
       depthWrite: false,
       side: DoubleSide,
     });
-    const flat = () => new PlaneGeometry(2 * REACH, 2 * REACH).rotateX(-Math.PI / 2);
-    this.plane = new Mesh(flat(), this.grid);
+    const flat = (reach: number) => new PlaneGeometry(2 * reach, 2 * reach).rotateX(-Math.PI / 2);
+    this.plane = new Mesh(flat(REACH), this.grid);
     this.plane.renderOrder = -3;
-    this.shadow = new Mesh(flat(), new ShadowMaterial({ transparent: true, depthWrite: false }));
+    this.shadow = new Mesh(flat(SHADOW_REACH), new ShadowMaterial({ transparent: true, depthWrite: false }));
     this.shadow.receiveShadow = true;
     this.shadow.position.y = 0.001;
     this.shadow.renderOrder = -2;

@@ -16,8 +16,8 @@ import { View } from "./view";
 const TABS = [
   ["latents", "Latents"],
   ["couplings", "Couplings"],
-  ["training", "Training"],
   ["clips", "Clips"],
+  ["training", "Training"],
 ] as const;
 type Tab = (typeof TABS)[number][0];
 
@@ -70,7 +70,7 @@ export class PageView extends View {
         }}>
         ${app.embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${app.engineState === "failed"
-          ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout of it; sliders and training need the model.</p>`
+          ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout; sliders and training need the model.</p>`
           : nothing}
         <main>
           <section class="stage-area" aria-label="Stage">
@@ -86,8 +86,8 @@ export class PageView extends View {
           <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings"><pg-couplings .app=${app}></pg-couplings></section>
           ${app.embedded ? nothing : html`
             <div class="side">
-              <section id="panel-training" class=${panel("training")} aria-label="Training"><pg-training .app=${app}></pg-training></section>
               <section id="panel-clips" class=${panel("clips")} aria-label="Clips"><pg-clips .app=${app}></pg-clips></section>
+              <section id="panel-training" class=${panel("training")} aria-label="Training"><pg-training .app=${app}></pg-training></section>
             </div>`}
         </main>
         ${app.embedded ? nothing : html`

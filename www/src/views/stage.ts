@@ -36,12 +36,15 @@ export class Stage {
   private feet: number[] = [];
   private floor = 0;
   private readonly focus = new Vector3(0, LOOK_AT_HEIGHT, 0);
+  /** Where the figure was when last drawn. */
+  private readonly root = new Vector3();
   private placed = false;
   private dirty = true;
   private drawn = 0;
   /** Seconds between frames, smoothed. */
   private pace = 0.017;
   private slow = false;
+  private rested = false;
   private ghostPose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
@@ -168,6 +171,7 @@ export class Stage {
     const heading = Math.hypot(dx, dz) > 0.2 ? Math.atan2(dx, dz) : 0;
     const pose = walk.at(player.frame);
     this.focus.set(pose[0]!, this.floor + LOOK_AT_HEIGHT, pose[2]!);
+    this.root.copy(this.focus);
     const away = this.camera.aspect < 0.9 ? 5.6 : 4.7;
     const angle = heading + 0.95;
     this.controls.target.copy(this.focus);
@@ -202,7 +206,10 @@ export class Stage {
       this.dirty = false;
       return;
     }
-    if (!this.dirty && !this.settling()) return;
+    if (!this.dirty) return;
+    // Every other frame is left to the answers of a slider that is being dragged.
+    this.rested = !this.rested;
+    if (this.slow && !app.player.playing && !this.rested) return;
     const pose = app.walk.at(app.player.frame);
     this.figure.pose(pose);
     this.poseGhost(pose);
@@ -236,17 +243,15 @@ export class Stage {
     this.ghost.pose(poseAt(motion, frame, placeOnto(this.ghostPose, pose), this.ghostPose));
   }
 
-  private settling(): boolean {
-    const pose = this.app.walk?.at(this.app.player.frame);
-    return pose !== undefined && Math.hypot(pose[0]! - this.focus.x, pose[2]! - this.focus.z) > 0.02;
-  }
-
-  /** Moves camera and light along with the figure, softly. */
+  /** Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it is stepped or scrubbed. */
   private followWalk(pose: Float32Array, seconds: number): void {
     const [x, z] = [pose[0]!, pose[2]!];
-    const gap = Math.hypot(x - this.focus.x, z - this.focus.z);
-    const part = gap > 3 ? 1 : 1 - Math.exp(-9 * Math.min(seconds, 0.1));
-    const [dx, dz] = [part * (x - this.focus.x), part * (z - this.focus.z)];
+    let [dx, dz] = [x - this.focus.x, z - this.focus.z];
+    if (Math.hypot(dx, dz) < 3) {
+      const part = 1 - Math.exp(-9 * Math.min(seconds, 0.1));
+      [dx, dz] = this.app.player.playing ? [part * dx, part * dz] : [x - this.root.x, z - this.root.z];
+    }
+    this.root.set(x, 0, z);
     this.focus.x += dx;
     this.focus.z += dz;
     this.camera.position.x += dx;

@@ -66,13 +66,15 @@ export class TrainingView extends View {
     const last = training.steps.at(-1);
     if (app.busy) {
       return last
-        ? html`<span>${last.iteration} of ${last.maxIterations} iterations</span><span>${sentence(timeLeft(training.elapsed, last.fraction))}</span>`
+        ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}</span><span>${sentence(timeLeft(training.elapsed, last.fraction))}</span>`
         : html`<span>Setting up</span>`;
     }
-    if (why) return why;
+    if (why) return sentence(why);
     if (training.ending) {
       const ending = sentence(training.ending);
-      return html`<span class=${training.failed ? "bad" : ""}>${training.failed ? `Training failed. ${ending}` : ending}</span>`;
+      return training.failed || !last
+        ? html`<span class="bad">Training failed. ${ending}</span>`
+        : html`<span>Iteration ${last.iteration} of ${last.maxIterations}.</span><span>${ending}</span>`;
     }
     const ticked = app.tickedClips().length;
     return `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;

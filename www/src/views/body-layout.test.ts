@@ -1,0 +1,24 @@
+import { expect, it } from "vitest";
+import { bowPath, drawApart, HEIGHT, loopPath, WIDTH } from "./body-layout";
+
+it("draws nodes apart, also those in one place, and keeps them in the map", () => {
+  for (const spots of [
+    [{ x: 85, y: 90 }, { x: 85, y: 90 }],
+    [{ x: 85, y: 150 }, { x: 85, y: 60 }, { x: 60, y: 90 }, { x: 110, y: 90 }],
+    [{ x: -40, y: 500 }, { x: 85, y: 60 }],
+  ]) {
+    const apart = drawApart(spots);
+    apart.forEach((a, i) => {
+      expect(a.x > 0 && a.x < WIDTH && a.y > 0 && a.y < HEIGHT).toBe(true);
+      apart.slice(i + 1).forEach((b) => expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThan(40));
+    });
+  }
+});
+
+it("bows arrows there and back to different sides", () => {
+  const [a, b] = [{ x: 85, y: 40 }, { x: 85, y: 140 }];
+  const control = (path: string) => Number(/Q([\d.-]+) /.exec(path)?.[1]);
+  expect(Math.sign(control(bowPath(a, b)) - 85)).toBe(-Math.sign(control(bowPath(b, a)) - 85));
+  expect(loopPath(a)).not.toContain("NaN");
+  expect(bowPath(a, a)).not.toContain("NaN");
+});

@@ -1,0 +1,18 @@
+import { expect, it } from "vitest";
+import { boundRange } from "./bound-range";
+
+it("leaves out the fall of the first iterations", () => {
+  const course = [-1e6, -1e5, -1e4, ...Array.from({ length: 100 }, (_, i) => 1000 + i)];
+  const [low, high] = boundRange(course);
+  expect(low).toBeGreaterThan(900);
+  expect(high).toBeGreaterThan(1099);
+});
+
+it("draws everything of a short course, and takes no course at all", () => {
+  const [low, high] = boundRange([5, 1, Number.NaN, 9]);
+  expect(low).toBeLessThan(1);
+  expect(high).toBeGreaterThan(9);
+  expect(boundRange([])).toEqual([0, 1]);
+  const [flat, above] = boundRange([7, 7]);
+  expect(above).toBeGreaterThan(flat);
+});

@@ -1,0 +1,12 @@
+// The part of a bound's course that is worth drawing.
+
+/** The range to draw: the first iterations come from far below and would flatten the rest. */
+export function boundRange(values: readonly number[]): [number, number] {
+  const finite = values.filter(Number.isFinite);
+  if (finite.length === 0) return [0, 1];
+  const sorted = [...finite].sort((a, b) => a - b);
+  const top = sorted.at(-1)!;
+  const low = sorted[Math.floor(sorted.length * (sorted.length > 30 ? 0.12 : 0))]!;
+  const pad = Math.max(1, 0.08 * (top - low));
+  return [low - pad, top + pad];
+}
