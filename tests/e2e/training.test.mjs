@@ -19,7 +19,8 @@ function bvh() {
 }
 
 const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 90_000 });
-const provenance = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info().provenance;
+const trained = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info();
+const provenance = async (/** @type {Page} */ page) => (await trained(page)).provenance;
 const iteration = (/** @type {Page} */ page) =>
   page.waitForFunction(() => Number(/Iteration (\d+)/.exec(document.querySelector("[data-testid=progress]")?.textContent ?? "")?.[1]) >= 2);
 
@@ -68,7 +69,7 @@ describe("own files", () => {
     await page.getByTestId("own-clips").getByText("mine").waitFor();
     await page.getByTestId("train").click();
     await trainIsBack(page);
-    assert.deepEqual((await provenance(page)).clips.map(({ name }) => name), ["mine"]);
+    assert.deepEqual((await trained(page)).sequences.map(({ name }) => name), ["mine"]);
     assert.deepEqual(problems, []);
     await leave();
   });
