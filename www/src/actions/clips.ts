@@ -120,6 +120,12 @@ export function preview(app: App, key: string): void {
   app.tell("clips");
 }
 
+/** Shows other parts in the clip that is being looked at. */
+export function partsChanged(app: App): void {
+  if (app.shown?.clip !== undefined) preview(app, app.shown.clip);
+  else app.tell("clips");
+}
+
 export function endPreview(app: App): void {
   showRollout(app, true);
   app.tell("clips");
