@@ -255,9 +255,11 @@ pub struct Clip {
 
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file. Throws an error that names the file, the line, what was expected and what was found.
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. Throws an error that names the file, the line, what was
+    /// expected and what was found.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, JsError> {
-        Ok(Clip { clip: bvh::read(name, bytes).map_err(error)? })
+        let (clip, _) = bvh::read(name, bytes).map_err(error)?.drop_t_pose();
+        Ok(Clip { clip })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.

@@ -1,6 +1,8 @@
 //! The bound, its terms, its gradient, the optimal posteriors and rollouts against numbers of an independent
 //! implementation in JAX (float64, automatic differentiation): tests/golden/*.json.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
 use serde_json::Value;
 use vcgpdm::Case;
 

@@ -3,6 +3,8 @@
 //! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
 //! beside the repository; without them these tests say that they skip.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::{Clip, PoseMapping, bvh, check_parts, presets};

@@ -1,5 +1,7 @@
 //! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model that can be shared.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
 use vcgpdm::{
     Dataset, MotionModel, RolloutRequest, Source, Trainer, TrainingSettings, bvh, presets, samples,
 };

@@ -6,7 +6,7 @@
 use super::bound::{InducingPosterior, SparseGp};
 use super::kernel::KernelAdjoint;
 use super::params::Params;
-use super::psi::{Gaussians, PsiAdjoint, PsiStatistics, psi_adjoint, psi_statistics};
+use super::psi::{Gaussians, PsiAdjoint, PsiStatistics, Purpose, psi_adjoint, psi_statistics};
 use super::sequences::Sequences;
 use crate::linalg::NumericsError;
 use nalgebra::{DMatrix, DVector};
@@ -123,8 +123,8 @@ impl Objective {
         let histories = self.histories(params);
         let mut terms = self.free_terms(params, None);
         for i in 0..params.part_count() {
-            terms.kinematics.push(self.kinematics(params, i).gp(self, params, i).bound()?);
-            terms.dynamics.push(self.dynamics(params, &histories, i).gp().bound()?);
+            terms.kinematics.push(self.kinematics(params, i, Purpose::Value).gp(self, params, i).bound()?);
+            terms.dynamics.push(self.dynamics(params, &histories, i, Purpose::Value).gp().bound()?);
         }
         finite(terms)
     }
@@ -159,8 +159,8 @@ impl Objective {
         let histories = self.histories(params);
         let mut out = Posteriors { kinematics: Vec::new(), dynamics: Vec::new(), sums: Vec::new() };
         for i in 0..params.part_count() {
-            out.kinematics.push(self.kinematics(params, i).gp(self, params, i).posterior()?);
-            let dynamics = self.dynamics(params, &histories, i);
+            out.kinematics.push(self.kinematics(params, i, Purpose::Value).gp(self, params, i).posterior()?);
+            let dynamics = self.dynamics(params, &histories, i, Purpose::Value);
             out.dynamics.push(dynamics.gp().posterior()?);
             out.sums.push(dynamics.sums);
         }
@@ -196,10 +196,10 @@ impl Objective {
         BoundTerms { kinematics: Vec::new(), dynamics: Vec::new(), initial, entropy }
     }
 
-    fn kinematics(&self, params: &Params, i: usize) -> Kinematics {
+    fn kinematics(&self, params: &Params, i: usize, purpose: Purpose) -> Kinematics {
         let part = &params.parts[i];
         let k = part.kernel.inducing_covariance(&part.r, self.jitter);
-        let statistics = psi_statistics(&part.latents, &part.r, &part.kernel);
+        let statistics = psi_statistics(&part.latents, &part.r, &part.kernel, purpose);
         let b = statistics.psi1.tr_mul(&self.y[i]);
         Kinematics { k, statistics, b }
     }
@@ -211,7 +211,7 @@ impl Objective {
         gradient: &mut Params,
     ) -> Result<f64, NumericsError> {
         let part = &params.parts[i];
-        let kinematics = self.kinematics(params, i);
+        let kinematics = self.kinematics(params, i, Purpose::Gradient);
         let (bound, adjoint) = kinematics.gp(self, params, i).bound_and_adjoint()?;
         let into = &mut gradient.parts[i];
         into.beta += adjoint.noise;
@@ -231,11 +231,13 @@ impl Objective {
         Ok(bound)
     }
 
-    fn dynamics(&self, params: &Params, histories: &[Gaussians], i: usize) -> Dynamics {
+    fn dynamics(&self, params: &Params, histories: &[Gaussians], i: usize, purpose: Purpose) -> Dynamics {
         let m = params.part_count();
         let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
         let statistics: Vec<PsiStatistics> = (0..m)
-            .map(|j| psi_statistics(&histories[j], &params.experts[j][i].z, &params.experts[j][i].kernel))
+            .map(|j| {
+                psi_statistics(&histories[j], &params.experts[j][i].z, &params.experts[j][i].kernel, purpose)
+            })
             .collect();
         let k_blocks: Vec<DMatrix<f64>> = (0..m)
             .map(|j| params.experts[j][i].kernel.inducing_covariance(&params.experts[j][i].z, self.jitter))
@@ -290,7 +292,7 @@ impl Objective {
         histories_adjoint: &mut [Gaussians],
     ) -> Result<f64, NumericsError> {
         let m = params.part_count();
-        let d = self.dynamics(params, histories, i);
+        let d = self.dynamics(params, histories, i, Purpose::Gradient);
         let (bound, adjoint) = d.gp().bound_and_adjoint()?;
         let mut target = &d.target_mean * (2.0 * adjoint.second_moment);
         let mut weights = vec![0.0; m];
