@@ -38,7 +38,7 @@ async function watchIterations(/** @type {Page} */ page) {
 
 describe("training", () => {
   it("shows progress and ends with another model", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=60&fps=15&dynamics=6&poses=6" });
+    const { page, problems, leave } = await site.visit({ settings: "iterations=400&fps=20&dynamics=14" });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
@@ -50,9 +50,9 @@ describe("training", () => {
     const { settings } = after;
     assert.ok(Number.isFinite(after.bound));
     assert.notEqual(after.bound, before.bound);
-    assert.ok(after.iterations >= 2 && after.iterations <= 60, `${after.iterations} iterations`);
-    assert.equal(settings.framesPerSecond, 15);
-    assert.equal(settings.dynamicsIps, 6);
+    assert.ok(after.iterations >= 2 && after.iterations <= 400, `${after.iterations} iterations`);
+    assert.equal(settings.framesPerSecond, 20);
+    assert.equal(settings.dynamicsIps, 14);
     assert.deepEqual(problems, []);
     await leave();
   });
