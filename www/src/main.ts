@@ -20,6 +20,7 @@ root.dataset["engine"] = "loading";
 root.toggleAttribute("data-large", app.embedded);
 app.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
 
+document.querySelector("#boot")?.remove();
 render(html`<pg-page .app=${app}></pg-page>`, document.body);
 const page = document.querySelector("pg-page") as PageView;
 

@@ -1,7 +1,6 @@
 // The bound while it rises, and its terms beneath.
 import { html, nothing } from "lit";
-import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
+import type uPlot from "uplot";
 import { grouped } from "../format";
 import { onThemeChange, partColour, theme } from "../palette";
 import type { TrainingProgress } from "../protocol";
@@ -29,8 +28,17 @@ function termLines(parts: readonly string[]): Line[] {
   ];
 }
 
+type Charts = typeof uPlot;
+
+/** The chart library comes when the first training starts: the first visit does without. */
+async function loadCharts(): Promise<Charts> {
+  const [{ default: charts }] = await Promise.all([import("uplot"), import("uplot/dist/uPlot.min.css")]);
+  return charts;
+}
+
 export class BoundChart extends View {
   static override topics = ["training"] as const;
+  private charts: Charts | "loading" | null = null;
   private bound: uPlot | null = null;
   private terms: uPlot | null = null;
   private of = "";
@@ -54,12 +62,12 @@ export class BoundChart extends View {
     this.terms?.setSize({ width, height: 92 });
   }
 
-  private make(box: HTMLElement, lines: Line[], height: number): uPlot {
+  private make(Chart: Charts, box: HTMLElement, lines: Line[], height: number): uPlot {
     const { quiet, line } = theme();
     const grid = { stroke: line, width: 1 };
     const font = "11px system-ui, sans-serif";
     box.replaceChildren();
-    return new uPlot(
+    return new Chart(
       {
         width: Math.max(120, this.clientWidth),
         height,
@@ -80,7 +88,19 @@ export class BoundChart extends View {
 
   private fill(): void {
     const { steps, parts } = this.app.training;
-    if (steps.length === 0 || this.clientWidth === 0) return;
+    if (this.app.busy && this.charts === null) {
+      this.charts = "loading";
+      loadCharts().then(
+        (charts) => {
+          this.charts = charts;
+          this.fill();
+        },
+        // Without a chart the numbers beneath still tell the course; the next step asks again.
+        () => (this.charts = null),
+      );
+    }
+    const Chart = this.charts;
+    if (steps.length === 0 || this.clientWidth === 0 || Chart === null || Chart === "loading") return;
     const lines = termLines(parts);
     const key = `${parts.join("|")}|${theme().dark}`;
     const first = steps[0];
@@ -88,8 +108,8 @@ export class BoundChart extends View {
       this.of = key;
       this.bound?.destroy();
       this.terms?.destroy();
-      this.bound = this.make(this.querySelector(".bound")!, [boundLine()], 132);
-      this.terms = this.make(this.querySelector(".terms")!, lines, 92);
+      this.bound = this.make(Chart, this.querySelector(".bound")!, [boundLine()], 132);
+      this.terms = this.make(Chart, this.querySelector(".terms")!, lines, 92);
     }
     if (!first) return;
     const x = steps.map(({ iteration }) => iteration);

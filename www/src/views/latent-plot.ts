@@ -109,11 +109,6 @@ export class LatentPlot extends View {
     const { parts, order } = model.info;
     const name = (index: number) => parts[index]?.name ?? "";
     const marks: Mark[] = [];
-    const poses = model.poseInducing[part];
-    for (let i = 0; this.marks.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
-      const label = `Pose inducing point ${i + 1} of ${name(part)}`;
-      marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
-    }
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
@@ -128,6 +123,12 @@ export class LatentPlot extends View {
         });
       }
     });
+    // Last, so that they lie on top, as they are drawn.
+    const poses = model.poseInducing[part];
+    for (let i = 0; this.marks.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
+      const label = `Pose inducing point ${i + 1} of ${name(part)}`;
+      marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
+    }
     return marks;
   }
 

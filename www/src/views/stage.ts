@@ -16,8 +16,11 @@ import { onThemeChange, theme } from "../palette";
 import type { Motion } from "../protocol";
 import { type FigureStyle, FigureView } from "./figure";
 import { Ground } from "./ground";
+import { type Fineness, Pace } from "./pace";
 
 const LOOK_AT_HEIGHT = 0.88;
+/** Pixels drawn for each of the page's, at most. */
+const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
 /** From the lowest node, inside a foot, to the ground. */
 const SOLE = 0.03;
 
@@ -41,10 +44,8 @@ export class Stage {
   private placed = false;
   private dirty = true;
   private drawn = 0;
-  /** Seconds between frames, smoothed. */
-  private pace = 0.017;
-  private slow = false;
-  private rested = false;
+  private readonly pace = new Pace();
+  private fineness: Fineness = "fine";
   private ghostPose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
@@ -96,7 +97,7 @@ export class Stage {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(this.slow ? 1 : 2, devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(PIXELS[this.fineness], devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -201,37 +202,32 @@ export class Stage {
   draw(seconds: number): void {
     this.controls.update();
     const { app } = this;
-    if (!app.walk || !this.figure) {
-      if (this.dirty) this.renderer.render(this.scene, this.camera);
-      this.dirty = false;
-      return;
-    }
+    this.setFineness(this.pace.next(seconds, this.dirty, app.player.playing));
     if (!this.dirty) return;
-    // Every other frame is left to the answers of a slider that is being dragged.
-    this.rested = !this.rested;
-    if (this.slow && !app.player.playing && !this.rested) return;
-    const pose = app.walk.at(app.player.frame);
-    this.figure.pose(pose);
-    this.poseGhost(pose);
-    app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose)));
-    this.followWalk(pose, seconds);
-    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
-    this.keepPace(seconds);
+    if (app.walk && this.figure) this.poseAll(app.walk.at(app.player.frame), seconds);
     this.renderer.render(this.scene, this.camera);
-    this.canvas.dataset["framesDrawn"] = String(++this.drawn);
+    if (this.figure) this.canvas.dataset["framesDrawn"] = String(++this.drawn);
+    this.pace.drawn();
     this.dirty = false;
   }
 
-  /** On a machine that cannot keep up: fewer pixels, and the shadow drawn anew every third frame only. */
-  private keepPace(seconds: number): void {
-    this.pace += 0.05 * (Math.min(seconds, 0.2) - this.pace);
-    const slow = this.pace > (this.slow ? 0.024 : 0.042);
-    if (slow !== this.slow) {
-      this.slow = slow;
+  private poseAll(pose: Float32Array, seconds: number): void {
+    this.figure?.pose(pose);
+    this.poseGhost(pose);
+    this.app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose)));
+    this.followWalk(pose, seconds);
+    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
+  }
+
+  /** On a machine that falls behind: fewer pixels, and the shadow drawn anew every third frame only. */
+  private setFineness(fineness: Fineness): void {
+    if (fineness !== this.fineness) {
+      this.fineness = fineness;
       this.resize();
     }
-    this.renderer.shadowMap.autoUpdate = !slow;
-    this.renderer.shadowMap.needsUpdate = slow && this.drawn % 3 === 0;
+    const { shadowMap } = this.renderer;
+    shadowMap.autoUpdate = fineness === "fine";
+    shadowMap.needsUpdate = fineness === "plain" && this.drawn % 3 === 0;
   }
 
   private poseGhost(pose: Float32Array): void {
