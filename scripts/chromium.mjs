@@ -18,7 +18,11 @@ export async function launchChromium() {
   if (!executablePath) {
     throw new Failure("no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) or name it in the variable CHROMIUM");
   }
-  // Containers run as root and have a small /dev/shm.
-  const args = ["--no-sandbox", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader", "--use-angle=swiftshader"];
+  const args = [
+    ...["--no-sandbox", "--disable-dev-shm-usage"], // containers run as root and have a small /dev/shm
+    ...["--enable-unsafe-swiftshader", "--use-angle=swiftshader"], // WebGL without a graphics card
+    // The rest of the page without that emulated card: four times the frames for the stage.
+    ...["--disable-gpu-compositing", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"],
+  ];
   return chromium.launch({ executablePath, args });
 }

@@ -5,7 +5,7 @@ import { installTools } from "./tools.mjs";
 
 const deny = ["--", "-D", "warnings"];
 const nodeTests = (/** @type {string} */ folder) =>
-  run(process.execPath, "--test", "--test-reporter=spec", "--test-concurrency=1", "--test-timeout=180000", ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")));
+  run(process.execPath, "--test", "--test-reporter=spec", "--test-concurrency=1", "--test-timeout=600000", ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")));
 
 /** @type {{ name: string, what: string, needs?: string, work: () => Promise<void> }[]} */
 const STEPS = [

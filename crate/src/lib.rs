@@ -29,6 +29,7 @@ mod dataset;
 mod document;
 pub mod evaluation;
 mod joint_names;
+mod json;
 mod linalg;
 mod model;
 mod motion_model;
@@ -50,6 +51,7 @@ pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
 pub use document::DocumentError;
+pub use json::JsonError;
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,

@@ -9,13 +9,12 @@ use crate::pose::{PoseError, PoseMapping, RootStart};
 use crate::rollout::{Poser, Roller, RolloutError};
 use crate::training::{Trainer, TrainingSettings};
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
 
 /// More frames than this would not be a motion but an accident.
 pub const MOST_FRAMES: usize = 1_000_000;
 
 /// How a model was made.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
@@ -32,7 +31,6 @@ pub struct Provenance {
     /// Evaluations of the bound with its gradient.
     pub evaluations: usize,
     /// Anything a person wants to say about it, such as an acknowledgement.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }
 

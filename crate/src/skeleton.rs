@@ -1,14 +1,13 @@
 //! The joint tree of a body: names, parents, offsets and the channels each joint is recorded in.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// The most joints that a body may have; more is a broken or hostile file.
 pub const MAX_JOINTS: usize = 2_000;
 
 /// One degree of freedom of a joint, as a BVH file names it. Rotations are in degrees, positions in file units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Channel {
     /// Translation along x.
     Xposition,
@@ -68,7 +67,7 @@ impl Channel {
 }
 
 /// One joint. Joints are known by their place in the skeleton: names need not be unique.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name as written in the file.
     pub name: String,
@@ -95,15 +94,14 @@ impl Joint {
 }
 
 /// A joint tree with one root at place 0 and parents before children.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
     /// The joints, in the order of the file.
     pub joints: Vec<Joint>,
 }
 
 /// What the stage draws at one point: a joint or the end of a bone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FigureNode {
     /// The joint it is, or, for an end site, the joint whose bone ends here.
     pub joint: usize,

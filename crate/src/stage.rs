@@ -5,36 +5,49 @@ use crate::clip::Clip;
 use crate::joint_names::Side;
 use crate::rotation;
 use nalgebra::{UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// On the stage every body is this tall, in metres.
 pub const STAGE_HEIGHT: f64 = 1.7;
 
 /// The axis of the file's world that points away from the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpAxis {
     /// x points up.
-    #[serde(rename = "x")]
     X,
     /// y points up.
-    #[serde(rename = "y")]
     Y,
     /// z points up.
-    #[serde(rename = "z")]
     Z,
     /// x points down.
-    #[serde(rename = "-x")]
     MinusX,
     /// y points down.
-    #[serde(rename = "-y")]
     MinusY,
     /// z points down.
-    #[serde(rename = "-z")]
     MinusZ,
 }
 
 impl UpAxis {
+    const ALL: [UpAxis; 6] =
+        [UpAxis::X, UpAxis::Y, UpAxis::Z, UpAxis::MinusX, UpAxis::MinusY, UpAxis::MinusZ];
+
+    /// Its name in a document: "x", or "-x" where x points down.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            UpAxis::X => "x",
+            UpAxis::Y => "y",
+            UpAxis::Z => "z",
+            UpAxis::MinusX => "-x",
+            UpAxis::MinusY => "-y",
+            UpAxis::MinusZ => "-z",
+        }
+    }
+
+    /// The axis of that name.
+    pub(crate) fn from_name(name: &str) -> Option<UpAxis> {
+        UpAxis::ALL.into_iter().find(|axis| axis.name() == name)
+    }
+
     fn new(axis: usize, down: bool) -> UpAxis {
         match (axis, down) {
             (0, false) => UpAxis::X,
@@ -48,11 +61,7 @@ impl UpAxis {
 
     /// The axis without its sign: "x", "y" or "z".
     pub fn letter(self) -> &'static str {
-        match self {
-            UpAxis::X | UpAxis::MinusX => "x",
-            UpAxis::Y | UpAxis::MinusY => "y",
-            UpAxis::Z | UpAxis::MinusZ => "z",
-        }
+        self.name().trim_start_matches('-')
     }
 
     /// The rotation from the file's world to one with y up.
@@ -69,7 +78,7 @@ impl UpAxis {
 }
 
 /// How the stage shows a body: y up, in metres, the ground at y = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// Which way is up in the file.
     pub up: UpAxis,

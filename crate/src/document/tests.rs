@@ -3,7 +3,7 @@ use crate::dataset::{Dataset, Source};
 use crate::motion_model::RolloutRequest;
 use crate::parts::presets;
 use crate::samples;
-use crate::training::Trainer;
+use crate::training::{Trainer, TrainingSettings};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
@@ -85,7 +85,7 @@ fn wrong_fields_are_refused_with_their_path() {
         ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
             v["parts"][0]["r"][1] = json!([1.0])
         }),
-        ("at parts[0].r[1][0]: invalid type: null", |v| v["parts"][0]["r"][1][0] = Value::Null),
+        ("at parts[0].r[1][0]: expected a number, found null", |v| v["parts"][0]["r"][1][0] = Value::Null),
         ("at parts[0].v_mean: expected 4 x ", |v| v["parts"][0]["v_mean"] = json!([[1.0]])),
         ("at dynamics[1].experts[0].lambda: expected 6, found 1", |v| {
             v["dynamics"][1]["experts"][0]["lambda"] = json!([1.0]);
@@ -98,7 +98,7 @@ fn wrong_fields_are_refused_with_their_path() {
         ("at sequences[0].start[1]: expected 2 x 3 numbers", |v| {
             v["sequences"][0]["start"][1] = json!([[1, 2, 3]])
         }),
-        ("at sequences[0]: missing field `frames`", |v| {
+        ("at sequences[0]: expected a field \"frames\", found none", |v| {
             v["sequences"][0].as_object_mut().unwrap().remove("frames");
         }),
     ];
@@ -111,8 +111,53 @@ fn wrong_fields_are_refused_with_their_path() {
         refused(|v| v["parts"][0]["joints"] = json!([0]))
             .starts_with("at parts: expected each joint in one part")
     );
-    assert!(refused(|v| v["pose"]["skeleton"]["joints"][3]["parent"] = json!(99)).starts_with("at pose"));
-    // serde_json itself refuses numbers that do not fit.
+    // JSON itself has no numbers that do not fit.
     let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
     assert!(MotionModel::from_json(&huge).unwrap_err().to_string().contains("out of range"));
+}
+
+#[test]
+fn a_broken_body_is_refused_with_the_path_of_the_field() {
+    let broken: [(&str, Value, &str); 13] = [
+        ("/pose/stage/up", json!("w"), "at pose.stage.up: expected one of \"x\""),
+        ("/pose/stage/height", json!(0.0), "at pose.stage.height: expected a positive number, found 0"),
+        ("/pose/stage/ground", json!(-1e300), "at pose.stage.ground: expected a height below 1e12"),
+        ("/pose/upright/0", json!(2.0), "at pose.upright: expected four numbers"),
+        ("/pose/upright", json!([1.0]), "at pose.upright: expected a list of 4 numbers, found a list of 1"),
+        ("/pose/positions", json!([]), "at pose.positions: expected three numbers for each of the"),
+        ("/pose/first/0/0", json!(1e300), "at pose.first: expected numbers below 1e12"),
+        ("/pose/first/0/0", json!("a"), "at pose.first[0][0]: expected a number, found a text"),
+        ("/pose/skeleton/joints/3/parent", json!(99), "at pose.skeleton: joint 3"),
+        ("/pose/skeleton/joints/0/parent", json!(0), "at pose.skeleton: joint 0"),
+        ("/pose/skeleton/joints/3/parent", json!(-1), "at pose.skeleton.joints[3].parent: expected a whole"),
+        (
+            "/pose/skeleton/joints/3/channels/0",
+            json!("x"),
+            "at pose.skeleton.joints[3].channels[0]: expected",
+        ),
+        ("/pose/skeleton/joints", json!([]), "at pose.skeleton: expected at least one joint"),
+    ];
+    for (path, value, wanted) in broken {
+        let message = refused(|v| *v.pointer_mut(path).unwrap() = value);
+        assert!(message.starts_with(wanted), "{path}: {message}");
+    }
+}
+
+#[test]
+fn unknown_and_doubled_fields_are_refused() {
+    assert!(refused(|v| v["colour"] = json!("red")).starts_with("at the document: expected no field"));
+    assert!(
+        refused(|v| v["parts"][1]["gamma"] = json!(1))
+            .starts_with("at parts[1]: expected no field \"gamma\"")
+    );
+    let twice = trained().to_json().unwrap().replacen("\"order\":2", "\"order\":2,\"order\":2", 1);
+    let message = MotionModel::from_json(&twice).unwrap_err().to_string();
+    assert_eq!(message, "at the document: expected no field \"order\", or only one");
+}
+
+#[test]
+fn what_is_not_finite_is_not_written() {
+    let mut model = trained().clone();
+    model.provenance.bound = f64::NAN;
+    assert!(model.to_json().unwrap_err().to_string().ends_with("expected finite numbers, found NaN"));
 }

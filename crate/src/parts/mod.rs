@@ -9,12 +9,11 @@ pub use presets::presets;
 use crate::pose::PoseMapping;
 use crate::skeleton::Skeleton;
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use thiserror::Error;
 
 /// A part: joints that share a latent space.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,
@@ -23,7 +22,7 @@ pub struct PartSpec {
 }
 
 /// A way to split a body.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartsPreset {
     /// "whole", "lower-upper" or "legs-trunk-arms".
     pub id: String,

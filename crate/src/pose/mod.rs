@@ -6,6 +6,7 @@
 mod decode;
 mod encode;
 mod root;
+mod stored;
 #[cfg(test)]
 mod tests;
 
@@ -14,10 +15,9 @@ pub use root::RootStart;
 
 use crate::clip::Clip;
 use crate::same_body::BodyMismatch;
-use crate::skeleton::{Skeleton, SkeletonError};
+use crate::skeleton::Skeleton;
 use crate::stage::Stage;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What one column of Y holds.
@@ -87,10 +87,7 @@ pub enum PoseError {
         /// What stands there.
         found: f64,
     },
-    /// A mapping read from a document that cannot be one.
-    #[error("{0}")]
-    Skeleton(#[from] SkeletonError),
-    /// A field of such a mapping.
+    /// Where a motion sets out, with numbers that cannot be used.
     #[error("{field}: expected {expected}")]
     Field {
         /// The field.
@@ -106,8 +103,7 @@ pub enum PoseError {
 /// to y up, and R0 the one of the 24 axis-aligned rotations that stands the body of the clip upright, facing z: whatever
 /// axes its root has, yaw is then its heading and pitch and roll are near zero. Displacements and height are in leg
 /// lengths, taken as half the body's height: a step is then as large as the angle that the leg sweeps.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "StoredMapping")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PoseMapping {
     /// The body.
     skeleton: Skeleton,
@@ -185,45 +181,5 @@ impl PoseMapping {
     /// The places of the joints in their parents' frames.
     fn local_positions(&self) -> Vec<Vector3<f64>> {
         self.positions.iter().map(|place| Vector3::from(*place)).collect()
-    }
-}
-
-/// A mapping as it stands in a document, before it is checked.
-#[derive(Deserialize)]
-struct StoredMapping {
-    skeleton: Skeleton,
-    stage: Stage,
-    upright: [f64; 4],
-    positions: Vec<[f64; 3]>,
-    first: Vec<[f64; 3]>,
-}
-
-impl TryFrom<StoredMapping> for PoseMapping {
-    type Error = PoseError;
-
-    fn try_from(stored: StoredMapping) -> Result<PoseMapping, PoseError> {
-        stored.skeleton.validate()?;
-        let joints = stored.skeleton.joints.len();
-        let finite =
-            |rows: &[[f64; 3]]| rows.len() == joints && rows.iter().flatten().all(|x| x.abs() < 1e12);
-        let field = |field, expected: &str| Err(PoseError::Field { field, expected: expected.to_owned() });
-        if !(1e-12..1e12).contains(&stored.stage.height) {
-            return field("stage.height", "a positive number");
-        }
-        if !(-1e12..1e12).contains(&stored.stage.ground) {
-            return field("stage.ground", "a finite number");
-        }
-        let norm = stored.upright.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !(0.999999..1.000001).contains(&norm) {
-            return field("upright", "four numbers whose squares add up to 1");
-        }
-        if !finite(&stored.positions) {
-            return field("positions", "three finite numbers for each joint");
-        }
-        if !finite(&stored.first) {
-            return field("first", "three finite numbers for each joint");
-        }
-        let StoredMapping { skeleton, stage, upright, positions, first } = stored;
-        Ok(PoseMapping { skeleton, stage, upright, positions, first })
     }
 }

@@ -6,10 +6,9 @@ use crate::joint_names::Side;
 use crate::rotation;
 use crate::stage::UpAxis;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 
 /// Where a motion sets out: what its rows leave open.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootStart {
     /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used: rows hold it.
     pub position: [f64; 3],

@@ -1,0 +1,134 @@
+//! Against serde_json, and the sentences of the errors.
+
+use super::*;
+use proptest::prelude::*;
+
+fn value() -> impl Strategy<Value = Value> {
+    let leaf = prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::Bool),
+        any::<f64>().prop_filter("finite", |v| v.is_finite()).prop_map(Value::Number),
+        any::<i32>().prop_map(|v| Value::Number(v.into())),
+        any::<String>().prop_map(Value::Text),
+        "[\\x00-\\x1f\"\\\\/é𝄞]{0,6}".prop_map(Value::Text),
+    ];
+    leaf.prop_recursive(4, 40, 6, |inner| {
+        let names = prop::collection::vec((any::<String>(), inner.clone()), 0..6);
+        prop_oneof![prop::collection::vec(inner, 0..6).prop_map(Value::List), names.prop_map(Value::Object)]
+    })
+}
+
+/// The same tree as serde_json has it; of fields of one name it keeps the last.
+fn from_serde(value: &serde_json::Value) -> Value {
+    match value {
+        serde_json::Value::Null => Value::Null,
+        serde_json::Value::Bool(v) => Value::Bool(*v),
+        serde_json::Value::Number(v) => Value::Number(v.as_f64().unwrap()),
+        serde_json::Value::String(v) => Value::Text(v.clone()),
+        serde_json::Value::Array(items) => Value::list(items, from_serde),
+        serde_json::Value::Object(fields) => {
+            Value::Object(fields.iter().map(|(name, v)| (name.clone(), from_serde(v))).collect())
+        }
+    }
+}
+
+/// Fields by name, the last of each.
+fn sorted(value: Value) -> Value {
+    match value {
+        Value::List(items) => Value::list(items, sorted),
+        Value::Object(fields) => {
+            let fields: std::collections::BTreeMap<String, Value> = fields.into_iter().collect();
+            Value::Object(fields.into_iter().map(|(name, v)| (name, sorted(v))).collect())
+        }
+        other => other,
+    }
+}
+
+/// Equal to the bit: `==` would take 0 for -0.
+fn same(a: &Value, b: &Value) -> bool {
+    write(a) == write(b) && a == b
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back_here_and_in_serde_json(value in value()) {
+        let text = write(&value).unwrap();
+        prop_assert!(same(&parse(&text).unwrap(), &value), "{text}");
+        let serde: serde_json::Value = serde_json::from_str(&text).unwrap();
+        prop_assert!(same(&sorted(from_serde(&serde)), &sorted(value)), "{text}");
+    }
+
+    #[test]
+    fn what_serde_json_writes_is_read(value in value()) {
+        let serde: serde_json::Value = serde_json::from_str(&write(&value).unwrap()).unwrap();
+        for text in [serde.to_string(), serde_json::to_string_pretty(&serde).unwrap()] {
+            prop_assert!(same(&sorted(parse(&text).unwrap()), &sorted(value.clone())), "{text}");
+        }
+    }
+
+    #[test]
+    fn damaged_texts_are_taken_and_refused_as_by_serde_json(
+        value in value(),
+        at in any::<prop::sample::Index>(),
+        byte in prop::sample::select(b"{}[],:\"\\0-+.eE1u tn\n\x01".to_vec()),
+        cut in any::<bool>(),
+    ) {
+        let mut text = write(&value).unwrap().into_bytes();
+        let at = at.index(text.len());
+        if cut { text.truncate(at) } else { text[at] = byte }
+        if let Ok(text) = String::from_utf8(text) {
+            let serde = serde_json::from_str::<serde_json::Value>(&text);
+            prop_assert_eq!(parse(&text).is_ok(), serde.is_ok(), "{}", text);
+        }
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in any::<String>()) {
+        prop_assert_eq!(parse(&text).is_ok(), serde_json::from_str::<serde_json::Value>(&text).is_ok());
+    }
+}
+
+#[test]
+fn refusals_say_where_what_and_what_instead() {
+    let deep = "[".repeat(200_000);
+    for (text, wanted) in [
+        ("", "line 1, column 1: expected a value, found the end of the text"),
+        ("HIERARCHY", "line 1, column 1: expected a value, found \"H\""),
+        ("{\"a\": 1,\n  \"é\" 2}", "line 2, column 7: expected \":\", found \"2\""),
+        ("[1, 2", "line 1, column 6: expected \",\" or \"]\", found the end of the text"),
+        ("[1] 2", "line 1, column 5: expected the end of the text, found \"2\""),
+        ("[NaN]", "line 1, column 2: expected a value, found \"N\""),
+        ("{a: 1}", "line 1, column 2: expected the name of a field in quotes, found \"a\""),
+        ("[1.]", "line 1, column 4: expected a digit, found \"]\""),
+        ("[-]", "line 1, column 3: expected a digit, found \"]\""),
+        ("[01]", "line 1, column 3: expected \",\" or \"]\", found \"1\""),
+        (
+            "[\"a\tb\"]",
+            "line 1, column 4: expected the closing quote of a string, found the control character 9",
+        ),
+        (r#"["\x"]"#, "found \"x\""),
+        (r#"["\ud800"]"#, "expected a second \\u escape"),
+        (r#"["\udc00"]"#, "expected a \\u escape that is a character"),
+        (r#"["\u12é4"]"#, "four hexadecimal digits"),
+        (
+            "[1e999]",
+            "line 1, column 2: expected a number of at most 1.8e308 in size, found 1e999 (out of range)",
+        ),
+        (&deep, "line 1, column 102: expected at most 100 arrays and objects inside each other"),
+    ] {
+        let message = parse(text).unwrap_err().to_string();
+        assert!(message.contains(wanted), "expected {wanted:?}, found {message:?}");
+    }
+}
+
+#[test]
+fn numbers_are_written_shortly() {
+    let text = |v: f64| write(&Value::Number(v)).unwrap();
+    let numbers = [0.0, -0.0, 3.0, 0.1, 1e-6, 1e16, -2.5e-300, f64::MAX, 5e-324];
+    let expected = ["0", "-0", "3", "0.1", "1e-6", "1e16", "-2.5e-300", "1.7976931348623157e308", "5e-324"];
+    for (number, expected) in numbers.into_iter().zip(expected) {
+        assert_eq!(text(number), expected);
+        assert_eq!(expected.parse::<f64>().unwrap().to_bits(), number.to_bits());
+    }
+    assert_eq!(write(&Value::Number(f64::INFINITY)), Err(NotFinite(f64::INFINITY)));
+}
