@@ -30,14 +30,15 @@ export async function buildWasm() {
 
 /** Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them differs. */
 async function optimise() {
-  /** @type {{ before: Buffer, file: string } | null} */
-  let done = null;
+  /** @type {{ before: Buffer, file: string }[]} */
+  const done = [];
   for (const { folder } of TARGETS) {
     const file = at("crate/pkg", folder, "vcgpdm_bg.wasm");
     const before = readFileSync(file);
-    if (done?.before.equals(before)) copyFileSync(done.file, file);
+    const same = done.find((other) => other.before.equals(before));
+    if (same) copyFileSync(same.file, file);
     else await runModule("binaryen/bin/wasm-opt", file, "-O3", ...FEATURES.map((name) => `--enable-${name}`), "-o", file);
-    done = { before, file };
+    done.push({ before, file });
   }
 }
 
