@@ -61,20 +61,26 @@ fn words(name: &str) -> Vec<String> {
         let before = at.checked_sub(1).map(|at| letters[at]);
         let after = letters.get(at + 1).copied();
         // A new word at "tU" in LeftUp, and at "Hi" in LHip, the last capital of a run.
-        let new = c.is_uppercase()
-            && (before.is_some_and(char::is_lowercase)
-                || before.is_some_and(char::is_uppercase) && after.is_some_and(char::is_lowercase));
-        if (new || !c.is_alphabetic()) && !word.is_empty() {
+        let new = c.is_ascii_uppercase()
+            && (before.is_some_and(|c| c.is_ascii_lowercase())
+                || before.is_some_and(|c| c.is_ascii_uppercase())
+                    && after.is_some_and(|c| c.is_ascii_lowercase()));
+        if (new || !is_letter(c)) && !word.is_empty() {
             words.push(std::mem::take(&mut word));
         }
-        if c.is_alphabetic() {
-            word.extend(c.to_lowercase());
+        if is_letter(c) {
+            word.push(c.to_ascii_lowercase());
         }
     }
     if !word.is_empty() {
         words.push(word);
     }
     words
+}
+
+/// The words we know are ASCII; tables of all the other letters would be a twentieth of the wasm.
+fn is_letter(c: char) -> bool {
+    c.is_ascii_alphabetic() || !c.is_ascii()
 }
 
 /// The side, and the words without it.

@@ -144,14 +144,15 @@ export class App {
 
   /** Puts a motion on the stage. The same figure goes on from where it stands, at the same time. */
   show(shown: Shown): void {
-    const sameKind = this.shown?.kind !== "clip" && shown.kind !== "clip";
+    // A rollout goes on where the stored first seconds or another rollout is; a clip goes on only as itself.
+    const goesOn = this.shown?.clip === shown.clip;
     const sameFigure = this.shown?.motion.nodes === shown.motion.nodes;
     const pose = this.walk && sameFigure ? this.walk.at(this.player.frame).slice() : null;
-    if (!sameKind || !sameFigure) this.player.frame = 0;
+    if (!goesOn || !sameFigure) this.player.frame = 0;
     this.shown = shown;
     this.walk = new Walk(shown.motion, shown.kind === "clip");
     this.player.load(shown.motion.frames, shown.motion.frameTime, this.walk.loop.end);
-    if (pose) this.walk.standAt(this.player.frame, pose);
+    if (pose && goesOn) this.walk.standAt(this.player.frame, pose);
     this.tell("shown", "tick");
   }
 

@@ -1,11 +1,11 @@
 // Promises over the worker. The page knows the model only through this.
 import * as Comlink from "comlink";
-import type { TrainingJob, TrainingOutcome, TrainingReport, Workbench } from "./protocol";
+import type { Report, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
 type Remote = Comlink.Remote<Workbench>;
 
 export type Engine = Omit<Remote, "train"> & {
-  train(job: TrainingJob, report: (report: TrainingReport) => void): Promise<TrainingOutcome>;
+  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
 };
 
 /** Starts the worker. The promise fails, with words for a person, where wasm or workers are missing. */
@@ -31,7 +31,7 @@ export async function startEngine(): Promise<{
   const engine = new Proxy(remote, {
     get(target, name) {
       if (name === "train") {
-        return (job: TrainingJob, report: (report: TrainingReport) => void) =>
+        return (job: TrainingJob, report: Report) =>
           target.train(job, Comlink.proxy(report));
       }
       if (name === "then") return undefined;

@@ -122,6 +122,9 @@ export interface TrainingReport {
   snapshot: OpenedModel | null;
 }
 
+/** The worker may wait until the page has taken a report. */
+export type Report = (report: TrainingReport) => void | Promise<void>;
+
 export interface TrainingOutcome {
   cancelled: boolean;
   /** Why training ended, in plain words. */
@@ -148,7 +151,7 @@ export interface Workbench {
   openModel(text: string, frames: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
-  train(job: TrainingJob, report: (report: TrainingReport) => void): Promise<TrainingOutcome>;
+  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
   cancelTraining(): void;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;

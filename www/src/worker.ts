@@ -8,12 +8,12 @@ import type {
   LoadedClip,
   ModelView,
   OpenedModel,
+  Report,
   RolloutRequest,
   RolloutResult,
   TrainingJob,
   TrainingOutcome,
   TrainingProgress,
-  TrainingReport,
   Workbench,
 } from "./protocol";
 
@@ -144,7 +144,7 @@ function breathe(): Promise<void> {
 
 async function train(
   job: TrainingJob,
-  report: (report: TrainingReport) => void,
+  report: Report,
 ): Promise<TrainingOutcome> {
   if (training) throw new Error("A training is running: cancel it first.");
   const set = trainingSet(job.clips);
@@ -185,7 +185,8 @@ async function train(
       await breathe();
     }
     const result = snapshot();
-    report({ steps, elapsed: (performance.now() - start) / 1000, snapshot: null });
+    // Waits until the page has it: reports and the outcome travel on different ports.
+    await report({ steps, elapsed: (performance.now() - start) / 1000, snapshot: null });
     const reason = run.cancelled ? "You cancelled; this is the best so far." : (last?.reason ?? "Done.");
     return { cancelled: run.cancelled, reason, result };
   } finally {

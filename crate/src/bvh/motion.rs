@@ -52,7 +52,8 @@ fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64
         // The key ends at the colon, or at the first digit where the colon is missing.
         let end =
             text.find(|c: char| c == ':' || c.is_ascii_digit() || "+-.".contains(c)).unwrap_or(text.len());
-        let key: String = text[..end].chars().filter(|&c| !is_blank(c)).collect::<String>().to_lowercase();
+        let key: String =
+            text[..end].chars().filter(|&c| !is_blank(c)).collect::<String>().to_ascii_lowercase();
         let value = text[end..].trim_start_matches(':').trim_matches(is_blank);
         let value = if value.is_empty() {
             cursor.line().map(|(_, text)| text.trim_matches(is_blank))

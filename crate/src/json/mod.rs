@@ -5,7 +5,7 @@ mod field;
 mod parse;
 mod write;
 
-pub use field::{Field, FieldError, Object};
+pub use field::{Field, FieldError};
 pub use parse::{JsonError, parse};
 pub use write::{NotFinite, write};
 

@@ -56,7 +56,7 @@ async function openModel(app: App, text: string): Promise<void> {
 async function openClip(app: App, file: File, first: boolean): Promise<void> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const title = clipTitle(file.name);
-  const loaded = await app.engine!.readClip(file.name, bytes);
+  const loaded = await app.engine!.readClip(title, bytes);
   // Own clips are what the visitor wants to train on now: the made ones step back.
   if (first) app.clips = app.clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
   const key = `own-${loaded.id}`;
@@ -118,6 +118,12 @@ export function preview(app: App, key: string): void {
     },
   });
   app.tell("clips");
+}
+
+/** Shows other parts in the clip that is being looked at. */
+export function partsChanged(app: App): void {
+  if (app.shown?.clip !== undefined) preview(app, app.shown.clip);
+  else app.tell("clips");
 }
 
 export function endPreview(app: App): void {

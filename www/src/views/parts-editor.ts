@@ -1,5 +1,6 @@
 // Parts by hand: the joints as a tree, each with the part it belongs to. A change takes the whole branch along.
 import { html } from "lit";
+import { partsChanged } from "../actions/clips";
 import { changeSettings } from "../actions/settings";
 import { partColour } from "../palette";
 import { completeSplit, moveBranch, partOfJoints } from "../parts";
@@ -12,7 +13,7 @@ export class PartsEditor extends View {
 
   private change(split: { name: string; joints: number[] }[]): void {
     changeSettings(this.app, { split });
-    this.app.tell("clips");
+    partsChanged(this.app);
   }
 
   private rename(index: number) {

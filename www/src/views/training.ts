@@ -1,5 +1,6 @@
 // Train, follow and cancel; and what to train.
 import { html, nothing } from "lit";
+import { partsChanged } from "../actions/clips";
 import { changeSettings } from "../actions/settings";
 import { cancelTraining, newSeed, train, whyNotTrain } from "../actions/training";
 import { sentence, timeLeft } from "../format";
@@ -42,7 +43,7 @@ export class TrainingView extends View {
     const choose = (event: Event) => {
       const value = (event.target as HTMLSelectElement).value;
       changeSettings(app, value === BY_HAND ? { parts: BY_HAND, split: now } : { parts: value });
-      app.tell("clips");
+      partsChanged(app);
     };
     return html`
       <label class="field wide">
