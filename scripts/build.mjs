@@ -1,6 +1,6 @@
 // `npm run build`: from a clean clone to a static site in www/dist. With --wasm-only it stops at the npm package crate/pkg.
 import { fileURLToPath } from "node:url";
-import { writeFirstMotion } from "./first.mjs";
+import { writeFirst } from "./first.mjs";
 import { main, step } from "./run.mjs";
 import { buildSite, weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
@@ -9,7 +9,7 @@ import { buildWasm } from "./wasm.mjs";
 export async function build({ wasmOnly = false } = {}) {
   await step("npm package vcgpdm (wasm)", buildWasm);
   if (wasmOnly) return;
-  await step("first motion", writeFirstMotion);
+  await step("first model and motion", writeFirst);
   await step("page", buildSite);
   await step("sizes", weigh);
 }
