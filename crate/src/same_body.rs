@@ -41,7 +41,7 @@ pub enum BodyMismatch {
     },
     /// A bone of clearly another length or direction.
     #[error(
-        "joint {joint} ({name:?}): its offset differs by {percent:.1}% of the body's height (at most {limit:.0}%): expected {expected:?}, found {found:?}"
+        "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most {limit}%): expected {expected:?}, found {found:?}"
     )]
     Offset {
         /// Its place.
@@ -102,7 +102,7 @@ impl Skeleton {
             return Err(BodyMismatch::Offset {
                 joint,
                 name: self.joints[joint].name.clone(),
-                percent: 100.0 * difference,
+                percent: (1000.0 * difference).round() / 10.0,
                 limit: 100.0 * SAME_BODY_TOLERANCE,
                 expected: self.joints[joint].offset,
                 found: other.joints[joint].offset,
@@ -152,7 +152,7 @@ mod tests {
         let mut elsewhere = one.clone();
         elsewhere.joints[2].parent = Some(0);
         for (other, wanted) in [
-            (longer, "joint 2 (\"c\"): its offset differs by 10.0% of the body's height"),
+            (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
             (elsewhere, "joint 2 (\"c\"): expected it to hang on \"b\", found it on \"a\""),
             (chain(&["a", "b", "d"]), "joint 2: expected \"c\", found \"d\""),
             (chain(&["a", "b"]), "expected 3 joints, found 2"),

@@ -188,15 +188,21 @@ impl Clip {
                     let body = anatomy.without_arms(&self.skeleton, frame);
                     extents(&body.iter().map(|place| turn * place).collect::<Vec<_>>()).y
                 };
-                let mut heights: Vec<f64> = places.iter().map(extent).collect();
-                heights.sort_by(f64::total_cmp);
-                heights[(heights.len() - 1) * 95 / 100]
+                upper_end(places.iter().map(extent).collect()).0
             }
             _ => self.skeleton.height(),
         };
         // A single joint has no height; anything but zero keeps it visible.
         if height > 1e-9 { height } else { 1.0 }
     }
+}
+
+/// The value that 95 of 100 stay below, and the largest; of no values, zero.
+pub(crate) fn upper_end(mut values: Vec<f64>) -> (f64, f64) {
+    values.sort_unstable_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    let at = |place: usize| values.get(place).copied().unwrap_or(0.0);
+    (at(last * 95 / 100), at(last))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::clip::{Clip, ClipError, LocalPose};
 use crate::rotation;
+use crate::stage::upper_end;
 
 /// A step from the first frame below this (degrees, mean over the joints) is no change of pose.
 const SMALLEST_STEP: f64 = 3.0;
@@ -37,10 +38,7 @@ impl Clip {
         if later.is_empty() || first < SMALLEST_STEP {
             return false;
         }
-        let mut sorted = later.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let usual = sorted[(sorted.len() - 1) * 95 / 100];
-        let largest = sorted[sorted.len() - 1];
+        let (usual, largest) = upper_end(later.to_vec());
         let at_rest = self.share_at_rest() >= 0.75;
         at_rest && first > 1.5 * usual || later.len() >= 10 && first > 4.0 * largest
     }

@@ -321,3 +321,22 @@ fn real_clips_are_told_and_written_back() {
         "the T-pose was dropped once and for all"
     );
 }
+
+#[test]
+fn the_readmes_commands_run_as_they_stand() {
+    let readme = include_str!("../../README.md");
+    let folder = folder("readme");
+    let commands: Vec<&str> = readme.lines().filter(|line| line.starts_with("vcgpdm ")).collect();
+    assert!(commands.len() >= 5, "the README's commands: {commands:?}");
+    for command in commands {
+        let output = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
+            .args(command.split(' ').skip(1))
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh"] {
+        assert!(folder.join(file).exists(), "{file}");
+    }
+}

@@ -5,7 +5,6 @@ use super::{BvhError, BvhProblem, hierarchy, motion};
 use crate::clip::{Clip, sha256};
 use crate::skeleton::Skeleton;
 use nalgebra::DMatrix;
-use std::collections::HashMap;
 
 /// Reads a BVH file. `name` is used in messages and kept as the clip's name.
 ///
@@ -39,20 +38,18 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
 }
 
 fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
-    let mut counts: HashMap<&str, usize> = HashMap::new();
-    for joint in &skeleton.joints {
-        *counts.entry(&joint.name).or_default() += 1;
-    }
+    let count = |name: &str| skeleton.joints.iter().filter(|joint| joint.name == name).count();
     // In the order of the file, each once.
-    let mut repeated = Vec::new();
+    let mut repeated: Vec<&str> = Vec::new();
+    let mut joints = 0;
     for joint in &skeleton.joints {
         let name = joint.name.as_str();
-        if counts.get(name).is_some_and(|&count| count > 1) && !repeated.contains(&name) {
+        if !repeated.contains(&name) && count(name) > 1 {
             repeated.push(name);
+            joints += count(name);
         }
     }
     if !repeated.is_empty() {
-        let joints: usize = repeated.iter().filter_map(|name| counts.get(name)).sum();
         warnings.push(format!(
             "{joints} joints share their names with others ({}): joints are told apart by their place",
             listed(&repeated)

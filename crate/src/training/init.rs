@@ -61,13 +61,14 @@ pub fn starting_point(y: &[DMatrix<f64>], sequences: &Sequences, settings: &Trai
 fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
     let n = y.nrows();
     let eigen = SymmetricEigen::new(y.tr_mul(y) / n as f64);
-    let mut order: Vec<usize> = (0..y.ncols()).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
-    let largest = order.first().map_or(0.0, |k| eigen.eigenvalues[*k]);
+    let mut left: Vec<usize> = (0..y.ncols()).collect();
+    let largest = eigen.eigenvalues.max();
     let mut scores = DMatrix::zeros(n, count);
     for q in 0..count {
-        let known = order.get(q).filter(|k| eigen.eigenvalues[**k] > 1e-10 * largest && largest > 0.0);
-        if let Some(&k) = known {
+        let place = (0..left.len())
+            .max_by(|a, b| eigen.eigenvalues[left[*a]].total_cmp(&eigen.eigenvalues[left[*b]]));
+        let next = place.map(|place| left.swap_remove(place));
+        if let Some(k) = next.filter(|k| eigen.eigenvalues[*k] > 1e-10 * largest && largest > 0.0) {
             let axis = eigen.eigenvectors.column(k);
             // An eigenvector's sign is arbitrary; the largest loading positive makes it one and the same everywhere.
             let sign = if axis[axis.iamax()] < 0.0 { -1.0 } else { 1.0 };

@@ -36,6 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "name": clip.name,
         "sha256": clip.sha256,
         "joints": joints.collect::<Vec<_>>(),
+        "channels": clip.skeleton.channel_count(),
         "frames": clip.frames(),
         "frame_time": clip.frame_time,
         "height": clip.height(),
