@@ -11,12 +11,13 @@ export async function build({ wasmOnly = false } = {}) {
   if (wasmOnly) return;
   await step("first model and motion", writeFirst);
   await step("page", buildSite);
-  await step("sizes", weigh);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   await main(async () => {
     await installTools();
-    await build({ wasmOnly: process.argv.includes("--wasm-only") });
+    const wasmOnly = process.argv.includes("--wasm-only");
+    await build({ wasmOnly });
+    if (!wasmOnly) await step("sizes", weigh);
   });
 }

@@ -1,6 +1,7 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
 import { at, env, Failure, filesUnder, main, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
+import { weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
 
 const deny = ["--", "-D", "warnings"];
@@ -14,7 +15,8 @@ const STEPS = [
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", ...deny) },
   { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", "--all-features") },
   { name: "rust-wasm", what: "Rust tests in wasm, in Node", work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate")) },
-  { name: "build", what: "wasm package, page, sizes", work: build },
+  { name: "build", what: "wasm package and page", work: build },
+  { name: "sizes", what: "the budget of a visit", needs: "build", work: async () => weigh() },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", work: types },
   { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
