@@ -84,6 +84,8 @@ pub struct Dataset {
     pub sequences: Vec<SequenceInfo>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
+    /// What was odd about the clips, such as a T-pose that was left out; each names its clip.
+    pub warnings: Vec<String>,
 }
 
 /// Rates that differ by less than this are one rate.
@@ -121,17 +123,14 @@ impl Dataset {
         }
         let mapping = PoseMapping::new(&clips[0]);
         let layout = PartsLayout::new(parts, &mapping)?;
-        let mut rows = Vec::new();
+        let (mut rows, mut warnings) = (Vec::new(), Vec::new());
         for clip in &clips {
-            let encoded = mapping.encode(clip);
-            rows.push(
-                encoded
-                    .map_err(|reason| DatasetError::Pose {
-                        clip: clip.name.clone(),
-                        reason: Box::new(reason),
-                    })?
-                    .y,
-            );
+            let encoded = mapping
+                .encode(clip)
+                .map_err(|reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) })?;
+            rows.push(encoded.y);
+            let odd = clip.warnings.iter().chain(&encoded.warnings);
+            warnings.extend(odd.map(|warning| format!("{}: {warning}", clip.name)));
         }
         let total: usize = rows.iter().map(|y| y.nrows()).sum();
         let mut all = DMatrix::zeros(total, rows[0].ncols());
@@ -152,7 +151,7 @@ impl Dataset {
         };
         let sequences = clips.iter().zip(&rows).map(info).collect();
         let frame_time = clips[0].frame_time;
-        Ok(Self { mapping, layout, y, column_means, sequences, frame_time })
+        Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
     }
 
     /// T_s.

@@ -130,22 +130,28 @@ pub struct Poser {
     maps: Vec<KernelSum>,
 }
 
+/// Checks that `alpha` holds a positive coupling variance for each pair of `m` parts.
+pub fn check_couplings(alpha: &DMatrix<f64>, m: usize) -> Result<(), RolloutError> {
+    if alpha.shape() != (m, m) {
+        return Err(RolloutError::AlphaShape { parts: m, rows: alpha.nrows(), columns: alpha.ncols() });
+    }
+    for target in 0..m {
+        for source_part in 0..m {
+            let value = alpha[(source_part, target)];
+            // The ends keep 1 / alpha and its sums away from infinities.
+            if !(1e-100..=1e100).contains(&value) {
+                return Err(RolloutError::Alpha { source_part, target, value });
+            }
+        }
+    }
+    Ok(())
+}
+
 impl Roller {
     /// `alpha` [M x M] replaces the learned couplings.
     pub fn new(model: &FittedModel, alpha: &DMatrix<f64>, reading: Reading) -> Result<Self, RolloutError> {
         let m = model.part_count();
-        if alpha.shape() != (m, m) {
-            return Err(RolloutError::AlphaShape { parts: m, rows: alpha.nrows(), columns: alpha.ncols() });
-        }
-        for target in 0..m {
-            for source_part in 0..m {
-                let value = alpha[(source_part, target)];
-                // The ends keep 1 / alpha and its sums away from infinities.
-                if !(1e-100..=1e100).contains(&value) {
-                    return Err(RolloutError::Alpha { source_part, target, value });
-                }
-            }
-        }
+        check_couplings(alpha, m)?;
         let dynamics = (0..m).map(|i| {
             let coefficients = model.dynamics_coefficients(i, alpha, reading)?;
             let experts = model.experts.iter().zip(&coefficients);

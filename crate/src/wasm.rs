@@ -4,6 +4,7 @@ use crate::dataset::{Dataset, Source};
 use crate::model::{BoundTerms, Reading, coupling_weights};
 use crate::motion_model::{MotionModel, Rollout as MotionRollout, RolloutRequest};
 use crate::parts::{self, PartSpec as Part};
+use crate::rollout::check_couplings;
 use crate::rows::{matrix_from_rows, rows_of};
 use crate::training::{Trainer as Training, TrainingSettings as Settings};
 use crate::{Clip as MotionClip, Skeleton, bvh, samples};
@@ -526,6 +527,7 @@ impl Model {
     ) -> Result<JsValue, JsError> {
         let alpha: Vec<Vec<f64>> = serde_wasm_bindgen::from_value(alpha).map_err(error)?;
         let mut weights = self.alpha(&alpha)?;
+        check_couplings(&weights, self.model.fitted.part_count()).map_err(error)?;
         for mut column in weights.column_iter_mut() {
             let w = coupling_weights(column.as_slice()).1;
             column.copy_from_slice(&w);

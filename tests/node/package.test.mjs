@@ -129,6 +129,7 @@ describe("a trained model", () => {
     row[1] = (row[1] ?? 1) * 100;
     for (const couplings of [alpha, changed]) {
       const weights = model.weights(couplings);
+      assert.throws(() => model.weights([[0, 1], [1, 1]]), /expected a positive coupling variance/);
       for (const target of couplings.keys()) {
         const sum = weights.reduce((total, row) => total + (row[target] ?? NaN), 0);
         assert.ok(Math.abs(sum - 1) < 1e-12, `weights into ${target} sum to ${sum}`);

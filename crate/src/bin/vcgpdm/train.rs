@@ -101,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "iterations": progress.iteration,
         "evaluations": progress.evaluations,
         "seconds": seconds,
+        "warnings": dataset.warnings,
         "reason": progress.reason.unwrap_or_else(|| "stopped".to_owned()),
     }))
 }
