@@ -9,6 +9,7 @@ use crate::model::{
     BoundTerms, Expert, FittedModel, Gaussians, Kernel, Objective, Params, PartParams, Reading, Sequences,
     SequencesError,
 };
+use crate::motion_model::MOST_FRAMES;
 use crate::rollout::{Poser, Roller, RolloutError};
 use crate::rows::{self, matrix_from_rows, rows_of};
 use nalgebra::{DMatrix, DVector};
@@ -190,6 +191,12 @@ impl Case {
     /// Bound, terms, gradient, optimal posteriors and the rollouts asked for.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.objective.terms_and_gradient(&self.params)?;
+        // Numbers near the ends of what an f64 holds may give a finite bound whose gradient is not.
+        let mut finite = true;
+        gradient.visit(&mut |_, values| finite &= values.iter().all(|v| v.is_finite()));
+        if !finite {
+            return Err(NumericsError::NotFinite { what: "gradient of the bound" }.into());
+        }
         let posteriors = self.objective.posteriors(&self.params)?;
         let model = FittedModel::fit(&self.objective, &self.params)?;
         let poser = Poser::new(&model)?;
@@ -197,6 +204,13 @@ impl Case {
             let path = format!("expected.rollouts[{k}]");
             let alpha = matrix(&asked.alpha, &format!("{path}.alpha"))?;
             let x0 = matrices(&asked.x0, &format!("{path}.x0"))?;
+            if asked.steps > MOST_FRAMES {
+                return Err(CaseError::Shape {
+                    path: format!("{path}.steps"),
+                    expected: format!("at most {MOST_FRAMES}"),
+                    found: asked.steps.to_string(),
+                });
+            }
             let x =
                 Roller::new(&model, &alpha, Reading::AsLearned)?.latents(&x0, asked.steps + model.order)?;
             let y = x.iter().enumerate().map(|(i, x)| rows_of(&poser.observations(i, x))).collect();
@@ -303,7 +317,7 @@ fn check(params: &Params, y: &[DMatrix<f64>], sequences: &Sequences, jitter: f64
         shape(at("s"), (n, q), part.latents.variance.shape())?;
         shape(at("r"), (part.r.nrows().max(1), q), part.r.shape())?;
         shape(at("kin_lambda"), (q, 1), part.kernel.lambda.shape())?;
-        shape(format!("input.y[{i}]"), (n, y[i].ncols()), y[i].shape())?;
+        shape(format!("input.y[{i}]"), (n, y[i].ncols().max(1)), y[i].shape())?;
         positive(at("s"), part.latents.variance.as_slice())?;
         positive(at("kin_lambda"), part.kernel.lambda.as_slice())?;
         positive(at("kin_var"), &[part.kernel.variance])?;
@@ -352,5 +366,26 @@ mod tests {
         value["input"]["params"]["parts"][1]["kin_lambda"] = serde_json::json!("wide");
         let error = Case::from_json(&value.to_string()).unwrap_err().to_string();
         assert!(error.starts_with("at input.params.parts[1].kin_lambda: invalid type: string"), "{error}");
+    }
+
+    #[test]
+    fn what_would_not_fit_the_memory_or_has_no_columns_is_refused() {
+        let (params, objective) = random_case(1);
+        let mut value: serde_json::Value =
+            serde_json::from_str(&Case::write(&params, &objective).unwrap()).unwrap();
+        let start = |part: &PartParams| rows_of(&part.latents.mean.rows(0, 2).into_owned());
+        let x0: Vec<_> = params.parts.iter().map(start).collect();
+        for steps in [1_000_000_000_000_000, u64::MAX / 2, u64::MAX] {
+            let rollout = serde_json::json!({ "alpha": rows_of(&params.alpha), "x0": x0, "steps": steps });
+            value["expected"] = serde_json::json!({ "rollouts": [rollout] });
+            let error = Case::from_json(&value.to_string()).unwrap().evaluate().unwrap_err().to_string();
+            let expected = format!("at expected.rollouts[0].steps: expected at most 1000000, found {steps}");
+            assert_eq!(error, expected);
+        }
+        for row in value["input"]["y"][0].as_array_mut().unwrap() {
+            *row = serde_json::json!([]);
+        }
+        let error = Case::from_json(&value.to_string()).unwrap_err().to_string();
+        assert!(error.starts_with("at input.y[0]: expected "), "{error}");
     }
 }

@@ -54,13 +54,8 @@ pub enum DatasetError {
         found: usize,
     },
     /// The clip cannot be brought to the frame rate.
-    #[error("{clip}: {reason}")]
-    Clip {
-        /// The clip.
-        clip: String,
-        /// Why.
-        reason: ClipError,
-    },
+    #[error(transparent)]
+    Clip(#[from] ClipError),
     /// The clip's poses cannot be turned into rows.
     #[error("{clip}: {reason}")]
     Pose {
@@ -108,20 +103,19 @@ impl Dataset {
         }
         let mut clips: Vec<Clip> = Vec::new();
         for source in sources {
-            let failed = |reason| DatasetError::Clip { clip: source.clip.name.clone(), reason };
-            let mut clip = source.clip.prepared(frames_per_second).map_err(failed)?;
+            let mut clip = source.clip.prepared(frames_per_second)?;
             // A clip of another rate that also came near the one asked for is brought to the first clip's exactly.
             if let Some(first) = clips.first()
                 && (clip.frame_time / first.frame_time - 1.0).abs() > SAME_RATE
             {
-                clip = clip.resample(1.0 / first.frame_time).map_err(failed)?;
+                clip = clip.resample(1.0 / first.frame_time)?;
             }
             if let Some(count) = source.first_frames {
                 if clip.frames() < count {
                     let (name, found) = (clip.name.clone(), clip.frames());
                     return Err(DatasetError::Short { clip: name, expected: count, found });
                 }
-                clip = clip.cut(0, count).map_err(failed)?;
+                clip = clip.cut(0, count)?;
             }
             clips.push(clip);
         }

@@ -1,5 +1,6 @@
 //! A trained model of a body: the fitted vCGPDM with what turns its columns into poses, and where it came from.
 
+use crate::bvh::MAX_VALUES;
 use crate::clip::Clip;
 use crate::dataset::{Dataset, SequenceInfo};
 use crate::linalg::NumericsError;
@@ -121,8 +122,12 @@ impl MotionModel {
 
     /// The mean rollout from a training sequence's start latents.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
-        if !(1..=MOST_FRAMES).contains(&request.frames) {
-            return Err(RolloutError::Frames { most: MOST_FRAMES, found: request.frames });
+        // What a BVH file may hold, so that the rollout can be read again and fits the memory.
+        let latent: usize = self.fitted.parts.iter().map(|part| part.r.ncols()).sum();
+        let widest = latent.max(self.column_means.len()).max(self.mapping.skeleton().channel_count());
+        let most = MOST_FRAMES.min(MAX_VALUES / widest);
+        if !(1..=most).contains(&request.frames) {
+            return Err(RolloutError::Frames { most, found: request.frames });
         }
         let alpha = request.alpha.as_ref().unwrap_or(&self.fitted.alpha);
         let roller = Roller::new(&self.fitted, alpha, request.reading)?;

@@ -24,7 +24,9 @@ pub enum RolloutError {
         columns: usize,
     },
     /// A coupling is not a variance.
-    #[error("expected a positive coupling variance from part {source_part} to part {target}, found {value}")]
+    #[error(
+        "expected a positive coupling variance from part {source_part} to part {target}, 1e-100 to 1e100, found {value:?}"
+    )]
     Alpha {
         /// The source part, counted from 0.
         source_part: usize,
@@ -279,7 +281,13 @@ mod tests {
         let mut alpha = model.alpha.clone();
         alpha[(0, 1)] = -1.0;
         let error = Roller::new(&model, &alpha, Reading::AsLearned).unwrap_err().to_string();
-        assert_eq!(error, "expected a positive coupling variance from part 0 to part 1, found -1");
+        assert_eq!(
+            error,
+            "expected a positive coupling variance from part 0 to part 1, 1e-100 to 1e100, found -1.0"
+        );
+        alpha[(0, 1)] = 1e-308;
+        let error = Roller::new(&model, &alpha, Reading::AsLearned).unwrap_err().to_string();
+        assert!(error.ends_with("found 1e-308"), "{error}");
         assert_eq!(
             model.start(9).unwrap_err().to_string(),
             "expected a training sequence from 0 to 1, found 9"

@@ -102,7 +102,7 @@ fn clips_that_cannot_be_read_or_written_say_why_and_where() {
     assert!(fails(&["clip", "no-such-file.bvh"]).contains("no-such-file.bvh: "));
     assert!(fails(&["clip", text(&folder)]).contains("bad-clips: "));
     assert!(fails(&["clip", "sample:run-1"]).contains("walk-wave-1"));
-    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("-3"));
+    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("frames a second, found -3"));
     let nowhere = folder.join("no-such-folder").join("out.bvh");
     assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
 }
@@ -286,7 +286,8 @@ fn training_that_cannot_begin_says_why() {
     };
     assert!(refuse(&[text(&other)]).contains("other.bvh"));
     assert!(refuse(&["--latent", "0"]).contains("latent"));
-    assert!(refuse(&["--fps", "0"]).contains("frames a second"));
+    let rate = refuse(&["--fps", "-1"]);
+    assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
     assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
     assert!(refuse(&["--write-start", text(&folder)]).contains("bad-training"));

@@ -24,7 +24,10 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
         Some(Value::Text(format)) if format == FORMAT => {}
-        Some(other) => return Err(DocumentError::Format { found: write(other).unwrap_or_default() }),
+        Some(other) => {
+            let found = write(other).unwrap_or_default().chars().take(60).collect();
+            return Err(DocumentError::Format { found });
+        }
         None => return Err(DocumentError::Format { found: "no format".to_owned() }),
     }
     let version = document.get("version")?;
@@ -68,7 +71,7 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     let (sequences, starts): (Vec<_>, Vec<_>) =
         field.list(|item| sequence(item, &latent, order))?.into_iter().unzip();
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
-    let provenance = provenance(document.get("provenance")?)?;
+    let provenance = provenance(document.get("provenance")?, m)?;
     document.end()?;
 
     let mut experts = vec![Vec::with_capacity(m); m];
@@ -184,14 +187,15 @@ fn sequence(
     Ok((info, start))
 }
 
-fn provenance(field: Field) -> Result<Provenance, FieldError> {
+/// Of a model of `m` parts.
+fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
     let mut object = field.object()?;
     let provenance = Provenance {
         engine: object.get("engine")?.text()?.to_owned(),
         settings: settings(object.get("settings")?)?,
         frames_per_second: object.get("frames_per_second")?.number()?,
         bound: object.get("bound")?.number()?,
-        terms: terms(object.get("terms")?)?,
+        terms: terms(object.get("terms")?, m)?,
         iterations: object.get("iterations")?.whole()?,
         evaluations: object.get("evaluations")?.whole()?,
         note: match object.optional("note") {
@@ -215,11 +219,18 @@ fn settings(field: Field) -> Result<TrainingSettings, FieldError> {
     Ok(TrainingSettings { latent, dynamics_ips, pose_ips, order, seed, max_iterations })
 }
 
-fn terms(field: Field) -> Result<BoundTerms, FieldError> {
+fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {
     let mut object = field.object()?;
+    let mut for_each_part = |name: &str| {
+        let field = object.get(name)?;
+        let numbers = field.numbers()?;
+        count(&field, numbers.len(), m..=m)?;
+        Ok::<_, FieldError>(numbers)
+    };
+    let (kinematics, dynamics) = (for_each_part("kinematics")?, for_each_part("dynamics")?);
     let terms = BoundTerms {
-        kinematics: object.get("kinematics")?.numbers()?,
-        dynamics: object.get("dynamics")?.numbers()?,
+        kinematics,
+        dynamics,
         initial: object.get("initial")?.number()?,
         entropy: object.get("entropy")?.number()?,
     };

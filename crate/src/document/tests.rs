@@ -71,6 +71,7 @@ fn other_files_are_refused_with_the_reason() {
         refused(|v| v["format"] = json!("pose")),
         "expected a model with \"format\": \"vcgpdm model\", found \"pose\""
     );
+    assert!(refused(|v| v["format"] = json!(vec![1; 100_000])).len() < 200, "a line can be read");
     assert_eq!(
         refused(|v| v["version"] = json!(7)),
         "expected a model of version 1 or earlier, found version 7; a newer program wrote it"
@@ -80,7 +81,7 @@ fn other_files_are_refused_with_the_reason() {
 #[test]
 fn wrong_fields_are_refused_with_their_path() {
     type Change = fn(&mut Value);
-    let cases: [(&str, Change); 12] = [
+    let cases: [(&str, Change); 13] = [
         ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
         ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
             v["parts"][0]["r"][1] = json!([1.0])
@@ -94,6 +95,9 @@ fn wrong_fields_are_refused_with_their_path() {
         ("at alpha: expected positive numbers", |v| v["alpha"][0][1] = json!(0.0)),
         ("at alpha: expected 2 x 2 numbers, found 1 x 2", |v| v["alpha"] = json!([[1.0, 1.0]])),
         ("at order: expected from 1 to 100, found 1000000", |v| v["order"] = json!(1_000_000)),
+        ("at provenance.terms.dynamics: expected 2, found 1", |v| {
+            v["provenance"]["terms"]["dynamics"] = json!([1.0]);
+        }),
         ("at frame_time: expected seconds", |v| v["frame_time"] = json!(0.0)),
         ("at sequences[0].start[1]: expected 2 x 3 numbers", |v| {
             v["sequences"][0]["start"][1] = json!([[1, 2, 3]])

@@ -85,7 +85,7 @@ impl Params {
     }
 
     /// Calls `f` with every block of values and its kind, in the order of the flat vector.
-    fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
+    pub(crate) fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
         for part in &self.parts {
             f(MU, part.latents.mean.as_slice());
             f(S, part.latents.variance.as_slice());

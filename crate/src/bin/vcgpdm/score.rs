@@ -27,7 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     model.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
         format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
     })?;
-    let trial = clip.prepared(1.0 / model.frame_time).map_err(|e| in_clip(&e))?;
+    let trial = clip.prepared(1.0 / model.frame_time)?;
     let actual = model.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
     let request =
         RolloutRequest { frames: actual.nrows(), sequence: arguments.from, ..RolloutRequest::default() };

@@ -42,7 +42,7 @@ pub struct Arguments {
     #[arg(long, value_name = "P", default_value_t = TrainingSettings::default().order)]
     order: usize,
     /// Resample the clips to about so many frames a second.
-    #[arg(long, value_name = "F", default_value_t = 30.0)]
+    #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
     fps: f64,
     /// Most iterations of the optimiser.
     #[arg(long, value_name = "N", default_value_t = TrainingSettings::default().max_iterations)]

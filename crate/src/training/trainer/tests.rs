@@ -70,6 +70,16 @@ fn stopping_early_keeps_the_best_so_far() {
 }
 
 #[test]
+fn no_iterations_leave_the_starting_point() {
+    let none = TrainingSettings { max_iterations: 0, ..settings() };
+    let mut trainer = Trainer::new(loops(60), vec![60], none).unwrap();
+    let start = trainer.progress().best;
+    let progress = trainer.step();
+    assert!(progress.done && progress.best == start && progress.fraction == 1.0);
+    assert!(trainer.model().is_ok());
+}
+
+#[test]
 fn bad_settings_are_refused_in_words() {
     let wrong =
         |settings, lengths: Vec<usize>| Trainer::new(loops(60), lengths, settings).err().unwrap().to_string();
