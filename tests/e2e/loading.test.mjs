@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
-import { changes, openSite, ready } from "./site.mjs";
+import { changes, openSite, ready, rests } from "./site.mjs";
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
@@ -45,7 +45,7 @@ describe("a first visit", () => {
     await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset["framesDrawn"]) > 5);
     assert.ok(await changes(stage), "the figure moves");
     await page.getByTestId("play").click();
-    assert.ok(!(await changes(stage)), "Pause stops it");
+    assert.ok(await rests(stage), "Pause stops it");
     await page.getByTestId("play").click();
     assert.equal(await page.locator("html").getAttribute("data-engine"), "loading");
     assert.ok(await page.getByTestId("train").isDisabled());

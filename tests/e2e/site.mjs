@@ -56,6 +56,12 @@ export async function changes(/** @type {import("playwright-core").Locator} */ e
   return !before.equals(await element.screenshot());
 }
 
+/** Whether what an element shows comes to rest (the camera may still glide a little, the picture get finer). */
+export async function rests(/** @type {import("playwright-core").Locator} */ element) {
+  for (let i = 0; i < 10; i++) if (!(await changes(element))) return true;
+  return false;
+}
+
 /** What a button saves to disk. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);

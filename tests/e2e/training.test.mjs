@@ -85,7 +85,7 @@ describe("own files", () => {
     await page.getByTestId("own-clips").getByText("mine").waitFor();
     await page.getByTestId("train").click();
     await trainIsBack(page);
-    assert.deepEqual((await trained(page)).sequences.map(({ name }) => name), ["mine.bvh"]);
+    assert.deepEqual((await trained(page)).sequences.map(({ name }) => name), ["mine"]);
     assert.deepEqual(problems, []);
     await leave();
   });
