@@ -611,7 +611,7 @@ fn kernel_weights(
         return Err(error(format!("expected an inducing point from 0 to {}, found {index}", z.nrows() - 1)));
     }
     let q = z.ncols() / width;
-    if latents.len() % q != 0 {
+    if !latents.len().is_multiple_of(q) {
         return Err(error(format!("expected rows of {q} latents, found {} numbers", latents.len())));
     }
     let frames = latents.len() / q;
