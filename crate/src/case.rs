@@ -9,8 +9,7 @@ use crate::model::{
     BoundTerms, Expert, FittedModel, Gaussians, Kernel, Objective, Params, PartParams, Reading, Sequences,
     SequencesError,
 };
-use crate::motion_model::MOST_FRAMES;
-use crate::rollout::{Poser, Roller, RolloutError};
+use crate::rollout::{MOST_FRAMES, Poser, Roller, RolloutError};
 use crate::rows::{self, matrix_from_rows, rows_of};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};

@@ -30,6 +30,7 @@ mod document;
 pub mod evaluation;
 mod joint_names;
 mod json;
+mod learner;
 mod linalg;
 mod model;
 mod motion_model;
@@ -52,6 +53,7 @@ pub use clip::{Clip, ClipError, LocalPose};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
 pub use document::DocumentError;
 pub use json::JsonError;
+pub use learner::{Learner, LearningProgress, ModelKind, MovementModel, Movements, Sequence};
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
@@ -68,4 +70,6 @@ pub use rollout::{Poser, Roller, RolloutError};
 pub use same_body::BodyMismatch;
 pub use skeleton::{Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
-pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use training::{
+    Trainer, TrainingError, TrainingProgress, TrainingSettings, VariationalLearner, VariationalModel,
+};

@@ -7,12 +7,9 @@ use crate::linalg::NumericsError;
 use crate::model::{BoundTerms, FittedModel, Reading};
 use crate::parts::PartsLayout;
 use crate::pose::{PoseError, PoseMapping, RootStart};
-use crate::rollout::{Poser, Roller, RolloutError};
+use crate::rollout::{MOST_FRAMES, Poser, Roller, RolloutError};
 use crate::training::{Trainer, TrainingSettings};
 use nalgebra::DMatrix;
-
-/// More frames than this would not be a motion but an accident.
-pub const MOST_FRAMES: usize = 1_000_000;
 
 /// How a model was made.
 #[derive(Clone, Debug, PartialEq)]

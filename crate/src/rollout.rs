@@ -10,6 +10,9 @@ use crate::pose::PoseError;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
+/// More frames than this would not be a motion but an accident.
+pub const MOST_FRAMES: usize = 1_000_000;
+
 /// Why a rollout could not be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum RolloutError {
@@ -128,6 +131,14 @@ pub struct Roller {
 #[derive(Clone, Debug)]
 pub struct Poser {
     maps: Vec<KernelSum>,
+}
+
+/// Checks that so many frames can be rolled out.
+pub fn check_frames(frames: usize) -> Result<(), RolloutError> {
+    if (1..=MOST_FRAMES).contains(&frames) {
+        return Ok(());
+    }
+    Err(RolloutError::Frames { most: MOST_FRAMES, found: frames })
 }
 
 /// Checks that `alpha` holds a positive coupling variance for each pair of `m` parts.

@@ -3,5 +3,7 @@
 mod init;
 mod optimizer;
 mod trainer;
+mod variational;
 
 pub use trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use variational::{VariationalLearner, VariationalModel};
