@@ -22,6 +22,7 @@
 //! ```
 
 mod anatomy;
+mod baselines;
 pub mod bvh;
 mod case;
 mod clip;
@@ -48,6 +49,9 @@ mod training;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use baselines::map::{
+    LogDensity, MapLearner, MapModel, MapParams, MapPart, MapPoseMap, MapSettings, MapTerms,
+};
 pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
@@ -57,7 +61,7 @@ pub use learner::{Learner, LearningProgress, ModelKind, MovementModel, Movements
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
-    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
+    Kind, Objective, Parameters, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
     coupling_weights,
 };
 pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};

@@ -1,5 +1,7 @@
 //! Cholesky factors of covariances: the jitter ladder, solves, log-determinants.
 
+mod blocked;
+
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use thiserror::Error;
 
@@ -41,7 +43,7 @@ impl Factor {
         if matrix.iter().any(|v| !v.is_finite()) {
             return Err(NumericsError::NotFinite { what });
         }
-        if let Some(cholesky) = Cholesky::new(matrix.clone()) {
+        if let Some(cholesky) = factorise(matrix.clone()) {
             return Ok(Self { cholesky });
         }
         let size = matrix.nrows();
@@ -52,7 +54,7 @@ impl Factor {
             for k in 0..size {
                 shifted[(k, k)] += jitter;
             }
-            if let Some(cholesky) = Cholesky::new(shifted) {
+            if let Some(cholesky) = factorise(shifted) {
                 return Ok(Self { cholesky });
             }
             jitter *= 10.0;
@@ -74,8 +76,7 @@ impl Factor {
     /// L^-1 `rhs`.
     pub fn solve_lower(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = rhs.clone();
-        // A Cholesky factor has a positive diagonal, so the substitution cannot meet a zero.
-        self.cholesky.l_dirty().solve_lower_triangular_unchecked_mut(&mut x);
+        blocked::solve_lower(&self.cholesky.l_dirty().as_view(), &mut x.as_view_mut());
         x
     }
 
@@ -100,8 +101,18 @@ impl Factor {
 
     /// matrix^-1.
     pub fn inverse(&self) -> DMatrix<f64> {
+        if self.cholesky.l_dirty().nrows() > blocked::LEAF {
+            return blocked::inverse(self.cholesky.l_dirty());
+        }
         symmetric(self.cholesky.inverse())
     }
+}
+
+fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+    if matrix.nrows() <= blocked::LEAF {
+        return Cholesky::new(matrix);
+    }
+    blocked::cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
 }
 
 /// (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::model::Parameters;
 use crate::model::testing::random_case;
 use approx::assert_relative_eq;
 

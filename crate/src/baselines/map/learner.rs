@@ -1,0 +1,144 @@
+//! Training of MAP models.
+
+use super::density::{LogDensity, MapTerms};
+use super::model::MapModel;
+use super::params::{MapParams, MapPart};
+use crate::learner::{Learner, LearningProgress, MovementModel, Movements};
+use crate::linalg::NumericsError;
+use crate::model::{Group, Sequences};
+use crate::training::{
+    Ascent, Phase, Target, TrainingError, TrainingSettings, check_training, starting_point,
+};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Iterations before everything is optimised together, at most.
+const BLOCK_ITERATIONS: usize = 50;
+/// Standard deviation of what the seed adds to the latents at the start, which have unit variance.
+const SPREAD: f64 = 0.01;
+
+/// What training is asked to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MapSettings {
+    /// Latent dimensions Q of every part.
+    pub latent: usize,
+    /// Order p of the dynamics.
+    pub order: usize,
+    /// The seed of everything random.
+    pub seed: u32,
+    /// Most iterations of the optimiser.
+    pub max_iterations: usize,
+}
+
+impl Default for MapSettings {
+    fn default() -> Self {
+        let TrainingSettings { latent, order, seed, max_iterations, .. } = TrainingSettings::default();
+        Self { latent, order, seed, max_iterations }
+    }
+}
+
+impl Target for LogDensity {
+    type Parameters = MapParams;
+    type Terms = MapTerms;
+
+    fn value_and_gradient(&self, at: &MapParams) -> Result<(f64, MapTerms, MapParams), NumericsError> {
+        let (terms, gradient) = self.terms_and_gradient(at)?;
+        Ok((terms.total(), terms, gradient))
+    }
+}
+
+/// A training of a MAP GPDM (one part) or a MAP CGPDM under way.
+pub struct MapLearner {
+    ascent: Ascent<LogDensity>,
+    settings: MapSettings,
+}
+
+impl MapLearner {
+    /// Ready to train. A sequence that is not whole is a short one like any other.
+    pub fn new(movements: Movements, settings: MapSettings) -> Result<Self, TrainingError> {
+        let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
+        let params = start(&movements, &sequences, &settings);
+        let density = LogDensity::new(movements.y, sequences);
+        let terms = density.terms(&params)?;
+        let start = (terms.total(), terms);
+        let phases = vec![
+            Phase {
+                name: "couplings and kernels",
+                groups: &[Group::Kernels],
+                iterations: BLOCK_ITERATIONS.min(settings.max_iterations / 8),
+            },
+            Phase {
+                name: "everything together",
+                groups: &[Group::Latents, Group::Kernels],
+                iterations: settings.max_iterations,
+            },
+        ];
+        let settled = "the density no longer rises";
+        let ascent = Ascent::new(density, params, start, phases, settings.max_iterations, settled);
+        Ok(Self { ascent, settings })
+    }
+
+    /// What training was asked to do.
+    pub fn settings(&self) -> &MapSettings {
+        &self.settings
+    }
+
+    /// The parameters of the best density so far.
+    pub fn best(&self) -> MapParams {
+        self.ascent.search().best_parameters()
+    }
+
+    /// The terms of the best density so far.
+    pub fn terms(&self) -> MapTerms {
+        self.ascent.search().best_terms.clone()
+    }
+
+    /// Evaluations of the density with its gradient so far.
+    pub fn evaluations(&self) -> usize {
+        self.ascent.search().evaluations
+    }
+
+    /// The model of the best density so far.
+    pub fn fitted(&self) -> Result<MapModel, NumericsError> {
+        let search = self.ascent.search();
+        MapModel::fit(&search.target, &search.best_parameters())
+    }
+}
+
+/// Where the vCGPDM starts, without what is variational about it.
+fn start(movements: &Movements, sequences: &Sequences, settings: &MapSettings) -> MapParams {
+    let MapSettings { latent, order, seed, max_iterations } = *settings;
+    let variational = TrainingSettings { latent, order, seed, max_iterations, dynamics_ips: 1, pose_ips: 1 };
+    let params = starting_point(&movements.y, sequences, &variational);
+    let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
+    let parts = params.parts.into_iter().map(|part| {
+        let mut latents = part.latents.mean;
+        for x in latents.iter_mut() {
+            let noise: f64 = StandardNormal.sample(&mut rng);
+            *x += SPREAD * noise;
+        }
+        MapPart { latents, kernel: part.kernel, beta: part.beta }
+    });
+    let experts = params.experts.into_iter();
+    MapParams {
+        parts: parts.collect(),
+        dynamics: experts.map(|row| row.into_iter().map(|expert| expert.kernel).collect()).collect(),
+        alpha: params.alpha,
+    }
+}
+
+impl Learner for MapLearner {
+    fn step(&mut self) -> LearningProgress {
+        self.ascent.step();
+        self.progress()
+    }
+
+    fn progress(&self) -> LearningProgress {
+        self.ascent.progress()
+    }
+
+    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
+        Ok(Box::new(self.fitted()?))
+    }
+}

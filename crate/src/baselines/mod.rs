@@ -1,0 +1,3 @@
+//! The models that the vCGPDM is compared with.
+
+pub mod map;
