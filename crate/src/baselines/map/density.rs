@@ -6,6 +6,9 @@
 //! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, 1 to 3): the functions f^{ji} are
 //! marginalised, so the experts into a part add up to one covariance over all frames with a history. The prior of the
 //! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
+//!
+//! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
+//! (Urtasun, Fleet & Fua 2006, section 3.2) raises the density of the dynamics into part i to the power D_i / Q_i.
 
 use super::exact_gp::{log_density, log_density_and_adjoint};
 use super::params::MapParams;
@@ -22,7 +25,7 @@ const DYNAMICS: &str = "covariance of the dynamics";
 pub struct MapTerms {
     /// The pose map of each part [M].
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part [M].
+    /// The dynamics into each part, balanced where that was asked for [M].
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,
@@ -40,6 +43,7 @@ impl MapTerms {
 pub struct LogDensity {
     y: Vec<DMatrix<f64>>,
     sequences: Sequences,
+    balanced: bool,
 }
 
 /// The covariance of the dynamics into one part.
@@ -56,8 +60,14 @@ struct Into {
 
 impl LogDensity {
     /// `y[i]` are the centred observations of part i [N x D_i], with as many rows as the sequences have frames.
-    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences) -> Self {
-        Self { y, sequences }
+    /// `balanced`: the dynamics into each part weigh D_i / Q_i times as much.
+    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, balanced: bool) -> Self {
+        Self { y, sequences, balanced }
+    }
+
+    /// What the log density of the dynamics into part i is multiplied with.
+    fn balance(&self, params: &MapParams, i: usize) -> f64 {
+        if self.balanced { self.y[i].ncols() as f64 / params.parts[i].latents.ncols() as f64 } else { 1.0 }
     }
 
     /// The sequences.
@@ -77,7 +87,8 @@ impl LogDensity {
         for (i, part) in params.parts.iter().enumerate() {
             kinematics.push(log_density(&self.poses(params, i), &self.y[i], POSES)?);
             let targets = self.sequences.lagged(&part.latents, 0);
-            dynamics.push(log_density(&self.into(params, &histories, i).covariance, &targets, DYNAMICS)?);
+            let covariance = self.into(params, &histories, i).covariance;
+            dynamics.push(self.balance(params, i) * log_density(&covariance, &targets, DYNAMICS)?);
         }
         finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })
     }
@@ -179,7 +190,10 @@ impl LogDensity {
     ) -> Result<f64, NumericsError> {
         let Into { weights, noise, kernels, covariance } = self.into(params, histories, i);
         let targets = self.sequences.lagged(&params.parts[i].latents, 0);
-        let (value, adjoint) = log_density_and_adjoint(&covariance, &targets, DYNAMICS)?;
+        let (value, mut adjoint) = log_density_and_adjoint(&covariance, &targets, DYNAMICS)?;
+        let balance = self.balance(params, i);
+        adjoint.covariance *= balance;
+        adjoint.targets *= balance;
         self.sequences.add_targets_adjoint(&adjoint.targets, &mut gradient.parts[i].latents);
         let mut weights_adjoint = Vec::new();
         for (j, w) in weights.iter().enumerate() {
@@ -197,7 +211,7 @@ impl LogDensity {
         for (j, (w, g)) in weights.iter().zip(&weights_adjoint).enumerate() {
             gradient.alpha[(j, i)] += w * w * (noise_adjoint + shared / noise) - g * w / params.alpha[(j, i)];
         }
-        Ok(value)
+        Ok(balance * value)
     }
 }
 

@@ -29,12 +29,15 @@ pub struct MapSettings {
     pub seed: u32,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
+    /// The dynamics into each part weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006); otherwise the latents are at the
+    /// maximum of their posterior itself.
+    pub balanced: bool,
 }
 
 impl Default for MapSettings {
     fn default() -> Self {
         let TrainingSettings { latent, order, seed, max_iterations, .. } = TrainingSettings::default();
-        Self { latent, order, seed, max_iterations }
+        Self { latent, order, seed, max_iterations, balanced: false }
     }
 }
 
@@ -59,7 +62,7 @@ impl MapLearner {
     pub fn new(movements: Movements, settings: MapSettings) -> Result<Self, TrainingError> {
         let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
         let params = start(&movements, &sequences, &settings);
-        let density = LogDensity::new(movements.y, sequences);
+        let density = LogDensity::new(movements.y, sequences, settings.balanced);
         let terms = density.terms(&params)?;
         let start = (terms.total(), terms);
         let phases = vec![
@@ -108,7 +111,7 @@ impl MapLearner {
 
 /// Where the vCGPDM starts, without what is variational about it.
 fn start(movements: &Movements, sequences: &Sequences, settings: &MapSettings) -> MapParams {
-    let MapSettings { latent, order, seed, max_iterations } = *settings;
+    let MapSettings { latent, order, seed, max_iterations, .. } = *settings;
     let variational = TrainingSettings { latent, order, seed, max_iterations, dynamics_ips: 1, pose_ips: 1 };
     let params = starting_point(&movements.y, sequences, &variational);
     let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
