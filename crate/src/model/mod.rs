@@ -4,6 +4,7 @@ mod bound;
 mod elbo;
 mod exp;
 mod kernel;
+mod lanes;
 mod params;
 mod posterior;
 mod psi;

@@ -12,7 +12,8 @@
 mod block;
 
 use super::kernel::{Kernel, KernelAdjoint};
-use block::{BLOCK, Block, LANES, Lanes, PullBack};
+use super::lanes::{LANES, Lanes};
+use block::{BLOCK, Block, PullBack};
 use nalgebra::DMatrix;
 
 /// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are computed again.
@@ -71,7 +72,8 @@ pub fn psi_statistics(x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel, purpose:
     let (rows, ips) = (x.mean.nrows(), z.nrows());
     let pairs = ips * (ips + 1) / 2;
     let keep = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
-    let mut kept = Vec::with_capacity(if keep { rows.div_ceil(LANES) * pairs } else { 0 });
+    let blocks = if keep { rows.div_ceil(LANES) } else { BLOCK / LANES };
+    let mut kept = vec![Lanes::ZERO; blocks * pairs];
     let mut psi1 = DMatrix::zeros(rows, ips);
     let mut psi2 = DMatrix::zeros(ips, ips);
     let spread = pair_spread(z, kernel);
@@ -84,9 +86,14 @@ pub fn psi_statistics(x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel, purpose:
         }
         block.load(x, start, len, kernel, 2.0);
         block.split_exponent();
+        let first = if keep { start / LANES * pairs } else { 0 };
+        let values = &mut kept[first..first + block.chunks() * pairs];
+        block.psi2(&spread, values);
+        let mut sums = values.chunks_exact(block.chunks());
         for a in 0..ips {
             for b in 0..=a {
-                psi2[(a, b)] += block.psi2_sum(a, b, spread[(a, b)], keep.then_some(&mut kept));
+                let values = sums.next().unwrap_or_default();
+                psi2[(a, b)] += values.iter().fold(Lanes::ZERO, |sum, value| sum + *value).sum();
             }
         }
     }
@@ -94,6 +101,9 @@ pub fn psi_statistics(x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel, purpose:
         for b in 0..a {
             psi2[(b, a)] = psi2[(a, b)];
         }
+    }
+    if !keep {
+        kept.clear();
     }
     PsiStatistics { psi0: rows as f64 * kernel.variance, psi1, psi2, kept }
 }
@@ -113,19 +123,22 @@ pub fn psi_adjoint(
     let mut block = Block::new(z);
     let mut pull = PullBack::new(z);
     let spread = pair_spread(z, kernel);
+    let mut again = Vec::new();
     for start in (0..rows).step_by(BLOCK) {
         let len = BLOCK.min(rows - start);
         block.load(x, start, len, kernel, 1.0);
-        pull.psi1(&block, &statistics.psi1, adjoint.psi1, start, len);
+        pull.psi1(&block, &statistics.psi1, adjoint.psi1, start, len, into_kernel);
         pull.scatter(&block, start, len, into_x, into_kernel);
         block.load(x, start, len, kernel, 2.0);
         if statistics.kept.is_empty() {
             block.split_exponent();
-            pull.psi2(&block, &spread, adjoint.psi2, None, into_kernel);
+            again.resize(block.chunks() * pairs, Lanes::ZERO);
+            block.psi2(&spread, &mut again);
+            pull.psi2(&block, adjoint.psi2, &again, into_kernel);
         } else {
-            let (first, chunks) = (start / LANES * pairs, len.div_ceil(LANES));
-            let kept = &statistics.kept[first..first + chunks * pairs];
-            pull.psi2(&block, &spread, adjoint.psi2, Some(kept), into_kernel);
+            let first = start / LANES * pairs;
+            let kept = &statistics.kept[first..first + block.chunks() * pairs];
+            pull.psi2(&block, adjoint.psi2, kept, into_kernel);
         }
         pull.scatter(&block, start, len, into_x, into_kernel);
     }
@@ -148,11 +161,11 @@ pub fn psi_adjoint(
     }
 }
 
-/// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) [K x K].
-fn pair_spread(z: &DMatrix<f64>, kernel: &Kernel) -> DMatrix<f64> {
-    DMatrix::from_fn(z.nrows(), z.nrows(), |a, b| {
-        -0.25 * (0..z.ncols()).map(|q| (z[(a, q)] - z[(b, q)]).powi(2) / kernel.lambda[q]).sum::<f64>()
-    })
+/// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
+fn pair_spread(z: &DMatrix<f64>, kernel: &Kernel) -> Vec<f64> {
+    let pairs = (0..z.nrows()).flat_map(|a| (0..=a).map(move |b| (a, b)));
+    let spread = |(a, b)| (0..z.ncols()).map(|q| (z[(a, q)] - z[(b, q)]).powi(2) / kernel.lambda[q]).sum::<f64>();
+    pairs.map(|pair| -0.25 * spread(pair)).collect()
 }
 
 #[cfg(test)]
