@@ -18,9 +18,14 @@ pub struct Kernel {
 impl Kernel {
     /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on its diagonal.
     pub fn inducing_covariance(&self, z: &DMatrix<f64>, jitter: f64) -> DMatrix<f64> {
-        let n = z.nrows();
-        let mut k = DMatrix::zeros(n, n);
-        for a in 0..n {
+        let mut k = DMatrix::zeros(z.nrows(), z.nrows());
+        self.inducing_covariance_into(z, jitter, &mut k);
+        k
+    }
+
+    /// As [`inducing_covariance`](Self::inducing_covariance), into a matrix that is there.
+    pub fn inducing_covariance_into(&self, z: &DMatrix<f64>, jitter: f64, k: &mut DMatrix<f64>) {
+        for a in 0..z.nrows() {
             k[(a, a)] = self.variance * (1.0 + jitter);
             for b in 0..a {
                 let d2: f64 = (0..z.ncols()).map(|q| (z[(a, q)] - z[(b, q)]).powi(2) / self.lambda[q]).sum();
@@ -29,7 +34,6 @@ impl Kernel {
                 k[(b, a)] = value;
             }
         }
-        k
     }
 
     /// The covariance of the points `x` [n x P] with the inducing inputs `z` [K x P]: [n x K].
@@ -84,6 +88,20 @@ impl KernelAdjoint {
     /// All zero, for `ips` inducing inputs of `dims` dimensions.
     pub fn zeros(ips: usize, dims: usize) -> Self {
         Self { z: DMatrix::zeros(ips, dims), lambda: DVector::zeros(dims), variance: 0.0 }
+    }
+
+    /// Adds it to the entries of a gradient.
+    pub fn add_to(&self, z: &mut DMatrix<f64>, kernel: &mut Kernel) {
+        *z += &self.z;
+        kernel.lambda += &self.lambda;
+        kernel.variance += self.variance;
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.z.fill(0.0);
+        self.lambda.fill(0.0);
+        self.variance = 0.0;
     }
 }
 

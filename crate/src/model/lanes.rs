@@ -24,39 +24,54 @@ impl Lanes {
     #[inline(always)]
     pub fn load(rows: &[f64]) -> Self {
         match rows.first_chunk::<LANES>() {
-            Some(full) => Self(std::array::from_fn(|k| f64x2::new([full[2 * k], full[2 * k + 1]]))),
-            None => {
-                let mut full = [0.0; LANES];
-                for (to, from) in full.iter_mut().zip(rows) {
-                    *to = *from;
-                }
-                Self::load(&full)
-            }
+            Some(full) => Self::from_array(full),
+            None => Self::load_end(rows),
         }
+    }
+
+    #[inline(always)]
+    pub fn from_array([a, b, c, d, e, f, g, h]: &[f64; LANES]) -> Self {
+        Self([
+            f64x2::new([*a, *b]),
+            f64x2::new([*c, *d]),
+            f64x2::new([*e, *f]),
+            f64x2::new([*g, *h]),
+        ])
+    }
+
+    #[inline(never)]
+    fn load_end(rows: &[f64]) -> Self {
+        let mut full = [0.0; LANES];
+        for (to, from) in full.iter_mut().zip(rows) {
+            *to = *from;
+        }
+        Self::from_array(&full)
     }
 
     /// Into the first [`LANES`] of `rows`, as many as there are.
     #[inline(always)]
     pub fn store(self, rows: &mut [f64]) {
+        let [a, b, c, d] = self.0;
+        let (a, b, c, d) = (a.to_array(), b.to_array(), c.to_array(), d.to_array());
+        let full = [a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]];
         match rows.first_chunk_mut::<LANES>() {
-            Some(full) => {
-                for k in 0..PAIRS {
-                    [full[2 * k], full[2 * k + 1]] = self.0[k].to_array();
-                }
-            }
-            None => {
-                let mut full = [0.0; LANES];
-                self.store(&mut full);
-                for (to, from) in rows.iter_mut().zip(full) {
-                    *to = from;
-                }
-            }
+            Some(rows) => *rows = full,
+            None => Self::store_end(&full, rows),
+        }
+    }
+
+    #[inline(never)]
+    fn store_end(full: &[f64; LANES], rows: &mut [f64]) {
+        for (to, from) in rows.iter_mut().zip(full) {
+            *to = *from;
         }
     }
 
     #[inline(always)]
     pub fn map(self, f: impl Fn(f64x2) -> f64x2) -> Self {
-        Self(self.0.map(f))
+        // Written out: `array::map` is a call where little is inlined, as in the wasm package.
+        let [a, b, c, d] = self.0;
+        Self([f(a), f(b), f(c), f(d)])
     }
 
     /// e to each of them; none may be above 709.
@@ -87,7 +102,8 @@ macro_rules! lanewise {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self(std::array::from_fn(|k| self.0[k] $op other.0[k]))
+                let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+                Self([a $op e, b $op f, c $op g, d $op h])
             }
         }
     };

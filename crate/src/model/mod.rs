@@ -9,11 +9,12 @@ mod params;
 mod posterior;
 mod psi;
 mod sequences;
+mod tall;
 #[cfg(test)]
 pub mod testing;
 
 pub use bound::InducingPosterior;
-pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, coupling_weights};
+pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, Workspace, coupling_weights};
 pub(crate) use exp::exp;
 pub use kernel::Kernel;
 pub use params::{Expert, Group, Kind, Params, PartParams};

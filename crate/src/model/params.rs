@@ -1,5 +1,6 @@
 //! The named parameters of the model, their constraints, and the flat vector that an optimiser sees.
 
+use super::exp::exp;
 use super::kernel::Kernel;
 use super::psi::Gaussians;
 use nalgebra::DMatrix;
@@ -135,7 +136,7 @@ impl Params {
         self.visit_mut(&mut |kind, values| {
             for (value, flat) in values.iter_mut().zip(&mut rest) {
                 // Through the box once more, because the exponential of a logarithm can round past its end.
-                *value = if kind.positive { flat.exp() } else { *flat }.clamp(kind.lowest, kind.highest);
+                *value = if kind.positive { exp(*flat) } else { *flat }.clamp(kind.lowest, kind.highest);
             }
         });
     }
@@ -166,11 +167,16 @@ impl Params {
     /// The same shapes, all entries zero.
     pub fn zeros_like(&self) -> Params {
         let mut zeros = self.clone();
-        zeros.visit_mut(&mut |_, values| values.fill(0.0));
-        for expert in zeros.experts.iter_mut().flatten() {
+        zeros.set_zero();
+        zeros
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.visit_mut(&mut |_, values| values.fill(0.0));
+        for expert in self.experts.iter_mut().flatten() {
             expert.kernel.variance = 0.0;
         }
-        zeros
     }
 }
 

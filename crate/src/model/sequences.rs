@@ -85,28 +85,34 @@ impl Sequences {
     /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves) [R x Q].
     pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
         let mut out = DMatrix::zeros(self.transitions(), x.ncols());
+        self.lagged_into(x, lag, &mut out);
+        out
+    }
+
+    /// As [`lagged`](Self::lagged), into a matrix that is there.
+    pub fn lagged_into(&self, x: &DMatrix<f64>, lag: usize, out: &mut DMatrix<f64>) {
         for (rows, frames) in self.blocks(lag) {
             out.rows_mut(rows.start, rows.len()).copy_from(&x.rows(frames.start, frames.len()));
         }
-        out
     }
 
     /// The histories (x_{t-p}, ..., x_{t-1}), oldest first, of the latents `x` [N x Q]: [R x pQ].
     pub fn histories(&self, x: &Gaussians) -> Gaussians {
+        let mut out = Gaussians::zeros(self.transitions(), self.order * x.mean.ncols());
+        self.histories_into(x, &mut out);
+        out
+    }
+
+    /// As [`histories`](Self::histories), into matrices that are there.
+    pub fn histories_into(&self, x: &Gaussians, out: &mut Gaussians) {
         let dims = x.mean.ncols();
-        let mut out = Gaussians::zeros(self.transitions(), self.order * dims);
         for k in 0..self.order {
             for (rows, frames) in self.blocks(self.order - k) {
-                let shape = (rows.len(), dims);
-                out.mean
-                    .view_mut((rows.start, k * dims), shape)
-                    .copy_from(&x.mean.rows(frames.start, shape.0));
-                out.variance
-                    .view_mut((rows.start, k * dims), shape)
-                    .copy_from(&x.variance.rows(frames.start, shape.0));
+                let (at, shape) = ((rows.start, k * dims), (rows.len(), dims));
+                out.mean.view_mut(at, shape).copy_from(&x.mean.rows(frames.start, shape.0));
+                out.variance.view_mut(at, shape).copy_from(&x.variance.rows(frames.start, shape.0));
             }
         }
-        out
     }
 
     /// Adds the adjoint of [`histories`](Self::histories) to `into` [N x Q].

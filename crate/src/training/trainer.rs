@@ -3,7 +3,7 @@
 use super::init::starting_point;
 use super::optimizer::{Evaluate, Optimizer};
 use crate::linalg::NumericsError;
-use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError};
+use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError, Workspace};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -114,6 +114,7 @@ struct Phase {
 /// What the optimiser's evaluations leave behind.
 struct Search {
     objective: Objective,
+    workspace: Workspace,
     params: Params,
     /// The flat vector, held entries included.
     flat: Vec<f64>,
@@ -131,14 +132,14 @@ impl Search {
             self.flat[*k] = *value;
         }
         self.params.set_flat(&self.flat);
-        if let Ok((terms, gradient)) = self.objective.terms_and_gradient(&self.params) {
-            let bound = terms.total();
-            let gradient = gradient.to_flat_gradient(&self.params);
+        if self.objective.compute_with_gradient(&self.params, &mut self.workspace).is_ok() {
+            let bound = self.workspace.terms().total();
+            let gradient = self.workspace.gradient().to_flat_gradient(&self.params);
             if gradient.iter().all(|g| g.is_finite()) {
                 if bound > self.best {
                     self.best = bound;
                     self.best_flat.copy_from_slice(&self.flat);
-                    self.best_terms = terms;
+                    self.best_terms.clone_from(self.workspace.terms());
                 }
                 return (-bound, free.iter().map(|k| -gradient[*k]).collect());
             }
@@ -192,11 +193,13 @@ impl Trainer {
         let params = starting_point(&y, &sequences, &settings);
         let objective = Objective::new(y, sequences, JITTER);
         let flat = params.to_flat();
-        let best_terms = objective.terms(&params)?;
+        let mut workspace = objective.workspace(&params);
+        objective.compute(&params, &mut workspace)?;
+        let best_terms = workspace.terms().clone();
         let best = best_terms.total();
         let phases = schedule(settings.max_iterations);
         let best_flat = flat.clone();
-        let search = Search { objective, params, flat, best, best_flat, best_terms, evaluations: 0 };
+        let search = Search { objective, workspace, params, flat, best, best_flat, best_terms, evaluations: 0 };
         Ok(Self {
             search: Arc::new(Mutex::new(search)),
             settings,

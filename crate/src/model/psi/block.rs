@@ -27,6 +27,7 @@ fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usiz
 /// inducing input a at `[a * CHUNKS + chunk]`.
 pub(super) struct Block {
     dims: usize,
+    ips: usize,
     chunks: usize,
     /// n in lambda_q + n s_q: 1 for psi1, 2 for psi2.
     n: f64,
@@ -48,13 +49,13 @@ pub(super) struct Block {
 }
 
 impl Block {
-    pub(super) fn new(z: &DMatrix<f64>) -> Self {
-        let (ips, dims) = z.shape();
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
         Self {
             dims,
+            ips,
             chunks: CHUNKS,
             n: 1.0,
-            z: z.transpose().as_slice().to_vec(),
+            z: vec![0.0; ips * dims],
             inverse: vec![Lanes::ZERO; CHUNKS * dims],
             mean: vec![Lanes::ZERO; CHUNKS * dims],
             pull: vec![Lanes::ZERO; CHUNKS * dims],
@@ -65,12 +66,18 @@ impl Block {
         }
     }
 
+    #[inline(always)]
     fn z(&self, a: usize) -> &[f64] {
         &self.z[a * self.dims..(a + 1) * self.dims]
     }
 
-    fn ips(&self) -> usize {
-        self.z.len() / self.dims.max(1)
+    /// Takes the inducing inputs [K x P].
+    pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
+        for a in 0..self.ips {
+            for q in 0..self.dims {
+                self.z[a * self.dims + q] = z[(a, q)];
+            }
+        }
     }
 
     pub(super) fn load(&mut self, x: &Gaussians, start: usize, len: usize, kernel: &Kernel, n: f64) {
@@ -118,41 +125,43 @@ impl Block {
 
     /// The terms of psi2's exponent that belong to a or b alone; their sum is the exponent but for the pairs' products.
     pub(super) fn split_exponent(&mut self) {
-        for a in 0..self.ips() {
+        for a in 0..self.ips {
             for c in 0..self.chunks {
                 self.own[a * CHUNKS + c] = self.exponent(a, c, 0.25);
             }
         }
     }
 
-    /// psi2 of the block's rows, pair after pair (b <= a) and chunk after chunk, into `values` [pairs x chunks]; `spread` are
-    /// the pairs' own terms of the exponent.
-    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes]) {
-        let mut pairs = values.chunks_exact_mut(self.chunks).zip(spread);
-        for a in 0..self.ips() {
+    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs]; their sums over
+    /// the rows are added to `sums` (b <= a). `spread` are the pairs' own terms of the exponent.
+    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes], mut sums: Option<&mut DMatrix<f64>>) {
+        let pairs = spread.len();
+        let mut pair = 0;
+        for a in 0..self.ips {
             for b in 0..=a {
-                let Some((values, spread)) = pairs.next() else { return };
                 for q in 0..self.dims {
                     self.products[q] = f64x2::splat(-0.5 * self.z(a)[q] * self.z(b)[q]);
                 }
                 let own_a = &self.own[a * CHUNKS..][..self.chunks];
                 let own_b = &self.own[b * CHUNKS..][..self.chunks];
-                let inverse = self.inverse.chunks_exact(self.dims);
                 let own = own_a.iter().zip(own_b).zip(&self.scale);
-                for ((value, ((own_a, own_b), scale)), inverse) in values.iter_mut().zip(own).zip(inverse) {
-                    let mut e = *own_a + *own_b + Lanes::splat(*spread);
+                let rows = own.zip(self.inverse.chunks_exact(self.dims));
+                let mut sum = Lanes::ZERO;
+                for ((((own_a, own_b), scale), inverse), values) in rows.zip(values.chunks_exact_mut(pairs)) {
+                    let mut e = *own_a + *own_b + Lanes::splat(spread[pair]);
                     for (product, inverse) in self.products.iter().zip(inverse) {
                         e.add_product(Lanes([*product; LANES / 2]), *inverse);
                     }
-                    *value = e.exp() * *scale;
+                    let value = e.exp() * *scale;
+                    values[pair] = value;
+                    sum = sum + value;
                 }
+                if let Some(sums) = &mut sums {
+                    sums[(a, b)] += sum.sum();
+                }
+                pair += 1;
             }
         }
-    }
-
-    /// Chunks of lanes in the block.
-    pub(super) fn chunks(&self) -> usize {
-        self.chunks
     }
 }
 
@@ -171,8 +180,7 @@ pub(super) struct PullBack {
 }
 
 impl PullBack {
-    pub(super) fn new(z: &DMatrix<f64>) -> Self {
-        let (ips, dims) = z.shape();
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
         Self {
             total: vec![Lanes::ZERO; CHUNKS],
             first: vec![Lanes::ZERO; CHUNKS * dims],
@@ -199,7 +207,7 @@ impl PullBack {
         into: &mut KernelAdjoint,
     ) {
         self.clear();
-        for a in 0..block.ips() {
+        for a in 0..block.ips {
             self.d_z.fill(Lanes::ZERO);
             for c in 0..block.chunks {
                 let h = lanes(psi1, a, start, len, c) * lanes(df_dpsi1, a, start, len, c);
@@ -223,7 +231,7 @@ impl PullBack {
     ) {
         self.clear();
         let width = 1 + block.dims;
-        for a in 0..block.ips() {
+        for a in 0..block.ips {
             for (b, coefficients) in self.coefficients.chunks_exact_mut(width).enumerate() {
                 let h = df_dpsi2[(b, a)];
                 coefficients[0] = f64x2::splat(h);
@@ -232,16 +240,16 @@ impl PullBack {
                 }
             }
             self.d_z.fill(Lanes::ZERO);
-            for c in 0..block.chunks {
+            let pairs = block.ips * (block.ips + 1) / 2;
+            for (c, values) in values.chunks_exact(pairs).enumerate().take(block.chunks) {
                 let mut from = 0;
                 while from < width {
-                    let rows = Rows { values, chunks: block.chunks, a, c };
                     let (out, coefficients) = (&mut self.folded[from..], &self.coefficients[from..]);
                     from += match width - from {
-                        1 => rows.fold::<1>(coefficients, width, out),
-                        2 => rows.fold::<2>(coefficients, width, out),
-                        3 => rows.fold::<3>(coefficients, width, out),
-                        _ => rows.fold::<4>(coefficients, width, out),
+                        1 => fold::<1>(values, a, coefficients, width, out),
+                        2 => fold::<2>(values, a, coefficients, width, out),
+                        3 | 5 | 6 => fold::<3>(values, a, coefficients, width, out),
+                        _ => fold::<4>(values, a, coefficients, width, out),
                     };
                 }
                 self.collect(block, a, c);
@@ -307,38 +315,52 @@ impl PullBack {
     }
 }
 
-/// psi2_ab of one chunk of rows for one a and every b.
-#[derive(Clone, Copy)]
-struct Rows<'a> {
-    values: &'a [Lanes],
-    chunks: usize,
+/// sum_b coefficient_bf psi2_ab for one chunk of rows, one `a` and `N` columns f of the coefficients, which are `width` apart
+/// from b to b; `values` are psi2 of all pairs. Gives N back.
+#[inline(always)]
+fn fold<const N: usize>(
+    values: &[Lanes],
     a: usize,
-    c: usize,
+    coefficients: &[f64x2],
+    width: usize,
+    out: &mut [Lanes],
+) -> usize {
+    // Half of the lanes at a time: the sums then fit the registers.
+    let low = fold_half::<N, 0>(values, a, coefficients, width);
+    let high = fold_half::<N, 2>(values, a, coefficients, width);
+    for ((out, [b, c]), [d, e]) in out.iter_mut().zip(low).zip(high) {
+        *out = Lanes([b, c, d, e]);
+    }
+    N
 }
 
-impl Rows<'_> {
-    /// sum_b coefficient_bf psi2_ab for `N` columns f of the coefficients, which are `width` apart from b to b. Gives N back.
-    #[inline(always)]
-    fn fold<const N: usize>(self, coefficients: &[f64x2], width: usize, out: &mut [Lanes]) -> usize {
-        // Half of the lanes at a time: the sums then fit the registers.
-        for half in [0, 2] {
-            let mut sums = [[f64x2::ZERO; 2]; N];
-            let mut pair = self.a * (self.a + 1) / 2;
-            for (b, row) in coefficients.chunks(width).enumerate() {
-                let Some(h) = self.values.get(pair * self.chunks + self.c) else { break };
-                let (low, high) = (h.0[half], h.0[half + 1]);
-                if let Some(row) = row.first_chunk::<N>() {
-                    for f in 0..N {
-                        sums[f][0] += row[f] * low;
-                        sums[f][1] += row[f] * high;
-                    }
-                }
-                pair += if b < self.a { 1 } else { b + 1 };
-            }
-            for (out, sum) in out.iter_mut().zip(sums) {
-                (out.0[half], out.0[half + 1]) = (sum[0], sum[1]);
-            }
+#[inline(always)]
+fn fold_half<const N: usize, const HALF: usize>(
+    values: &[Lanes],
+    a: usize,
+    coefficients: &[f64x2],
+    width: usize,
+) -> [[f64x2; 2]; N] {
+    let mut sums = [[f64x2::ZERO; 2]; N];
+    let mut rows = coefficients.chunks(width);
+    let first = a * (a + 1) / 2;
+    for (h, row) in values[first..=first + a].iter().zip(&mut rows) {
+        add_row::<N, HALF>(&mut sums, h, row);
+    }
+    let mut pair = first + 2 * a + 1;
+    for (b, row) in (a + 1..).zip(rows) {
+        add_row::<N, HALF>(&mut sums, &values[pair], row);
+        pair += b + 1;
+    }
+    sums
+}
+
+#[inline(always)]
+fn add_row<const N: usize, const HALF: usize>(sums: &mut [[f64x2; 2]; N], h: &Lanes, row: &[f64x2]) {
+    if let Some(row) = row.first_chunk::<N>() {
+        for (sum, factor) in sums.iter_mut().zip(row) {
+            sum[0] += *factor * h.0[HALF];
+            sum[1] += *factor * h.0[HALF + 1];
         }
-        N
     }
 }
