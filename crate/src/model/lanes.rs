@@ -77,7 +77,10 @@ impl Lanes {
     /// e to each of them; none may be above 709.
     #[inline(always)]
     pub fn exp(self) -> Self {
-        self.map(exp_below)
+        let [a, b, c, d] = self.0;
+        let low: [f64x2; 2] = bytemuck::cast(exp_below(bytemuck::cast([a, b])));
+        let high: [f64x2; 2] = bytemuck::cast(exp_below(bytemuck::cast([c, d])));
+        Self([low[0], low[1], high[0], high[1]])
     }
 
     /// self += x y.
