@@ -62,7 +62,7 @@ pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
     Kind, Objective, Parameters, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
-    coupling_weights,
+    Workspace, coupling_weights,
 };
 pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};
 pub use parts::{

@@ -40,11 +40,25 @@ pub struct Factor {
 impl Factor {
     /// Factorises `matrix` [n x n]. Only after a failure is jitter added: 1e-6 of the mean diagonal, times 10 up to 10 times.
     pub fn new(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
+        let mut factor = Self::default();
+        factor.refactor(matrix, what)?;
+        Ok(factor)
+    }
+
+    /// Becomes the factor of `matrix`, as [`new`](Self::new); allocates nothing when the size stays and no jitter is needed.
+    pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
         if matrix.iter().any(|v| !v.is_finite()) {
             return Err(NumericsError::NotFinite { what });
         }
-        if let Some(cholesky) = factorise(matrix.clone()) {
-            return Ok(Self { cholesky });
+        let mut room = std::mem::take(self).cholesky.unpack_dirty();
+        if room.shape() == matrix.shape() {
+            room.copy_from(matrix);
+        } else {
+            room = matrix.clone();
+        }
+        if let Some(cholesky) = factorise(room) {
+            self.cholesky = cholesky;
+            return Ok(());
         }
         let size = matrix.nrows();
         let mean_diagonal = matrix.trace().abs() / size.max(1) as f64;
@@ -55,7 +69,8 @@ impl Factor {
                 shifted[(k, k)] += jitter;
             }
             if let Some(cholesky) = factorise(shifted) {
-                return Ok(Self { cholesky });
+                self.cholesky = cholesky;
+                return Ok(());
             }
             jitter *= 10.0;
         }
@@ -73,38 +88,46 @@ impl Factor {
         self.cholesky.solve(rhs)
     }
 
-    /// L^-1 `rhs`.
-    pub fn solve_lower(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut x = rhs.clone();
+    /// `x` becomes matrix^-1 x.
+    pub fn solve_mut(&self, x: &mut DMatrix<f64>) {
+        self.cholesky.solve_mut(x);
+    }
+
+    /// `x` becomes L^-1 x.
+    pub fn solve_lower_mut(&self, x: &mut DMatrix<f64>) {
         blocked::solve_lower(&self.cholesky.l_dirty().as_view(), &mut x.as_view_mut());
-        x
     }
 
-    /// L^-T `rhs`.
-    pub fn solve_upper(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut x = rhs.clone();
-        self.cholesky.l_dirty().tr_solve_lower_triangular_unchecked_mut(&mut x);
-        x
+    /// `x` becomes L^-T x.
+    pub fn solve_upper_mut(&self, x: &mut DMatrix<f64>) {
+        self.cholesky.l_dirty().tr_solve_lower_triangular_unchecked_mut(x);
     }
 
-    /// L^-1 `m` L^-T of a symmetric `m`.
-    pub fn whiten(&self, m: &DMatrix<f64>) -> DMatrix<f64> {
-        let half = self.solve_lower(m);
-        symmetric(self.solve_lower(&half.transpose()))
+    /// A symmetric `m` becomes L^-1 m L^-T.
+    pub fn whiten_mut(&self, m: &mut DMatrix<f64>) {
+        self.solve_lower_mut(m);
+        m.transpose_mut();
+        self.solve_lower_mut(m);
+        symmetrise(m);
     }
 
-    /// L^-T `m` L^-1 of a symmetric `m`.
-    pub fn unwhiten(&self, m: &DMatrix<f64>) -> DMatrix<f64> {
-        let half = self.solve_upper(m);
-        symmetric(self.solve_upper(&half.transpose()))
+    /// A symmetric `m` becomes L^-T m L^-1.
+    pub fn unwhiten_mut(&self, m: &mut DMatrix<f64>) {
+        self.solve_upper_mut(m);
+        m.transpose_mut();
+        self.solve_upper_mut(m);
+        symmetrise(m);
     }
 
-    /// matrix^-1.
-    pub fn inverse(&self) -> DMatrix<f64> {
-        if self.cholesky.l_dirty().nrows() > blocked::LEAF {
-            return blocked::inverse(self.cholesky.l_dirty());
+    /// `m` [n x n] becomes matrix^-1.
+    pub fn inverse_into(&self, m: &mut DMatrix<f64>) {
+        if m.nrows() > blocked::LEAF {
+            blocked::inverse(self.cholesky.l_dirty(), m);
+            return;
         }
-        symmetric(self.cholesky.inverse())
+        m.fill_with_identity();
+        self.solve_mut(m);
+        symmetrise(m);
     }
 }
 
@@ -115,10 +138,28 @@ fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     blocked::cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
 }
 
-/// (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.
-pub fn symmetric(m: DMatrix<f64>) -> DMatrix<f64> {
-    let t = m.transpose();
-    (m + t) * 0.5
+impl Default for Factor {
+    /// The factor of the matrix of no rows.
+    fn default() -> Self {
+        Self { cholesky: Cholesky::pack_dirty(DMatrix::zeros(0, 0)) }
+    }
+}
+
+/// `m` becomes (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.
+pub fn symmetrise(m: &mut DMatrix<f64>) {
+    for a in 0..m.nrows() {
+        for b in 0..a {
+            let mean = 0.5 * (m[(a, b)] + m[(b, a)]);
+            m[(a, b)] = mean;
+            m[(b, a)] = mean;
+        }
+    }
+}
+
+/// (m + m^T) / 2.
+pub fn symmetric(mut m: DMatrix<f64>) -> DMatrix<f64> {
+    symmetrise(&mut m);
+    m
 }
 
 #[cfg(test)]
@@ -136,7 +177,9 @@ mod tests {
         let f = Factor::new(&k, "test").unwrap();
         let rhs = DMatrix::from_fn(3, 2, |i, j| (i + 2 * j) as f64);
         assert_relative_eq!(&k * f.solve(&rhs), rhs, epsilon = 1e-12);
-        assert_relative_eq!(&k * f.inverse(), DMatrix::identity(3, 3), epsilon = 1e-12);
+        let mut inverse = DMatrix::zeros(3, 3);
+        f.inverse_into(&mut inverse);
+        assert_relative_eq!(&k * inverse, DMatrix::identity(3, 3), epsilon = 1e-12);
         assert_relative_eq!(f.log_determinant(), k.determinant().ln(), epsilon = 1e-12);
     }
 
@@ -144,14 +187,25 @@ mod tests {
     fn whitening_and_unwhitening_are_congruences() {
         let k = covariance();
         let f = Factor::new(&k, "test").unwrap();
-        assert_relative_eq!(f.whiten(&k), DMatrix::identity(3, 3), epsilon = 1e-12);
-        assert_relative_eq!(f.unwhiten(&DMatrix::identity(3, 3)), f.inverse(), epsilon = 1e-12);
+        let mut white = k.clone();
+        f.whiten_mut(&mut white);
+        assert_relative_eq!(white, DMatrix::identity(3, 3), epsilon = 1e-12);
+        f.unwhiten_mut(&mut white);
+        assert_relative_eq!(&k * white, DMatrix::identity(3, 3), epsilon = 1e-12);
     }
 
     #[test]
     fn a_singular_covariance_climbs_the_ladder() {
         let k = DMatrix::from_element(4, 4, 1.0);
         assert!(Factor::new(&k, "test").unwrap().log_determinant().is_finite());
+    }
+
+    #[test]
+    fn a_factor_can_be_used_again_after_a_failure() {
+        let mut f = Factor::new(&covariance(), "test").unwrap();
+        f.refactor(&DMatrix::from_element(2, 2, f64::NAN), "test").unwrap_err();
+        f.refactor(&DMatrix::identity(2, 2), "test").unwrap();
+        assert_eq!(f.log_determinant(), 0.0);
     }
 
     #[test]

@@ -670,3 +670,30 @@ pub fn fresh_seed() -> Result<u32, JsError> {
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
 }
+
+/// A problem and a point in its parameter space, for measuring one bound with its gradient.
+#[cfg(feature = "speed")]
+#[wasm_bindgen]
+pub struct Case {
+    case: crate::case::Case,
+    workspace: crate::model::Workspace,
+}
+
+#[cfg(feature = "speed")]
+#[wasm_bindgen]
+impl Case {
+    /// Reads a golden case.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &str) -> Result<Case, JsError> {
+        let case = crate::case::Case::from_json(text)?;
+        let workspace = case.objective.workspace(&case.params);
+        Ok(Case { case, workspace })
+    }
+
+    /// The bound, in nats; its gradient is computed as well.
+    #[wasm_bindgen(js_name = boundWithGradient)]
+    pub fn bound_with_gradient(&mut self) -> Result<f64, JsError> {
+        self.case.objective.compute_with_gradient(&self.case.params, &mut self.workspace)?;
+        Ok(self.workspace.terms().total())
+    }
+}

@@ -61,15 +61,12 @@ pub fn solve_lower(l: &DMatrixView<f64>, b: &mut DMatrixViewMut<f64>) {
     solve_lower(&l.view((h, h), (n - h, n - h)), &mut b.view_mut((h, 0), (n - h, m)));
 }
 
-/// (L L^T)^-1; only the lower triangle of `l` [n x n] is read.
-pub fn inverse(l: &DMatrix<f64>) -> DMatrix<f64> {
+/// `out` becomes (L L^T)^-1; only the lower triangle of `l` [n x n] is read.
+pub fn inverse(l: &DMatrix<f64>, out: &mut DMatrix<f64>) {
     let mut w = l.lower_triangle();
     invert_lower(&mut w.as_view_mut());
-    let n = w.nrows();
-    let mut out = DMatrix::zeros(n, n);
     gram(&w.as_view(), &mut out.as_view_mut());
     out.fill_upper_triangle_with_lower_triangle();
-    out
 }
 
 /// Replaces a lower triangular `l`, zeros above its diagonal, by its inverse.
@@ -137,7 +134,9 @@ mod tests {
             assert!(cholesky(&mut l.as_view_mut()));
             let lower = l.lower_triangle();
             assert_relative_eq!(&lower * lower.transpose(), a, epsilon = 1e-12);
-            assert_relative_eq!(&a * inverse(&l), DMatrix::identity(n, n), epsilon = 1e-11);
+            let mut inverted = a.clone();
+            inverse(&l, &mut inverted);
+            assert_relative_eq!(&a * inverted, DMatrix::identity(n, n), epsilon = 1e-11);
         }
     }
 

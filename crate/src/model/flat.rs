@@ -1,5 +1,7 @@
 //! The flat vector that an optimiser sees of named parameters, and the boxes in which they are held.
 
+use super::exp::exp;
+
 /// The blocks of parameters that a schedule can free or hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
@@ -64,7 +66,7 @@ pub trait Parameters: Clone {
         self.visit_mut(&mut |kind, values| {
             for (value, flat) in values.iter_mut().zip(&mut rest) {
                 // Through the box once more, because the exponential of a logarithm can round past its end.
-                *value = if kind.positive { flat.exp() } else { *flat }.clamp(kind.lowest, kind.highest);
+                *value = if kind.positive { exp(*flat) } else { *flat }.clamp(kind.lowest, kind.highest);
             }
         });
     }

@@ -18,11 +18,18 @@ pub struct Kernel {
 impl Kernel {
     /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on its diagonal.
     pub fn inducing_covariance(&self, z: &DMatrix<f64>, jitter: f64) -> DMatrix<f64> {
+        let mut k = DMatrix::zeros(z.nrows(), z.nrows());
+        self.inducing_covariance_into(z, jitter, &mut k);
+        k
+    }
+
+    /// As [`inducing_covariance`](Self::inducing_covariance), into a matrix that is there.
+    pub fn inducing_covariance_into(&self, z: &DMatrix<f64>, jitter: f64, k: &mut DMatrix<f64>) {
         let n = z.nrows();
-        let mut k = DMatrix::zeros(n, n);
         // Column by column below the diagonal, so that the inner loops run over numbers that lie together.
         for b in 0..n {
             let column = &mut k.as_mut_slice()[b * n + b + 1..(b + 1) * n];
+            column.fill(0.0);
             for q in 0..z.ncols() {
                 let (at, lambda) = (z[(b, q)], self.lambda[q]);
                 for (d2, x) in column.iter_mut().zip(&z.as_slice()[q * n + b + 1..(q + 1) * n]) {
@@ -35,7 +42,6 @@ impl Kernel {
             k[(b, b)] = self.variance * (1.0 + jitter);
         }
         k.fill_upper_triangle_with_lower_triangle();
-        k
     }
 
     /// The covariance of the points `x` [n x P] with the inducing inputs `z` [K x P]: [n x K].
@@ -115,6 +121,20 @@ impl KernelAdjoint {
     /// All zero, for `ips` inducing inputs of `dims` dimensions.
     pub fn zeros(ips: usize, dims: usize) -> Self {
         Self { z: DMatrix::zeros(ips, dims), lambda: DVector::zeros(dims), variance: 0.0 }
+    }
+
+    /// Adds it to the entries of a gradient.
+    pub fn add_to(&self, z: &mut DMatrix<f64>, kernel: &mut Kernel) {
+        *z += &self.z;
+        kernel.lambda += &self.lambda;
+        kernel.variance += self.variance;
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.z.fill(0.0);
+        self.lambda.fill(0.0);
+        self.variance = 0.0;
     }
 }
 

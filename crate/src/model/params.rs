@@ -50,11 +50,16 @@ impl Params {
     /// The same shapes, all entries zero.
     pub fn zeros_like(&self) -> Params {
         let mut zeros = self.clone();
-        zeros.visit_mut(&mut |_, values| values.fill(0.0));
-        for expert in zeros.experts.iter_mut().flatten() {
+        zeros.set_zero();
+        zeros
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.visit_mut(&mut |_, values| values.fill(0.0));
+        for expert in self.experts.iter_mut().flatten() {
             expert.kernel.variance = 0.0;
         }
-        zeros
     }
 }
 

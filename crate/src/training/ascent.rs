@@ -18,11 +18,14 @@ pub trait Target {
     /// What it is the sum of.
     type Terms: Clone;
 
-    /// The value at `at`, its terms, and the gradient with respect to the natural parameters.
-    fn value_and_gradient(
-        &self,
-        at: &Self::Parameters,
-    ) -> Result<(f64, Self::Terms, Self::Parameters), NumericsError>;
+    /// Computes the value at `at`, and with it terms and gradient.
+    fn compute(&mut self, at: &Self::Parameters) -> Result<f64, NumericsError>;
+
+    /// The terms of the value computed last.
+    fn terms(&self) -> &Self::Terms;
+
+    /// The gradient of the value computed last with respect to the natural parameters.
+    fn gradient(&self) -> &Self::Parameters;
 }
 
 /// A block of the schedule: which parameters are free, for how long.
@@ -59,13 +62,13 @@ impl<T: Target> Search<T> {
             self.flat[*k] = *value;
         }
         self.parameters.set_flat(&self.flat);
-        if let Ok((value, terms, gradient)) = self.target.value_and_gradient(&self.parameters) {
-            let gradient = gradient.to_flat_gradient(&self.parameters);
+        if let Ok(value) = self.target.compute(&self.parameters) {
+            let gradient = self.target.gradient().to_flat_gradient(&self.parameters);
             if gradient.iter().all(|g| g.is_finite()) {
                 if value > self.best {
                     self.best = value;
                     self.best_flat.copy_from_slice(&self.flat);
-                    self.best_terms = terms;
+                    self.best_terms.clone_from(self.target.terms());
                 }
                 return (-value, free.iter().map(|k| -gradient[*k]).collect());
             }

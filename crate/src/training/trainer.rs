@@ -3,7 +3,7 @@
 use super::ascent::{Ascent, Phase, Target};
 use super::init::starting_point;
 use crate::linalg::NumericsError;
-use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError};
+use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError, Workspace};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -101,19 +101,33 @@ pub struct TrainingProgress {
     pub fraction: f64,
 }
 
-impl Target for Objective {
+/// The bound and the room in which it is computed.
+struct Bound {
+    objective: Objective,
+    workspace: Workspace,
+}
+
+impl Target for Bound {
     type Parameters = Params;
     type Terms = BoundTerms;
 
-    fn value_and_gradient(&self, at: &Params) -> Result<(f64, BoundTerms, Params), NumericsError> {
-        let (terms, gradient) = self.terms_and_gradient(at)?;
-        Ok((terms.total(), terms, gradient))
+    fn compute(&mut self, at: &Params) -> Result<f64, NumericsError> {
+        self.objective.compute_with_gradient(at, &mut self.workspace)?;
+        Ok(self.workspace.terms().total())
+    }
+
+    fn terms(&self) -> &BoundTerms {
+        self.workspace.terms()
+    }
+
+    fn gradient(&self) -> &Params {
+        self.workspace.gradient()
     }
 }
 
 /// A training under way.
 pub struct Trainer {
-    ascent: Ascent<Objective>,
+    ascent: Ascent<Bound>,
     settings: TrainingSettings,
 }
 
@@ -133,11 +147,14 @@ impl Trainer {
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
         let params = starting_point(&y, &sequences, &settings);
         let objective = Objective::new(y, sequences, JITTER);
-        let terms = objective.terms(&params)?;
-        let phases = schedule(settings.max_iterations);
+        let mut workspace = objective.workspace(&params);
+        objective.compute(&params, &mut workspace)?;
+        let terms = workspace.terms().clone();
         let start = (terms.total(), terms);
+        let phases = schedule(settings.max_iterations);
+        let bound = Bound { objective, workspace };
         let settled = "the bound no longer rises";
-        let ascent = Ascent::new(objective, params, start, phases, settings.max_iterations, settled);
+        let ascent = Ascent::new(bound, params, start, phases, settings.max_iterations, settled);
         Ok(Self { ascent, settings })
     }
 
@@ -176,13 +193,13 @@ impl Trainer {
 
     /// What the bound is computed on.
     pub fn objective(&self) -> Objective {
-        self.ascent.search().target.clone()
+        self.ascent.search().target.objective.clone()
     }
 
     /// The model of the best bound so far.
     pub fn model(&self) -> Result<FittedModel, NumericsError> {
         let search = self.ascent.search();
-        FittedModel::fit(&search.target, &search.best_parameters())
+        FittedModel::fit(&search.target.objective, &search.best_parameters())
     }
 }
 

@@ -41,19 +41,34 @@ impl Default for MapSettings {
     }
 }
 
-impl Target for LogDensity {
+/// The density with its last value.
+struct Evaluated {
+    density: LogDensity,
+    terms: MapTerms,
+    gradient: MapParams,
+}
+
+impl Target for Evaluated {
     type Parameters = MapParams;
     type Terms = MapTerms;
 
-    fn value_and_gradient(&self, at: &MapParams) -> Result<(f64, MapTerms, MapParams), NumericsError> {
-        let (terms, gradient) = self.terms_and_gradient(at)?;
-        Ok((terms.total(), terms, gradient))
+    fn compute(&mut self, at: &MapParams) -> Result<f64, NumericsError> {
+        (self.terms, self.gradient) = self.density.terms_and_gradient(at)?;
+        Ok(self.terms.total())
+    }
+
+    fn terms(&self) -> &MapTerms {
+        &self.terms
+    }
+
+    fn gradient(&self) -> &MapParams {
+        &self.gradient
     }
 }
 
 /// A training of a MAP GPDM (one part) or a MAP CGPDM under way.
 pub struct MapLearner {
-    ascent: Ascent<LogDensity>,
+    ascent: Ascent<Evaluated>,
     settings: MapSettings,
 }
 
@@ -64,7 +79,8 @@ impl MapLearner {
         let params = start(&movements, &sequences, &settings);
         let density = LogDensity::new(movements.y, sequences, settings.balanced);
         let terms = density.terms(&params)?;
-        let start = (terms.total(), terms);
+        let start = (terms.total(), terms.clone());
+        let target = Evaluated { density, terms, gradient: params.zeros_like() };
         let phases = vec![
             Phase {
                 name: "couplings and kernels",
@@ -78,7 +94,7 @@ impl MapLearner {
             },
         ];
         let settled = "the density no longer rises";
-        let ascent = Ascent::new(density, params, start, phases, settings.max_iterations, settled);
+        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations, settled);
         Ok(Self { ascent, settings })
     }
 
@@ -105,7 +121,7 @@ impl MapLearner {
     /// The model of the best density so far.
     pub fn fitted(&self) -> Result<MapModel, NumericsError> {
         let search = self.ascent.search();
-        MapModel::fit(&search.target, &search.best_parameters())
+        MapModel::fit(&search.target.density, &search.best_parameters())
     }
 }
 
