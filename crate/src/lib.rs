@@ -22,7 +22,9 @@
 //! ```
 
 mod anatomy;
+mod any_model;
 mod baselines;
+mod body;
 pub mod bvh;
 mod case;
 mod clip;
@@ -49,9 +51,11 @@ mod training;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use any_model::{AnyModel, BaselineModel, Record};
 pub use baselines::map::{
     LogDensity, MapLearner, MapModel, MapParams, MapPart, MapPoseMap, MapSettings, MapTerms,
 };
+pub use body::Body;
 pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};

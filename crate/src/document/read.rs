@@ -1,25 +1,28 @@
 //! From the tree of a document to a model: every field is checked where it is read.
 
 use super::{DocumentError, FORMAT, VERSION};
+use crate::any_model::{AnyModel, BaselineModel, Record};
+use crate::baselines::map::MapModel;
+use crate::body::Body;
 use crate::dataset::SequenceInfo;
-use crate::json::{Field, FieldError, Value, write};
+use crate::json::checks::{count, positive, positive_number, shape, tame, tame_matrix, within};
+use crate::json::{Field, FieldError, Object, Value, write};
+use crate::learner::{ModelKind, MovementModel};
 use crate::model::{BoundTerms, DynamicsSums, FittedExpert, FittedModel, Kernel, PoseMap};
 use crate::motion_model::{MotionModel, Provenance};
 use crate::parts::{PartSpec, PartsLayout};
 use crate::pose::PoseMapping;
 use crate::training::TrainingSettings;
 use nalgebra::{DMatrix, DVector};
-use std::ops::RangeInclusive;
 
 const MOST_PARTS: usize = 64;
 const MOST_LATENT: usize = 100;
 const MOST_IPS: usize = 1000;
 const MOST_ORDER: usize = 100;
 const MOST_SEQUENCES: usize = 10_000;
-/// Beyond this no sum of products stays finite for sure.
-const LARGEST: f64 = 1e12;
 
-pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
+/// A model of any kind.
+pub(super) fn document(value: &Value) -> Result<AnyModel, DocumentError> {
     let mut document = Field::root(value).object()?;
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
@@ -32,16 +35,103 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     }
     let version = document.get("version")?;
     match version.whole()? {
-        VERSION => {}
+        1..=VERSION => {}
         found if found > VERSION => return Err(DocumentError::Version { found }),
-        _ => return Err(version.wrong(&VERSION.to_string()).into()),
+        _ => return Err(version.wrong(&format!("from 1 to {VERSION}")).into()),
     }
+    // The first version had no other kind and did not name it.
+    let named = document.optional("kind");
+    let kind = named.as_ref().map_or(Ok(ModelKind::Vcgpdm), kind)?;
     let mapping = PoseMapping::from_field(document.get("pose")?)?;
     let frame_time = within(document.get("frame_time")?, 1e-5..=10.0, "seconds from 0.00001 to 10")?;
     let means = document.get("column_means")?;
     let column_means = means.numbers()?;
     count(&means, column_means.len(), mapping.column_count()..=mapping.column_count())?;
     tame(&means, &column_means)?;
+    let body =
+        |layout, sequences| Body { mapping: mapping.clone(), layout, column_means, frame_time, sequences };
+    let model = match kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => {
+            AnyModel::Variational(Box::new(variational(document, &mapping, body)?))
+        }
+        _ => AnyModel::Baseline(Box::new(baseline(kind, document, &mapping, body)?)),
+    };
+    match named {
+        Some(field) if model.kind() != kind => {
+            let (expected, found) = (model.kind().id(), kind.id());
+            Err(field.error(format!("expected {expected}, for so many parts, found {found}")).into())
+        }
+        _ => Ok(model),
+    }
+}
+
+fn kind(field: &Field) -> Result<ModelKind, FieldError> {
+    let id = field.text()?;
+    ModelKind::from_id(id).ok_or_else(|| {
+        let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
+        let found: String = id.chars().take(60).collect();
+        field.error(format!("expected one of {}, found {found:?}", known.join(", ")))
+    })
+}
+
+/// What is left of a baseline's document after the body.
+fn baseline(
+    kind: ModelKind,
+    mut document: Object,
+    mapping: &PoseMapping,
+    body: impl FnOnce(PartsLayout, Vec<SequenceInfo>) -> Body,
+) -> Result<BaselineModel, DocumentError> {
+    let parts = document.get("parts")?;
+    let specs = parts.list(|part| {
+        let mut object = part.object()?;
+        let spec = part_spec(&mut object)?;
+        object.end()?;
+        Ok(spec)
+    })?;
+    count(&parts, specs.len(), 1..=MOST_PARTS)?;
+    let layout = PartsLayout::new(&specs, mapping)?;
+    let columns: Vec<usize> = (0..specs.len()).map(|part| layout.columns(part).len()).collect();
+    let field = document.get("sequences")?;
+    let sequences = field.list(|item| {
+        let mut object = item.object()?;
+        let info = sequence_info(&mut object)?;
+        object.end()?;
+        Ok(info)
+    })?;
+    count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
+    let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
+    let field = document.get("model")?;
+    let model: Box<dyn MovementModel> = match kind {
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => {
+            Box::new(MapModel::from_field(field.clone(), &columns, lengths)?)
+        }
+        // Place for the movement primitives.
+        _ => {
+            return Err(field
+                .error(format!("expected a model of a kind that can be read, found {}", kind.id()))
+                .into());
+        }
+    };
+    let mut object = document.get("provenance")?.object()?;
+    let record = Record {
+        engine: object.get("engine")?.text()?.to_owned(),
+        settings: object.get("settings")?.fields(|field| field.number())?,
+        frames_per_second: object.get("frames_per_second")?.number()?,
+        objective: object.get("objective")?.number()?,
+        iterations: object.get("iterations")?.whole()?,
+        note: note(&mut object)?,
+    };
+    object.end()?;
+    document.end()?;
+    Ok(BaselineModel { body: body(layout, sequences), model, record })
+}
+
+/// What is left of a variational model's document after the body.
+fn variational(
+    mut document: Object,
+    mapping: &PoseMapping,
+    body: impl FnOnce(PartsLayout, Vec<SequenceInfo>) -> Body,
+) -> Result<MotionModel, DocumentError> {
     let order = document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
@@ -49,7 +139,7 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     let parts = document.get("parts")?;
     let (specs, maps): (Vec<_>, Vec<_>) = parts.list(part)?.into_iter().unzip();
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, &mapping)?;
+    let layout = PartsLayout::new(&specs, mapping)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
         let map: &PoseMap = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
@@ -85,15 +175,34 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     }
     let fitted =
         FittedModel { order, jitter, experts, dynamics_covariance, sums, parts: maps, alpha, starts };
-    Ok(MotionModel::new(fitted, mapping, layout, column_means, frame_time, sequences, provenance)?)
+    Ok(MotionModel::new(fitted, body(layout, sequences), provenance)?)
+}
+
+fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {
+    Ok(PartSpec {
+        name: part.get("name")?.text()?.to_owned(),
+        joints: part.get("joints")?.list(|joint| joint.whole())?,
+    })
+}
+
+fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, FieldError> {
+    Ok(SequenceInfo {
+        name: sequence.get("clip")?.text()?.to_owned(),
+        sha256: sequence.get("sha256")?.text()?.to_owned(),
+        frames: sequence.get("frames")?.whole()?,
+    })
+}
+
+fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
+    match object.optional("note") {
+        Some(note) if *note.value() != Value::Null => Ok(Some(note.text()?.to_owned())),
+        _ => Ok(None),
+    }
 }
 
 fn part(field: Field) -> Result<(PartSpec, PoseMap), FieldError> {
     let mut part = field.object()?;
-    let spec = PartSpec {
-        name: part.get("name")?.text()?.to_owned(),
-        joints: part.get("joints")?.list(|joint| joint.whole())?,
-    };
+    let spec = part_spec(&mut part)?;
     let field = part.get("lambda")?;
     let lambda = field.numbers()?;
     let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;
@@ -169,11 +278,7 @@ fn sequence(
     order: usize,
 ) -> Result<(SequenceInfo, Vec<DMatrix<f64>>), FieldError> {
     let mut sequence = field.object()?;
-    let info = SequenceInfo {
-        name: sequence.get("clip")?.text()?.to_owned(),
-        sha256: sequence.get("sha256")?.text()?.to_owned(),
-        frames: sequence.get("frames")?.whole()?,
-    };
+    let info = sequence_info(&mut sequence)?;
     let field = sequence.get("start")?;
     let items = field.items()?;
     count(&field, items.len(), latent.len()..=latent.len())?;
@@ -198,10 +303,7 @@ fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
         terms: terms(object.get("terms")?, m)?,
         iterations: object.get("iterations")?.whole()?,
         evaluations: object.get("evaluations")?.whole()?,
-        note: match object.optional("note") {
-            Some(note) if *note.value() != Value::Null => Some(note.text()?.to_owned()),
-            _ => None,
-        },
+        note: note(&mut object)?,
     };
     object.end()?;
     Ok(provenance)
@@ -236,54 +338,4 @@ fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {
     };
     object.end()?;
     Ok(terms)
-}
-
-/// A number in a range that `expected` puts into words.
-fn within(field: Field, range: RangeInclusive<f64>, expected: &str) -> Result<f64, FieldError> {
-    let number = field.number()?;
-    if range.contains(&number) { Ok(number) } else { Err(field.wrong(expected)) }
-}
-
-/// `found` of a field: its value or its length.
-fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
-    if range.contains(&found) {
-        return Ok(found);
-    }
-    let (lowest, highest) = range.into_inner();
-    let expected = if lowest == highest { lowest.to_string() } else { format!("from {lowest} to {highest}") };
-    Err(field.error(format!("expected {expected}, found {found}")))
-}
-
-fn shape(field: &Field, matrix: &DMatrix<f64>, rows: usize, columns: usize) -> Result<(), FieldError> {
-    let (r, c) = matrix.shape();
-    if (r, c) == (rows, columns) {
-        return Ok(());
-    }
-    Err(field.error(format!("expected {rows} x {columns} numbers, found {r} x {c}")))
-}
-
-fn positive_number(field: Field) -> Result<f64, FieldError> {
-    let number = field.number()?;
-    positive(&field, &[number])?;
-    Ok(number)
-}
-
-fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
-    match values.iter().find(|v| !(1e-12..=LARGEST).contains(*v)) {
-        None => Ok(()),
-        Some(v) => Err(field.error(format!("expected positive numbers up to 1e12, found {v}"))),
-    }
-}
-
-fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
-    match values.iter().find(|v| v.abs() > LARGEST) {
-        None => Ok(()),
-        Some(v) => Err(field.error(format!("expected numbers up to 1e12 in size, found {v}"))),
-    }
-}
-
-fn tame_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
-    let matrix = field.matrix()?;
-    tame(field, matrix.as_slice())?;
-    Ok(matrix)
 }

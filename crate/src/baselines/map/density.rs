@@ -226,4 +226,4 @@ fn finite(terms: MapTerms) -> Result<MapTerms, NumericsError> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -161,3 +161,6 @@ impl Learner for MapLearner {
         Ok(Box::new(self.fitted()?))
     }
 }
+
+#[cfg(test)]
+mod tests;

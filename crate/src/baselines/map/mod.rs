@@ -6,6 +6,7 @@ mod exact_gp;
 mod learner;
 mod model;
 mod params;
+mod stored;
 
 pub use density::{LogDensity, MapTerms};
 pub use learner::{MapLearner, MapSettings};

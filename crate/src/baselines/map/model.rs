@@ -5,6 +5,7 @@
 
 use super::density::LogDensity;
 use super::params::MapParams;
+use crate::json::Value;
 use crate::learner::{ModelKind, MovementModel};
 use crate::linalg::NumericsError;
 use crate::model::{Kernel, Sequences, coupling_weights};
@@ -132,5 +133,59 @@ impl MovementModel for MapModel {
 
     fn bound(&self) -> Option<f64> {
         None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::baselines::map::density::tests::random_map_case;
+    use approx::assert_relative_eq;
+
+    /// E[new | training] = c^T C^-1 targets, from the joint covariance of training rows and one new row.
+    fn conditional_mean(joint: &DMatrix<f64>, targets: &DMatrix<f64>) -> DMatrix<f64> {
+        let n = targets.nrows();
+        let inverse = joint.view((0, 0), (n, n)).into_owned().try_inverse().unwrap();
+        joint.view((n, 0), (1, n)) * inverse * targets
+    }
+
+    fn with_row(x: &DMatrix<f64>, row: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut all = x.clone().insert_row(x.nrows(), 0.0);
+        all.row_mut(x.nrows()).copy_from(&row.row(0));
+        all
+    }
+
+    #[test]
+    fn one_step_is_the_mean_of_the_joint_gaussian_given_the_training_frames() {
+        for seed in 0..4 {
+            let (params, density) = random_map_case(seed);
+            let (model, sequences) = (MapModel::fit(&density, &params).unwrap(), density.sequences());
+            let order = sequences.order();
+            let path = model.latents(0, order + 1).unwrap();
+            let y = model.rollout(0, order + 1).unwrap();
+            for (i, part) in params.parts.iter().enumerate() {
+                let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
+                let rows = sequences.transitions();
+                let mut joint = DMatrix::identity(rows + 1, rows + 1) * noise;
+                for (j, source) in params.parts.iter().enumerate() {
+                    // The new row's history is the first training row's: the start of the first sequence.
+                    let histories = sequences.windows(&source.latents);
+                    let all = with_row(&histories, &histories.rows(0, 1).into_owned());
+                    joint += params.dynamics[j][i].cross_covariance(&all, &all) * weights[j].powi(2);
+                }
+                let expected = conditional_mean(&joint, &sequences.lagged(&part.latents, 0));
+                assert_relative_eq!(path[i].rows(order, 1).into_owned(), expected, epsilon = 1e-8);
+
+                let all = with_row(&part.latents, &path[i].rows(order, 1).into_owned());
+                let noise = DMatrix::identity(all.nrows(), all.nrows()) * part.beta;
+                let joint = part.kernel.cross_covariance(&all, &all) + noise;
+                let expected = conditional_mean(&joint, &density.observations()[i]);
+                assert_relative_eq!(y[i].rows(order, 1).into_owned(), expected, epsilon = 1e-8);
+            }
+        }
     }
 }
