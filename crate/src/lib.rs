@@ -22,6 +22,7 @@
 //! ```
 
 mod anatomy;
+pub mod baselines;
 pub mod bvh;
 mod case;
 mod clip;
