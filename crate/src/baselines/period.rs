@@ -31,7 +31,8 @@ pub fn period(sequences: &[DMatrix<f64>]) -> Option<Period> {
     let last = (2 * longest / 3).min(longest.saturating_sub(LEAST_FRAMES));
     let rho: Vec<f64> = (0..=last).map(|lag| correlation(&centred, lag)).collect();
     let first = (1..rho.len()).find(|&lag| rho[lag] > rho[lag - 1])?;
-    let peaks = || (first..rho.len().saturating_sub(1)).filter(|&l| rho[l] >= rho[l - 1] && rho[l] > rho[l + 1]);
+    let peaks =
+        || (first..rho.len().saturating_sub(1)).filter(|&l| rho[l] >= rho[l - 1] && rho[l] > rho[l + 1]);
     let highest = peaks().map(|l| rho[l]).fold(f64::NEG_INFINITY, f64::max);
     let peak = peaks().find(|&l| highest > 0.0 && rho[l] >= NEARLY * highest)?;
     let (before, at, after) = (rho[peak - 1], rho[peak], rho[peak + 1]);

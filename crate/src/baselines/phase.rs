@@ -195,7 +195,8 @@ impl Template {
             PhaseAxis::Cycle => m.rate > 0.5 * map.rate && m.rate < 2.0 * map.rate,
             PhaseAxis::Trial => {
                 let length = m.rate * count.saturating_sub(1).max(1) as f64;
-                m.start.abs() <= MOST_SHIFT && (!stretch || (1.0 / MOST_STRETCH..=MOST_STRETCH).contains(&length))
+                m.start.abs() <= MOST_SHIFT
+                    && (!stretch || (1.0 / MOST_STRETCH..=MOST_STRETCH).contains(&length))
             }
         };
         let mut best = map;
