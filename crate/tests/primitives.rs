@@ -7,7 +7,7 @@
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::baselines::{PhaseAxis, TmpLearner, TmpSettings};
+use vcgpdm::baselines::{Canonical, DmpLearner, DmpSettings, PhaseAxis, TmpLearner, TmpSettings};
 use vcgpdm::evaluation::{Score, dtw_mse};
 use vcgpdm::{Dataset, Learner, MovementModel, Movements, Sequence, Source, bvh, presets};
 
@@ -35,7 +35,7 @@ fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
     let data = Dataset::new(&sources, parts, 30.0).unwrap();
     let trial = data.mapping.encode(&clips[last].prepared(30.0).unwrap()).unwrap().y;
     let sequences =
-        data.lengths().iter().enumerate().map(|(k, &frames)| Sequence { frames, whole: k < last });
+        data.lengths().into_iter().enumerate().map(|(k, frames)| Sequence { frames, whole: k < last });
     // The order of columns of the trial is that of the mapping; the parts' is put back for the score.
     let actual = data.layout.split(&trial);
     let all = Movements { y: actual, sequences: Vec::new() }.as_one_part().y.swap_remove(0);
@@ -87,4 +87,32 @@ fn temporal_movement_primitives() {
             }
         }
     }
+}
+
+#[test]
+#[ignore = "a measurement, not a check"]
+fn dynamic_movement_primitives() {
+    let Some((movements, actual)) = walks(6, 6) else { return };
+    let held_out = movements.sequences.len() - 1;
+    let lengths: Vec<usize> = movements.lengths();
+    let mut settings = vec![(Canonical::Rhythmic, 25.0 / 3.0)];
+    settings.extend([25.0 / 3.0, 4.0, 2.0, 1.0].map(|alpha_x| (Canonical::Discrete, alpha_x)));
+    for (canonical, alpha_x) in settings {
+        for bases in [5, 10, 15, 20, 30, 40] {
+            let settings = DmpSettings { bases, alpha_x, ..DmpSettings::new(canonical) };
+            let mut learner = DmpLearner::new(&movements, settings).unwrap();
+            let (seconds, _) = learn(&mut learner);
+            let model = learner.model().unwrap();
+            let s = score(model.as_ref(), held_out, &actual);
+            println!(
+                "{canonical:?} alpha_x {alpha_x:.1} B {bases}: training error {:.6}, dtw mse {:.6}, mse {:.6} (variance {:.6}), {seconds:.2} s, {} numbers",
+                -learner.progress().best,
+                s.dtw_mse,
+                s.mse,
+                s.variance,
+                model.stored_numbers(),
+            );
+        }
+    }
+    println!("lengths {lengths:?}");
 }

@@ -1,9 +1,13 @@
 //! The movement primitives that the GP dynamical models are compared with.
 
+mod dmp;
 mod period;
 mod phase;
 mod tmp;
 
+pub use dmp::{
+    Adaptation, Canonical, DmpDiscrete, DmpLearner, DmpRhythmic, DmpSettings, RhythmicStart, SpringStart,
+};
 pub use period::{Period, period};
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use tmp::{Tmp, TmpLearner, TmpSettings, TrialWeights};
