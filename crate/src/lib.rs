@@ -23,7 +23,7 @@
 
 mod anatomy;
 mod any_model;
-mod baselines;
+pub mod baselines;
 mod body;
 pub mod bvh;
 mod case;

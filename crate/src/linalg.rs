@@ -119,6 +119,28 @@ impl Factor {
         symmetrise(m);
     }
 
+    /// L^-1 `rhs`.
+    pub fn solve_lower(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut x = rhs.clone();
+        self.solve_lower_mut(&mut x);
+        x
+    }
+
+    /// L^-T `rhs`.
+    pub fn solve_upper(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut x = rhs.clone();
+        self.solve_upper_mut(&mut x);
+        x
+    }
+
+    /// matrix^-1.
+    pub fn inverse(&self) -> DMatrix<f64> {
+        let n = self.cholesky.l_dirty().nrows();
+        let mut m = DMatrix::zeros(n, n);
+        self.inverse_into(&mut m);
+        m
+    }
+
     /// `m` [n x n] becomes matrix^-1.
     pub fn inverse_into(&self, m: &mut DMatrix<f64>) {
         if m.nrows() > blocked::LEAF {

@@ -3,6 +3,7 @@
 use super::{DocumentError, FORMAT, VERSION};
 use crate::any_model::{AnyModel, BaselineModel, Record};
 use crate::baselines::map::MapModel;
+use crate::baselines::{DmpDiscrete, DmpRhythmic, Tmp};
 use crate::body::Body;
 use crate::dataset::SequenceInfo;
 use crate::json::checks::{count, positive, positive_number, shape, tame, tame_matrix, within};
@@ -102,15 +103,12 @@ fn baseline(
     let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
     let field = document.get("model")?;
     let model: Box<dyn MovementModel> = match kind {
-        ModelKind::MapGpdm | ModelKind::MapCgpdm => {
-            Box::new(MapModel::from_field(field.clone(), &columns, lengths)?)
-        }
-        // Place for the movement primitives.
-        _ => {
-            return Err(field
-                .error(format!("expected a model of a kind that can be read, found {}", kind.id()))
-                .into());
-        }
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => Box::new(MapModel::from_field(field, &columns, lengths)?),
+        ModelKind::Tmp => Box::new(Tmp::from_field(field, &columns, lengths.len())?),
+        ModelKind::DmpDiscrete => Box::new(DmpDiscrete::from_field(field, &columns, lengths.len())?),
+        ModelKind::DmpRhythmic => Box::new(DmpRhythmic::from_field(field, &columns, lengths.len())?),
+        // They have a document of their own.
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
     };
     let mut object = document.get("provenance")?.object()?;
     let record = Record {

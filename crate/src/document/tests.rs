@@ -257,3 +257,43 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
         assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
     }
 }
+
+#[test]
+fn movement_primitives_come_back_as_they_were_written() {
+    use crate::baselines::{Canonical, DmpLearner, DmpSettings, TmpLearner, TmpSettings};
+    let BaselineModel { body, record, .. } = baseline();
+    let clip = samples::clip("walk-1").unwrap();
+    let parts = body.layout.parts().to_vec();
+    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
+    let frames = dataset.lengths()[0];
+    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let dmp = |canonical| DmpLearner::new(&movements, DmpSettings::new(canonical)).unwrap();
+    let learners: [(ModelKind, Box<dyn Learner>); 3] = [
+        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, TmpSettings::default()).unwrap())),
+        (ModelKind::DmpDiscrete, Box::new(dmp(Canonical::Discrete))),
+        (ModelKind::DmpRhythmic, Box::new(dmp(Canonical::Rhythmic))),
+    ];
+    for (kind, mut learner) in learners {
+        for _ in 0..3 {
+            learner.step();
+        }
+        let body = Body::of(&dataset);
+        let model = BaselineModel { body, model: learner.model().unwrap(), record: record.clone() };
+        let text = model.to_json().unwrap();
+        let again = AnyModel::from_json(&text).unwrap();
+        assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
+        let y = AnyModel::Baseline(Box::new(model)).rollout(0, 50).unwrap();
+        assert_eq!(again.rollout(0, 50).unwrap(), y);
+        // Every field of a model is needed, and none but these.
+        let value: Value = serde_json::from_str(&text).unwrap();
+        for name in value["model"].as_object().unwrap().keys() {
+            let mut broken = value.clone();
+            broken["model"].as_object_mut().unwrap().remove(name);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert_eq!(error, format!("at model: expected a field \"{name}\", found none"));
+            broken["model"][name] = json!([["x"]]);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert!(error.starts_with(&format!("at model.{name}")), "{error}");
+        }
+    }
+}

@@ -67,6 +67,19 @@ pub enum TrainingError {
         /// Frames found.
         found: usize,
     },
+    /// No sequence is a whole movement.
+    #[error("expected at least one whole movement to learn from, found none")]
+    NoWhole,
+    /// A sequence holds too little to learn from.
+    #[error("sequence {sequence} has {found} frames; expected at least {expected}")]
+    Short {
+        /// Counted from 0.
+        sequence: usize,
+        /// Fewest frames.
+        expected: usize,
+        /// Frames found.
+        found: usize,
+    },
     /// The sequences cannot be trained on.
     #[error(transparent)]
     Sequences(#[from] SequencesError),

@@ -17,9 +17,7 @@ pub struct DensityAdjoint {
 
 fn value(factor: &Factor, targets: &DMatrix<f64>) -> f64 {
     let (rows, columns) = (targets.nrows() as f64, targets.ncols() as f64);
-    let mut whitened = targets.clone();
-    factor.solve_lower_mut(&mut whitened);
-    let fit = whitened.norm_squared();
+    let fit = factor.solve_lower(targets).norm_squared();
     -0.5 * (rows * columns * TAU.ln() + columns * factor.log_determinant() + fit)
 }
 
@@ -39,8 +37,7 @@ pub fn log_density_and_adjoint(
     what: &'static str,
 ) -> Result<(f64, DensityAdjoint), NumericsError> {
     let factor = Factor::new(covariance, what)?;
-    let mut inverse = DMatrix::zeros(covariance.nrows(), covariance.nrows());
-    factor.inverse_into(&mut inverse);
+    let mut inverse = factor.inverse();
     let solved = &inverse * targets;
     inverse.gemm(0.5, &solved, &solved.transpose(), -0.5 * targets.ncols() as f64);
     let adjoint = DensityAdjoint { covariance: inverse, targets: -solved };

@@ -1,0 +1,172 @@
+//! Dynamic movement primitives towards a goal.
+
+use super::super::phase::Trial;
+use super::super::split;
+use super::spring::{first_velocity, forcing_target, integrate, regress};
+use super::{Adaptation, OVERLAP, SpringStart};
+use crate::json::Value;
+use crate::learner::{ModelKind, MovementModel};
+use crate::linalg::NumericsError;
+use crate::rollout::{RolloutError, check_frames};
+use nalgebra::{DMatrix, DVector};
+
+/// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial, one way in all.
+const CLEAR_WAY: f64 = 0.25;
+
+/// Fitted discrete dynamic movement primitives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DmpDiscrete {
+    /// g [D]: the mean of the last frames of the whole trials.
+    pub goal: DVector<f64>,
+    /// tau, in frames: the mean of T - 1 over the whole trials.
+    pub duration: f64,
+    /// How fast x fades: x = exp(-alpha_x t / tau).
+    pub alpha_x: f64,
+    /// Centres of the bases, in x [B].
+    pub centres: Vec<f64>,
+    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) [B].
+    pub widths: Vec<f64>,
+    /// w [B x D].
+    pub weights: DMatrix<f64>,
+    /// Whether the column's force is scaled by g - y(0) [D].
+    pub scaled: Vec<bool>,
+    /// One for each training sequence.
+    pub starts: Vec<SpringStart>,
+    /// D_i of each part, in order.
+    pub columns: Vec<usize>,
+}
+
+impl DmpDiscrete {
+    /// Learns `bases` weights for each column.
+    pub fn fit(
+        trials: &[Trial],
+        columns: &[usize],
+        bases: usize,
+        alpha_x: f64,
+    ) -> Result<Self, NumericsError> {
+        // Equal distances in time; in x they shrink with it.
+        let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exp();
+        let centres: Vec<f64> = (0..bases).map(centre).collect();
+        let width = |b: usize| {
+            let distance = if b + 1 < bases {
+                centre(b) - centre(b + 1)
+            } else {
+                centre(b.saturating_sub(1)) - centre(b)
+            };
+            0.5 / (OVERLAP * if distance > 0.0 { distance } else { 1.0 }).powi(2)
+        };
+        let widths: Vec<f64> = (0..bases).map(width).collect();
+        let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
+        let d = trials.first().map_or(0, |t| t.y.ncols());
+        let count = whole.len().max(1) as f64;
+        let end = |y: &DMatrix<f64>| y.row(y.nrows() - 1).transpose();
+        let mut model = Self {
+            goal: whole.iter().map(|y| end(y)).fold(DVector::zeros(d), |sum, g| sum + g) / count,
+            duration: whole.iter().map(|y| (y.nrows() - 1) as f64).sum::<f64>() / count,
+            alpha_x,
+            centres,
+            widths,
+            weights: DMatrix::zeros(bases, d),
+            scaled: (0..d).map(|k| clear_way(&whole, k)).collect(),
+            starts: trials.iter().map(|t| SpringStart::of(&t.y)).collect(),
+            columns: columns.to_vec(),
+        };
+
+        let mut plain = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
+        let mut scaled: Vec<_> =
+            (0..d).map(|_| (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, 1))).collect();
+        for y in &whole {
+            let (goal, tau) = (end(y), (y.nrows() - 1) as f64);
+            let target = forcing_target(y, &goal, tau);
+            let rows: Vec<_> = (0..y.nrows()).map(|t| model.features(t as f64 / tau).transpose()).collect();
+            let features = DMatrix::from_rows(&rows);
+            let (gram, moment) = (features.tr_mul(&features), features.tr_mul(&target));
+            for k in (0..d).filter(|&k| model.scaled[k]) {
+                let s = goal[k] - y[(0, k)];
+                scaled[k].0 += &gram * (s * s);
+                scaled[k].1 += moment.column(k) * s;
+            }
+            plain.0 += gram;
+            plain.1 += moment;
+        }
+        model.weights = regress(&plain.0, &plain.1)?;
+        for k in (0..d).filter(|&k| model.scaled[k]) {
+            model.weights.set_column(k, &regress(&scaled[k].0, &scaled[k].1)?.column(0));
+        }
+        Ok(model)
+    }
+
+    /// x psi_b(x) / sum psi at `phase` = t / tau [B].
+    fn features(&self, phase: f64) -> DVector<f64> {
+        let x = (-self.alpha_x * phase).exp();
+        let exponents =
+            DVector::from_fn(self.centres.len(), |b, _| -self.widths[b] * (x - self.centres[b]).powi(2));
+        // The largest is taken out first: far from all centres the ratio still means the nearest one.
+        let largest = exponents.max();
+        let psi = exponents.map(|e| (e - largest).exp());
+        let sum = psi.sum();
+        psi * (x / sum)
+    }
+
+    /// The movement from the start of a training sequence, with another goal or tempo: all columns [frames x D].
+    pub fn adapted(
+        &self,
+        sequence: usize,
+        frames: usize,
+        change: &Adaptation,
+    ) -> Result<DMatrix<f64>, RolloutError> {
+        check_frames(frames)?;
+        let count = self.starts.len();
+        let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
+        let goal = change.goal.as_ref().unwrap_or(&self.goal);
+        let tau = self.duration / change.tempo;
+        let way = goal - &start.position;
+        let scale = DVector::from_fn(goal.len(), |k, _| if self.scaled[k] { way[k] } else { 1.0 });
+        let velocity = &start.velocity * change.tempo;
+        Ok(integrate(&start.position, &velocity, goal, tau, frames, |t, out| {
+            out.copy_from(&self.weights.tr_mul(&self.features(t / tau)));
+            out.component_mul_assign(&scale);
+        }))
+    }
+}
+
+/// Whether column `k` clearly goes one way in all trials.
+fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
+    let way = |y: &DMatrix<f64>| y[(y.nrows() - 1, k)] - y[(0, k)];
+    let clear = |y: &DMatrix<f64>| {
+        let range = y.column(k).max() - y.column(k).min();
+        range > 0.0 && way(y).abs() >= CLEAR_WAY * range
+    };
+    trials.iter().all(|y| clear(y) && (way(y) > 0.0) == (way(trials[0]) > 0.0))
+}
+
+impl SpringStart {
+    /// At the first frame of `y` [T x D].
+    pub(super) fn of(y: &DMatrix<f64>) -> Self {
+        Self { position: y.row(0).transpose(), velocity: first_velocity(y) }
+    }
+}
+
+impl MovementModel for DmpDiscrete {
+    fn kind(&self) -> ModelKind {
+        ModelKind::DmpDiscrete
+    }
+
+    /// As fast as the training trials were in the mean; behind their end it stands at the goal.
+    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        Ok(split(&self.adapted(sequence, frames, &Adaptation::default())?, &self.columns))
+    }
+
+    /// Weights, goal, y(0) and y'(0) of one sequence, which columns are scaled, tau and alpha_x.
+    fn stored_numbers(&self) -> usize {
+        self.weights.len() + 4 * self.goal.len() + 2
+    }
+
+    fn bound(&self) -> Option<f64> {
+        None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}
