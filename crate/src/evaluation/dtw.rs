@@ -1,14 +1,14 @@
 //! The mean squared error of a predicted trial after dynamic time warping.
 
 use nalgebra::DMatrix;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Of one column, for a step that advances one of the two motions alone (Sakoe and Chiba's penalty against warping).
 const PENALTY_PER_COLUMN: f64 = 1e-4;
 
 /// How far a prediction is from a whole trial, in the squared units of the columns.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Score {
     /// Mean squared difference along the warping path.
     pub dtw_mse: f64,

@@ -1,0 +1,234 @@
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
+//! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
+
+use super::candidate::Candidate;
+use super::dtw::{Score, ScoreError, dtw_mse};
+use crate::body::Body;
+use crate::clip::{Clip, ClipError};
+use crate::dataset::{Dataset, DatasetError, Source};
+use crate::learner::{LearningProgress, MovementModel, Movements, Sequence};
+use crate::linalg::NumericsError;
+use crate::parts::PartSpec;
+use crate::pose::PoseError;
+use crate::rollout::RolloutError;
+use crate::training::TrainingError;
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Frames of the trial held out that a prediction starts from.
+pub const START_FRAMES: usize = 5;
+
+/// Why a model could not be evaluated.
+#[derive(Debug, Error)]
+pub enum EvaluationError {
+    /// There is no such trial.
+    #[error("expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}")]
+    Trial {
+        /// Trials there are.
+        count: usize,
+        /// The one asked for, counted from 1.
+        found: usize,
+    },
+    /// The trials cannot be used together.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    /// The trial held out cannot be brought to the frame rate.
+    #[error(transparent)]
+    Clip(#[from] ClipError),
+    /// The trial held out cannot be turned into rows.
+    #[error(transparent)]
+    Pose(#[from] PoseError),
+    /// The model could not be trained.
+    #[error(transparent)]
+    Training(#[from] TrainingError),
+    /// The trained model could not be fitted.
+    #[error(transparent)]
+    Numerics(#[from] NumericsError),
+    /// The model could not be rolled out.
+    #[error(transparent)]
+    Rollout(#[from] RolloutError),
+    /// The prediction could not be scored.
+    #[error("the prediction cannot be scored: {0}")]
+    Score(#[from] ScoreError),
+}
+
+/// One trial held out: what is trained on, and what is to be predicted.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    body: Body,
+    movements: Movements,
+    /// All columns of the trial held out [T x D].
+    actual: DMatrix<f64>,
+}
+
+/// What came of one model in one fold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Outcome {
+    /// How far the prediction is from the trial.
+    pub score: Score,
+    /// The bound on the log evidence, where the model has one.
+    pub bound: Option<f64>,
+    /// What training maximised, at its best.
+    pub objective: f64,
+    /// Iterations of the training.
+    pub iterations: usize,
+    /// Seconds of the training.
+    pub seconds: f64,
+    /// Frames trained on.
+    pub frames: usize,
+    /// Numbers that must be kept to roll out.
+    pub stored_numbers: usize,
+    /// Why training ended.
+    pub reason: Option<String>,
+}
+
+impl Fold {
+    /// The trial `held_out`, counted from 0, against the others.
+    pub fn new(
+        trials: &[Clip],
+        held_out: usize,
+        parts: &[PartSpec],
+        frames_per_second: f64,
+    ) -> Result<Self, EvaluationError> {
+        let Some(trial) = trials.get(held_out).filter(|_| trials.len() > 1) else {
+            return Err(EvaluationError::Trial { count: trials.len(), found: held_out + 1 });
+        };
+        let whole = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
+        let mut sources: Vec<Source> = whole.map(|clip| Source { clip, first_frames: None }).collect();
+        sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
+        let dataset = Dataset::new(&sources, parts, frames_per_second)?;
+        let actual = dataset.mapping.encode(&trial.prepared(1.0 / dataset.frame_time)?)?.y;
+        let lengths = dataset.lengths();
+        let last = lengths.len() - 1;
+        let sequences =
+            lengths.iter().enumerate().map(|(k, frames)| Sequence { frames: *frames, whole: k != last });
+        let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
+        Ok(Self { body: Body::of(&dataset), movements, actual })
+    }
+
+    /// What a model of this fold is trained on; its last sequence is the beginning of the trial held out.
+    pub fn movements(&self) -> &Movements {
+        &self.movements
+    }
+
+    /// What turns the columns into poses.
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// All columns of the trial held out [T x D].
+    pub fn actual(&self) -> &DMatrix<f64> {
+        &self.actual
+    }
+
+    /// All columns that the model predicts for the trial held out [T x D].
+    pub fn predict(&self, model: &dyn MovementModel) -> Result<DMatrix<f64>, RolloutError> {
+        let rollout = model.rollout(self.movements.sequences.len() - 1, self.actual.nrows())?;
+        // A model of the whole body has one part with the columns of all parts side by side.
+        if rollout.len() == self.movements.y.len() {
+            return Ok(self.body.columns(&rollout));
+        }
+        let mut at = 0;
+        let parts = self.movements.y.iter().map(|y| {
+            at += y.ncols();
+            rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
+        });
+        Ok(self.body.columns(&parts.collect::<Vec<_>>()))
+    }
+
+    /// Trains a model and scores its prediction. `watch` is told of every step and may end the training by saying false: then
+    /// there is no outcome. `seconds` is a clock.
+    pub fn evaluate(
+        &self,
+        candidate: &Candidate,
+        seed: u32,
+        seconds: &dyn Fn() -> f64,
+        watch: &mut dyn FnMut(&LearningProgress) -> bool,
+    ) -> Result<Option<Outcome>, EvaluationError> {
+        let begin = seconds();
+        let mut learner = candidate.learner(&self.movements, seed)?;
+        let last = loop {
+            let progress = learner.step();
+            if !watch(&progress) {
+                return Ok(None);
+            }
+            if progress.done {
+                break progress;
+            }
+        };
+        let model = learner.model()?;
+        let trained = seconds() - begin;
+        Ok(Some(Outcome {
+            score: dtw_mse(&self.predict(&*model)?, &self.actual)?,
+            bound: model.bound(),
+            objective: last.best,
+            iterations: last.iteration,
+            seconds: trained,
+            frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
+            stored_numbers: model.stored_numbers(),
+            reason: last.reason,
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidate::{GpdmSettings, PointSettings};
+    use super::*;
+    use crate::{presets, samples};
+
+    fn trials() -> Vec<Clip> {
+        samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
+    }
+
+    #[test]
+    fn every_model_predicts_a_walk() {
+        let trials = trials();
+        let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+        let fold = Fold::new(&trials, 1, parts, 20.0).unwrap();
+        assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
+        let gpdm = GpdmSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let point = PointSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        for candidate in [
+            Candidate::Vcgpdm(gpdm.clone()),
+            Candidate::Vgpdm(gpdm),
+            Candidate::MapGpdm(point.clone()),
+            Candidate::MapCgpdm(point),
+            Candidate::Tmp { primitives: Some(4) },
+            Candidate::DmpDiscrete { bases: 20 },
+            Candidate::DmpRhythmic { bases: 20 },
+        ] {
+            let mut steps = 0;
+            let mut watch = |progress: &LearningProgress| {
+                steps += 1;
+                progress.best.is_finite() || steps < 3
+            };
+            let outcome = fold.evaluate(&candidate, 1, &|| 0.0, &mut watch).unwrap().unwrap();
+            let score = outcome.score;
+            assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
+            assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
+            let text = serde_json::to_string(&candidate).unwrap();
+            assert_eq!(serde_json::from_str::<Candidate>(&text).unwrap(), candidate);
+        }
+    }
+
+    #[test]
+    fn a_stopped_training_has_no_outcome() {
+        let trials = trials();
+        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 0, parts, 20.0).unwrap();
+        let candidate = Candidate::DmpRhythmic { bases: 5 };
+        assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
+    }
+
+    #[test]
+    fn what_cannot_be_held_out_is_refused() {
+        let trials = trials();
+        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let error = Fold::new(&trials, 3, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(error, "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3");
+        assert!(Fold::new(&trials[..1], 0, parts, 20.0).is_err());
+    }
+}
