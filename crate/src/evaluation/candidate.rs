@@ -96,25 +96,23 @@ impl Candidate {
 
     /// Whether another seed gives another model.
     pub fn is_random(&self) -> bool {
-        !matches!(
-            self,
-            Candidate::Tmp { .. } | Candidate::DmpDiscrete { .. } | Candidate::DmpRhythmic { .. }
-        )
+        !matches!(self, Candidate::Tmp { .. } | Candidate::DmpDiscrete { .. } | Candidate::DmpRhythmic { .. })
     }
 
     /// A training of it, ready to begin. Models of the whole body see the columns of all parts as one part.
     pub fn learner(&self, movements: &Movements, seed: u32) -> Result<Box<dyn Learner>, TrainingError> {
-        let variational = |s: &GpdmSettings, movements: Movements| -> Result<Box<dyn Learner>, TrainingError> {
-            let settings = TrainingSettings {
-                latent: s.latent,
-                dynamics_ips: s.dynamics_ips,
-                pose_ips: s.pose_ips,
-                order: s.order,
-                seed,
-                max_iterations: s.max_iterations,
+        let variational =
+            |s: &GpdmSettings, movements: Movements| -> Result<Box<dyn Learner>, TrainingError> {
+                let settings = TrainingSettings {
+                    latent: s.latent,
+                    dynamics_ips: s.dynamics_ips,
+                    pose_ips: s.pose_ips,
+                    order: s.order,
+                    seed,
+                    max_iterations: s.max_iterations,
+                };
+                Ok(Box::new(VariationalLearner::new(movements, settings)?))
             };
-            Ok(Box::new(VariationalLearner::new(movements, settings)?))
-        };
         let point = |s: &PointSettings, movements: Movements| -> Result<Box<dyn Learner>, TrainingError> {
             let settings = MapSettings {
                 latent: s.latent,

@@ -23,7 +23,9 @@ pub const START_FRAMES: usize = 5;
 #[derive(Debug, Error)]
 pub enum EvaluationError {
     /// There is no such trial.
-    #[error("expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}")]
+    #[error(
+        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}"
+    )]
     Trial {
         /// Trials there are.
         count: usize,
@@ -85,10 +87,11 @@ pub struct Outcome {
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 0, against the others.
+    /// The trial `held_out`, counted from 0, against the others, or the first `most` of them.
     pub fn new(
         trials: &[Clip],
         held_out: usize,
+        most: usize,
         parts: &[PartSpec],
         frames_per_second: f64,
     ) -> Result<Self, EvaluationError> {
@@ -96,7 +99,8 @@ impl Fold {
             return Err(EvaluationError::Trial { count: trials.len(), found: held_out + 1 });
         };
         let whole = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
-        let mut sources: Vec<Source> = whole.map(|clip| Source { clip, first_frames: None }).collect();
+        let mut sources: Vec<Source> =
+            whole.take(most.max(1)).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.prepared(1.0 / dataset.frame_time)?)?.y;
@@ -187,7 +191,7 @@ mod tests {
     fn every_model_predicts_a_walk() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, usize::MAX, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm = GpdmSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
         let point = PointSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
@@ -218,7 +222,7 @@ mod tests {
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 0, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
         let candidate = Candidate::DmpRhythmic { bases: 5 };
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
@@ -227,8 +231,11 @@ mod tests {
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 3, parts, 20.0).unwrap_err().to_string();
-        assert_eq!(error, "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3");
-        assert!(Fold::new(&trials[..1], 0, parts, 20.0).is_err());
+        let error = Fold::new(&trials, 3, usize::MAX, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
+        );
+        assert!(Fold::new(&trials[..1], 0, usize::MAX, parts, 20.0).is_err());
     }
 }

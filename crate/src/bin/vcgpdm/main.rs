@@ -5,7 +5,10 @@
 
 mod bound;
 mod clip;
+mod evaluate;
 mod files;
+mod report;
+mod results;
 mod rollout;
 mod score;
 mod train;
@@ -36,6 +39,8 @@ enum Command {
     Train(train::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
+    Evaluate(evaluate::Arguments),
+    Report(report::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -65,13 +70,15 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Train(arguments) => train::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),
+        Command::Evaluate(arguments) => evaluate::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
     }
 }
 
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
 fn usage(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound, clip, train, rollout and score (try --help)".to_owned();
+        return "expected one of the commands bound, clip, train, rollout, score, evaluate and report (try --help)".to_owned();
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default();

@@ -143,7 +143,7 @@ fn read_seed_frames(text: &str) -> Result<(Clip, usize), Box<dyn Error>> {
 }
 
 /// The parts that `--parts` asks for.
-fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
+pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
     let presets = presets(skeleton);
     if let Some(preset) = presets.iter().find(|preset| preset.id == asked) {
         return Ok(preset.parts.clone());
