@@ -55,8 +55,8 @@ pub use json::JsonError;
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
-    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
-    Workspace, coupling_weights,
+    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError, Workspace,
+    coupling_weights,
 };
 pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};
 pub use parts::{
@@ -68,4 +68,6 @@ pub use rollout::{Poser, Roller, RolloutError};
 pub use same_body::BodyMismatch;
 pub use skeleton::{Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
-pub use training::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use training::{
+    Phase, Trainer, TrainingError, TrainingProgress, TrainingSettings, schedule, starting_point,
+};

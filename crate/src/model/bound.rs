@@ -81,8 +81,14 @@ impl BoundRoom {
     pub fn new(inducing: usize, columns: usize) -> Self {
         let square = || DMatrix::zeros(inducing, inducing);
         let wide = || DMatrix::zeros(inducing, columns);
-        let adjoint =
-            BoundAdjoint { k: square(), psi2: square(), b: wide(), psi0: 0.0, second_moment: 0.0, noise: 0.0 };
+        let adjoint = BoundAdjoint {
+            k: square(),
+            psi2: square(),
+            b: wide(),
+            psi0: 0.0,
+            second_moment: 0.0,
+            noise: 0.0,
+        };
         Self {
             k: Factor::default(),
             whitened: square(),
@@ -143,8 +149,7 @@ impl SparseGp<'_> {
             let identity = if k % (whitened.nrows() + 1) == 0 { 1.0 } else { 0.0 };
             let shrunk = identity - inverse[k];
             adjoint.psi2[k] = 0.5 * columns / n * shrunk - 0.5 / (n * n * n) * cct[k];
-            adjoint.k[k] =
-                0.5 * columns * shrunk - 0.5 / (n * n) * cct[k] - 0.5 * columns / n * whitened[k];
+            adjoint.k[k] = 0.5 * columns * shrunk - 0.5 / (n * n) * cct[k] - 0.5 * columns / n * whitened[k];
         }
         k_factor.unwhiten_mut(&mut adjoint.psi2);
         k_factor.unwhiten_mut(&mut adjoint.k);

@@ -116,7 +116,12 @@ impl Objective {
         };
         let m = params.part_count();
         Workspace {
-            terms: BoundTerms { kinematics: vec![0.0; m], dynamics: vec![0.0; m], initial: 0.0, entropy: 0.0 },
+            terms: BoundTerms {
+                kinematics: vec![0.0; m],
+                dynamics: vec![0.0; m],
+                initial: 0.0,
+                entropy: 0.0,
+            },
             gradient: params.zeros_like(),
             histories: histories(),
             histories_adjoint: histories(),
@@ -145,7 +150,8 @@ impl Objective {
         params: &Params,
         workspace: &mut Workspace,
     ) -> Result<(), NumericsError> {
-        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms } = workspace;
+        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms } =
+            workspace;
         gradient.set_zero();
         histories_adjoint.iter_mut().for_each(Gaussians::set_zero);
         self.begin(params, histories, terms);
@@ -179,7 +185,8 @@ impl Objective {
 
     /// The optimal posteriors at `params`.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } = self.workspace(params);
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
+            self.workspace(params);
         self.begin(params, &mut histories, &mut terms);
         let mut out = Posteriors { kinematics: Vec::new(), dynamics: Vec::new(), sums: Vec::new() };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {

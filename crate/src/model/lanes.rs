@@ -31,12 +31,7 @@ impl Lanes {
 
     #[inline(always)]
     pub fn from_array([a, b, c, d, e, f, g, h]: &[f64; LANES]) -> Self {
-        Self([
-            f64x2::new([*a, *b]),
-            f64x2::new([*c, *d]),
-            f64x2::new([*e, *f]),
-            f64x2::new([*g, *h]),
-        ])
+        Self([f64x2::new([*a, *b]), f64x2::new([*c, *d]), f64x2::new([*e, *f]), f64x2::new([*g, *h])])
     }
 
     #[inline(never)]

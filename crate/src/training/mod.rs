@@ -4,4 +4,5 @@ mod init;
 mod optimizer;
 mod trainer;
 
-pub use trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use init::starting_point;
+pub use trainer::{Phase, Trainer, TrainingError, TrainingProgress, TrainingSettings, schedule};

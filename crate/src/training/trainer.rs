@@ -57,6 +57,9 @@ pub enum TrainingError {
         /// The value asked for.
         found: usize,
     },
+    /// There is nothing to do.
+    #[error("expected at least one phase in the schedule, found none")]
+    NoPhases,
     /// There is no part.
     #[error("expected at least one part, found none")]
     NoParts,
@@ -105,10 +108,14 @@ pub struct TrainingProgress {
 }
 
 /// A block of the schedule: which parameters are free, for how long.
-struct Phase {
-    name: &'static str,
-    groups: &'static [Group],
-    iterations: usize,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Phase {
+    /// What is optimised, in plain words.
+    pub name: &'static str,
+    /// What is free; the rest is held.
+    pub groups: &'static [Group],
+    /// Most iterations. The last phase of a schedule goes on until the bound no longer rises.
+    pub iterations: usize,
 }
 
 /// What the optimiser's evaluations leave behind.
@@ -191,15 +198,29 @@ impl Trainer {
             return Err(TrainingError::Frames { part, expected, found: y[part].nrows() });
         }
         let params = starting_point(&y, &sequences, &settings);
-        let objective = Objective::new(y, sequences, JITTER);
+        let phases = schedule(settings.max_iterations);
+        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings)
+    }
+
+    /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
+    /// number of iterations and for the model's provenance.
+    pub fn from_start(
+        objective: Objective,
+        params: Params,
+        phases: Vec<Phase>,
+        settings: TrainingSettings,
+    ) -> Result<Self, TrainingError> {
+        if phases.is_empty() {
+            return Err(TrainingError::NoPhases);
+        }
         let flat = params.to_flat();
         let mut workspace = objective.workspace(&params);
         objective.compute(&params, &mut workspace)?;
         let best_terms = workspace.terms().clone();
         let best = best_terms.total();
-        let phases = schedule(settings.max_iterations);
         let best_flat = flat.clone();
-        let search = Search { objective, workspace, params, flat, best, best_flat, best_terms, evaluations: 0 };
+        let search =
+            Search { objective, workspace, params, flat, best, best_flat, best_terms, evaluations: 0 };
         Ok(Self {
             search: Arc::new(Mutex::new(search)),
             settings,
@@ -327,7 +348,7 @@ impl Trainer {
 ///
 /// Without the first block some seeds end in a model that stands still; with the authors' further blocks (latents alone, kernels
 /// alone, inducing points alone) more of them end in a worse bound.
-fn schedule(max_iterations: usize) -> Vec<Phase> {
+pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
     let first = Phase {
         name: "couplings, kernels and inducing points",

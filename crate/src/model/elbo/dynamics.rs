@@ -65,7 +65,8 @@ impl DynamicsSums {
             let (at, size) = (offsets[j], offsets[j + 1] - offsets[j]);
             for (k, w_k) in weights.iter().enumerate() {
                 let (place, shape) = ((at, offsets[k]), (size, offsets[k + 1] - offsets[k]));
-                psi2.view_mut(place, shape).zip_apply(&self.psi2.view(place, shape), |out, v| *out = w_j * w_k * v);
+                psi2.view_mut(place, shape)
+                    .zip_apply(&self.psi2.view(place, shape), |out, v| *out = w_j * w_k * v);
             }
             b.rows_mut(at, size).zip_apply(&self.psi1_mu.rows(at, size), |out, v| *out = w_j * v);
         }
@@ -141,10 +142,7 @@ impl Dynamics {
             target_mean: DMatrix::zeros(rows, latent),
             target_variance: DMatrix::zeros(rows, latent),
             second_moment: 0.0,
-            sums: DynamicsSums {
-                psi2: DMatrix::zeros(total, total),
-                psi1_mu: DMatrix::zeros(total, latent),
-            },
+            sums: DynamicsSums { psi2: DMatrix::zeros(total, total), psi1_mu: DMatrix::zeros(total, latent) },
             k: DMatrix::zeros(total, total),
             psi2: DMatrix::zeros(total, total),
             b: DMatrix::zeros(total, latent),

@@ -14,7 +14,12 @@ fn example(rows: usize, ips: usize, dims: usize, seed: f64) -> (Gaussians, DMatr
     (x, z, kernel)
 }
 
-fn psi_statistics(x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel, purpose: Purpose) -> (PsiStatistics, PairRoom) {
+fn psi_statistics(
+    x: &Gaussians,
+    z: &DMatrix<f64>,
+    kernel: &Kernel,
+    purpose: Purpose,
+) -> (PsiStatistics, PairRoom) {
     let mut statistics = PsiStatistics::new(x.mean.nrows(), z.nrows(), z.ncols());
     let mut room = PairRoom::default();
     statistics.compute(x, z, kernel, purpose, &mut room);
