@@ -6,7 +6,7 @@
 //!
 //! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use clap::Parser;
 use nalgebra::DMatrix;

@@ -41,6 +41,8 @@ mod rows;
 mod same_body;
 pub mod samples;
 mod skeleton;
+#[cfg(all(feature = "speed", not(target_arch = "wasm32")))]
+pub mod speed;
 mod stage;
 mod t_pose;
 mod training;

@@ -17,6 +17,8 @@ pub use bound::InducingPosterior;
 pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, Workspace, coupling_weights};
 pub(crate) use exp::exp;
 pub use kernel::Kernel;
+#[cfg(all(feature = "speed", not(target_arch = "wasm32")))]
+pub(crate) use lanes::Lanes;
 pub use params::{Expert, Group, Kind, Params, PartParams};
 pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
 pub use psi::Gaussians;
