@@ -40,6 +40,10 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
         signal.addEventListener("abort", cancel);
         try {
           return await remote.train(job, Comlink.proxy(report));
+        } catch (problem) {
+          // A trap of the wasm names an instruction, which is no news to a person.
+          if (!(problem instanceof Error) || problem.name !== "RuntimeError") throw problem;
+          throw new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
         } finally {
           signal.removeEventListener("abort", cancel);
         }

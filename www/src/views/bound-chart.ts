@@ -28,7 +28,7 @@ function boundRuns(told: Run, runs: readonly Run[]): Run[] {
 
 function boundStroke(run: Run, told: Run): Stroke {
   const { ink, faint } = theme();
-  return { label: `seed ${run.settings.seed}`, ...(run === told ? { colour: ink } : { colour: `${faint}80`, width: 1 }) };
+  return { label: `seed ${run.settings.seed}`, ...(run === told ? { colour: ink } : { colour: faint, width: 1 }) };
 }
 
 /** Values by iteration; nothing where a run has not been. */
@@ -144,18 +144,20 @@ export class BoundChart extends View {
     const steps = told?.steps ?? [];
     const last = steps.at(-1);
     const of = runs.length > 1 && told ? html`<small>, seed ${told.settings.seed}</small>` : nothing;
+    // While a next training sets up, the room of the last one stays.
+    const none = runs.every(({ steps }) => steps.length === 0);
     const parts = told?.settings.parts.map(({ name }) => name) ?? [];
     return html`
       <figure class="chart" data-testid="bound-chart">
         <figcaption><span>Evidence lower bound${of}${learning && last ? html`<small>, ${last.phase}</small>` : nothing}</span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-          ${steps.length === 0 ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+          ${none ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
         <pg-runs .app=${this.app}></pg-runs>
-        <figcaption ?hidden=${steps.length === 0}>Its terms</figcaption>
-        <div class="terms" ?hidden=${steps.length === 0} role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul ?hidden=${steps.length === 0} class="term-list">
+        <figcaption ?hidden=${none}>Its terms</figcaption>
+        <div class="terms" ?hidden=${none} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${none} class="term-list">
           ${termLines(parts).map(({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`)}
