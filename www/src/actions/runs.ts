@@ -62,12 +62,12 @@ export function followRun(app: App, run: Run): boolean {
   if (!app.busy || performance.now() - staging.at < EVERY) return false;
   const leader = training.picked ? app.chosen : bestRun(training.runs);
   if (!leader || (leader.model === null || leader.model === staging.model)) return leader === run;
-  void stageRun(app, leader, kept(app));
+  void stageRun(app, leader, keeping(app));
   return false;
 }
 
 /** After the first model of a training, a clip that is looked at may keep the stage, and the visitor's couplings hold. */
-export function kept(app: App): { clip: boolean; couplings: boolean } {
+export function keeping(app: App): { clip: boolean; couplings: boolean } {
   const later = stagingOf(app).during === app.training;
   return { clip: later, couplings: later };
 }
@@ -80,8 +80,13 @@ export function chooseRun(app: App, run: Run): void {
   app.tell("training");
 }
 
+/** Whether nothing needs the run any more: the best of a training is chosen among all of its runs. */
+export function canRemove(app: App, run: Run): boolean {
+  return isOver(run) && !(app.busy && app.training.runs.includes(run));
+}
+
 export function removeRun(app: App, run: Run): void {
-  if (!isOver(run)) return;
+  if (!canRemove(app, run)) return;
   app.runs = app.runs.filter((other) => other !== run);
   if (app.chosen === run) {
     app.chosen = null;
@@ -90,7 +95,7 @@ export function removeRun(app: App, run: Run): void {
   app.tell("training");
 }
 
-/** Removes all runs that are over. */
+/** Removes all runs that can be. */
 export function clearRuns(app: App): void {
-  app.runs.filter(isOver).forEach((run) => removeRun(app, run));
+  app.runs.forEach((run) => removeRun(app, run));
 }

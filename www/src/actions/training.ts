@@ -4,7 +4,7 @@ import { partsFor } from "../parts";
 import type { Report, TrainingSettings } from "../protocol";
 import { bestRun, type Run, seedsFrom } from "../runs";
 import { messageOf, showRollout } from "./couplings";
-import { followRun, kept, stageRun } from "./runs";
+import { followRun, keeping, stageRun } from "./runs";
 import { changeSettings } from "./settings";
 
 /** Milliseconds between two redraws of what trainings report, however many run. */
@@ -86,9 +86,10 @@ export async function train(app: App): Promise<void> {
   app.chosen = runs[0]!;
   app.tell("training");
   await Promise.all(runs.map((run) => carryOut(app, run, stop.signal)));
-  const best = bestRun(runs.filter(({ state, model }) => state !== "failed" && model !== null)) ?? bestRun(runs.filter(({ model }) => model !== null));
+  const kept = runs.filter(({ model }) => model !== null);
+  const best = bestRun(kept.filter(({ state }) => state !== "failed")) ?? bestRun(kept);
   const { picked } = app.training;
-  if (best && !picked) await stageRun(app, best, kept(app));
+  if (best && !picked) await stageRun(app, best, keeping(app));
   if (!best) showRollout(app);
   Object.assign(app.training, { status: "idle", ...ending(runs, picked ? null : best) });
   app.tell("training");

@@ -143,13 +143,14 @@ export class BoundChart extends View {
     const { told, learning, runs } = this.app;
     const steps = told?.steps ?? [];
     const last = steps.at(-1);
-    const of = runs.length > 1 && told ? html`<small>, seed ${told.settings.seed}</small>` : nothing;
+    // One line has room for one of the two.
+    const of = runs.length > 1 ? `, seed ${told?.settings.seed}` : learning && last ? `, ${last.phase}` : "";
     // While a next training sets up, the room of the last one stays.
     const none = runs.every(({ steps }) => steps.length === 0);
     const parts = told?.settings.parts.map(({ name }) => name) ?? [];
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span>Evidence lower bound${of}${learning && last ? html`<small>, ${last.phase}</small>` : nothing}</span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span>Evidence lower bound<small>${of}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
           ${none ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}

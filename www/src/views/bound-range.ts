@@ -1,10 +1,10 @@
 // The part of a bound's course that is worth drawing.
 
+/** So many values are enough to know where most of them lie. */
 const ENOUGH = 3000;
 
-/** The range to draw: the first iterations come from far below and would flatten the rest. */
+/** The range to draw: the first iterations come from far below and would flatten the rest. Where a run has not been there is null. */
 export function boundRange(values: readonly (number | null)[]): [number, number] {
-  // So many are enough to know where most of them lie; the last are among them.
   const every = Math.ceil(values.length / ENOUGH);
   const finite = values.filter((value, i): value is number => Number.isFinite(value) && (values.length - 1 - i) % every === 0);
   if (finite.length === 0) return [0, 1];

@@ -1,8 +1,8 @@
 // The trainings of this visit in a table: what they differ in, how far they are, and which one is on the stage.
 import { html, nothing } from "lit";
-import { chooseRun, clearRuns, removeRun } from "../actions/runs";
+import { canRemove, chooseRun, clearRuns, removeRun } from "../actions/runs";
 import { duration, grouped, sentence } from "../format";
-import { bestBound, bestRun, type Column, dataOf, differences, isOver, type Run } from "../runs";
+import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "../runs";
 import { icon } from "./icons";
 import { View } from "./view";
 
@@ -12,7 +12,7 @@ export class RunsView extends View {
   private state(run: Run) {
     const { state, settings, steps, ending } = run;
     return state === "running"
-      ? html`<progress max="1" .value=${steps.at(-1)?.fraction ?? 0} aria-label="Training of seed ${settings.seed}"></progress>`
+      ? html`<progress max="1" .value=${steps.at(-1)?.fraction ?? 0} aria-label="Training of seed ${settings.seed}" title=${steps.at(-1)?.phase ?? "setting up"}></progress>`
       : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${state}</span>`;
   }
 
@@ -34,7 +34,7 @@ export class RunsView extends View {
         <td>${steps.at(-1)?.iteration ?? ""}</td>
         <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
         <td class="state">${this.state(run)}</td>
-        <td>${isOver(run)
+        <td>${canRemove(app, run)
           ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => removeRun(app, run)}>${icon("close")}</button>`
           : nothing}</td>
       </tr>
@@ -52,7 +52,7 @@ export class RunsView extends View {
     return html`
       <header class="panel-head">
         <h3>Trainings</h3>
-        <button class="small" data-testid="clear-runs" ?disabled=${!runs.some(isOver)} @click=${() => clearRuns(app)}>Clear</button>
+        <button class="small" data-testid="clear-runs" ?disabled=${!runs.some((run) => canRemove(app, run))} @click=${() => clearRuns(app)}>Clear</button>
       </header>
       <div class="table-box" tabindex="0" role="region" aria-label="Trainings">
         <table data-testid="runs">
