@@ -1,5 +1,6 @@
 // The npm package `vcgpdm` in crate/pkg: the same wasm for the browser (web/) and for Node (node/).
 import { copyFileSync, existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 const TARGETS = /** @type {const} */ ([
@@ -16,24 +17,29 @@ export async function buildWasm() {
   const outputs = TARGETS.map(({ folder }) => at("crate/pkg", folder, "vcgpdm.js"));
   const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
     rmSync(at("crate/pkg"), { recursive: true, force: true });
-    for (const { folder, target, type } of TARGETS) {
-      // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
-      await run("wasm-pack", "build", at("crate"), "--mode", "no-install", "--target", target, "--out-dir", `pkg/${folder}`, "--no-pack");
-      rmSync(at("crate/pkg", folder, ".gitignore"), { force: true }); // npm would leave out what it names
-      writeFileSync(at("crate/pkg", folder, "package.json"), `${JSON.stringify({ type })}\n`);
-    }
-    await optimise();
+    await buildPackage(at("crate/pkg"));
   });
   describe();
   return note;
 }
 
+/** The wasm with its JavaScript for each target in a folder below `place`; `more` goes to cargo. */
+export async function buildPackage(/** @type {string} */ place, /** @type {string[]} */ more = []) {
+  for (const { folder, target, type } of TARGETS) {
+    // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
+    await run("wasm-pack", "build", at("crate"), "--mode", "no-install", "--target", target, "--out-dir", join(place, folder), "--no-pack", "--", ...more);
+    rmSync(join(place, folder, ".gitignore"), { force: true }); // npm would leave out what it names
+    writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
+  }
+  await optimise(place);
+}
+
 /** Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them differs. */
-async function optimise() {
+async function optimise(/** @type {string} */ place) {
   /** @type {{ before: Buffer, file: string }[]} */
   const done = [];
   for (const { folder } of TARGETS) {
-    const file = at("crate/pkg", folder, "vcgpdm_bg.wasm");
+    const file = join(place, folder, "vcgpdm_bg.wasm");
     const before = readFileSync(file);
     const same = done.find((other) => other.before.equals(before));
     if (same) copyFileSync(same.file, file);

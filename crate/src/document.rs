@@ -91,10 +91,7 @@ impl MotionModel {
 
     /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
-        match AnyModel::from_json(text)? {
-            AnyModel::Variational(model) => Ok(*model),
-            AnyModel::Baseline(model) => Err(DocumentError::Kind { found: model.model.kind().id() }),
-        }
+        read::motion_model(&parsed(text)?)
     }
 }
 
@@ -109,10 +106,7 @@ impl AnyModel {
 
     /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
-        if text.len() > MOST_BYTES {
-            return Err(DocumentError::Size { found: text.len() });
-        }
-        read::document(&crate::json::parse(text).map_err(DocumentError::Json)?)
+        read::document(&parsed(text)?)
     }
 }
 
@@ -122,6 +116,13 @@ impl BaselineModel {
         let found = self.model.kind().id();
         text(&write::baseline(self).ok_or(DocumentError::Unwritten { found })?)
     }
+}
+
+fn parsed(text: &str) -> Result<Value, DocumentError> {
+    if text.len() > MOST_BYTES {
+        return Err(DocumentError::Size { found: text.len() });
+    }
+    crate::json::parse(text).map_err(DocumentError::Json)
 }
 
 fn text(document: &Value) -> Result<String, DocumentError> {

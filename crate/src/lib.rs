@@ -45,6 +45,8 @@ mod rows;
 mod same_body;
 pub mod samples;
 mod skeleton;
+#[cfg(all(feature = "speed", not(target_arch = "wasm32")))]
+pub mod speed;
 mod stage;
 mod t_pose;
 mod training;
@@ -79,5 +81,6 @@ pub use same_body::BodyMismatch;
 pub use skeleton::{Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
 pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
 pub use training::{
-    Trainer, TrainingError, TrainingProgress, TrainingSettings, VariationalLearner, VariationalModel,
+    Phase, Trainer, TrainingError, TrainingProgress, TrainingSettings, VariationalLearner, VariationalModel,
+    schedule, starting_point,
 };

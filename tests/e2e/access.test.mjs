@@ -1,9 +1,7 @@
 // Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
-import { at } from "../../scripts/run.mjs";
-import { openSite, ready } from "./site.mjs";
+import { barriers, openSite, ready } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -11,19 +9,6 @@ import { openSite, ready } from "./site.mjs";
 let site;
 before(async () => { site = await openSite(); });
 after(() => site?.close());
-
-const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
-
-/** What axe-core finds that keeps somebody out. */
-async function barriers(/** @type {Page} */ page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await /** @type {any} */ (globalThis).axe.run();
-    return /** @type {import("axe-core").Result[]} */ (violations)
-      .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`));
-  });
-}
 
 describe("accessibility", () => {
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {

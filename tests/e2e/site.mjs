@@ -1,6 +1,8 @@
 // The built page in a real browser, served from a sub-folder as a university's web space would.
+import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { launchChromium } from "../../scripts/chromium.mjs";
+import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 
@@ -17,11 +19,13 @@ export async function openSite(options = {}) {
 
   /**
    * A fresh visitor on the page, and what went wrong while they were there.
-   * @param {import("playwright-core").BrowserContextOptions & { settings?: string }} [options] `settings` as in the page's address
+   * @param {import("playwright-core").BrowserContextOptions & { settings?: string, cores?: number }} [options]
+   *   `settings` as in the page's address; `cores`: as many as the page shall believe the machine to have
    */
-  async function visit({ settings = "", ...options } = {}) {
+  async function visit({ settings = "", cores = 0, ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     const page = await context.newPage();
+    if (cores > 0) await page.addInitScript((cores) => Object.defineProperty(navigator, "hardwareConcurrency", { get: () => cores }), cores);
     /** @type {string[]} */
     const problems = [];
     page.on("console", (message) => message.type() === "error" && problems.push(`console: ${message.text()}`));
@@ -78,4 +82,17 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
   for (const type of ["dragenter", "dragover", "drop"]) {
     await page.dispatchEvent("body", type, { dataTransfer, clientX: 640, clientY: 400 });
   }
+}
+
+const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
+
+/** What axe-core finds that keeps somebody out. */
+export async function barriers(/** @type {Page} */ page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await /** @type {any} */ (globalThis).axe.run();
+    return /** @type {import("axe-core").Result[]} */ (violations)
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`));
+  });
 }

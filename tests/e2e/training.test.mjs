@@ -78,14 +78,24 @@ describe("training", () => {
 });
 
 describe("own files", () => {
-  it("trains on a dropped clip", async () => {
+  it("trains on the frames of a dropped clip that were chosen", async () => {
     const { page, problems, leave } = await site.visit({ settings: "iterations=10&fps=15" });
     await ready(page);
-    await drop(page, { "mine.bvh": bvh() });
+    const text = bvh();
+    await drop(page, { "mine.bvh": text });
     await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await page.getByRole("button", { name: "Cut mine" }).click();
+    await page.getByLabel("First frame of mine").fill("6");
+    await page.getByLabel("First frame of mine").blur();
+    await page.getByLabel("Last frame of mine").fill("45");
+    await page.getByLabel("Last frame of mine").blur();
     await page.getByTestId("train").click();
     await trainIsBack(page);
-    assert.deepEqual((await trained(page)).sequences.map(({ name }) => name), ["mine"]);
+    const mine = Clip.read("mine", new TextEncoder().encode(text));
+    const frames = mine.cut(5, 45).resample(15).info().frames;
+    assert.ok(frames < mine.resample(15).info().frames);
+    const { sha256 } = mine.info();
+    assert.deepEqual((await trained(page)).sequences, [{ name: "mine", sha256, frames }]);
     assert.deepEqual(problems, []);
     await leave();
   });

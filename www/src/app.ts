@@ -1,7 +1,9 @@
 // What the page knows now, and who wants to hear when it changes. No rendering, no wasm.
-import type { Engine } from "./engine";
+import type { Engine, TrainingWorker } from "./engine";
 import { Walk } from "./motion";
+import type { Pool } from "./pool";
 import type {
+  ClipSource,
   Couplings,
   Figure,
   InducingPoint,
@@ -12,9 +14,9 @@ import type {
   PartSpec,
   RolloutRequest,
   RolloutResult,
-  TrainingProgress,
 } from "./protocol";
 import { Player } from "./player";
+import { type Run, isOver } from "./runs";
 import type { Settings } from "./state";
 
 export type Topic =
@@ -48,6 +50,7 @@ export interface ClipEntry {
   /** "made": by this project's procedural walker; "own": opened by the visitor. */
   origin: "made" | "own";
   movement: string;
+  source: ClipSource;
   loaded: LoadedClip;
   ticked: boolean;
   /** The frames to train on: first up to, not including, end. */
@@ -64,20 +67,22 @@ export interface Notice {
   at: { x: number; y: number } | null;
 }
 
+/** What the last press of Train asked for. */
 export interface Training {
   status: "idle" | "running" | "cancelling";
-  /** The course of the bound [iterations]. */
-  steps: TrainingProgress[];
-  parts: string[];
-  /** Seconds. */
-  elapsed: number;
-  /** How the last training ended, or why it could not start. */
+  runs: Run[];
+  /** Stops the runs; each keeps its best so far. */
+  stop: AbortController;
+  /** The visitor has chosen a run to look at since it began. */
+  picked: boolean;
+  /** How it ended, or why it could not start. */
   ending: string;
   failed: boolean;
 }
 
 export class App {
   engine: Engine | null = null;
+  pool: Pool<TrainingWorker> | null = null;
   engineState: "loading" | "ready" | "failed" = "loading";
   engineProblem = "";
   version = "";
@@ -94,7 +99,11 @@ export class App {
   clips: ClipEntry[] = [];
   /** Why the ticked clips cannot be trained on together; empty when they can. */
   clash = "";
-  training: Training = { status: "idle", steps: [], parts: [], elapsed: 0, ending: "", failed: false };
+  training: Training = { status: "idle", runs: [], stop: new AbortController(), picked: false, ending: "", failed: false };
+  /** The trainings of this visit, until they are cleared. */
+  runs: Run[] = [];
+  /** The run whose model is on the stage, or will be; null: a model from elsewhere. */
+  chosen: Run | null = null;
   pointing: InducingPoint | null = null;
   pointed: InducingReport | null = null;
   notices: Notice[] = [];
@@ -197,6 +206,16 @@ export class App {
 
   tickedClips(): ClipEntry[] {
     return this.clips.filter(({ ticked }) => ticked);
+  }
+
+  /** The run that the charts tell of. */
+  get told(): Run | null {
+    return this.chosen ?? this.runs.at(-1) ?? null;
+  }
+
+  /** Whether the model on the stage is still learning. */
+  get learning(): boolean {
+    return this.busy && this.chosen !== null && !isOver(this.chosen);
   }
 
   get busy(): boolean {

@@ -1,42 +1,78 @@
-// Promises over the worker. The page knows the model only through this.
+// Promises over the workers. The page knows the model only through this.
 import * as Comlink from "comlink";
-import type { Report, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
+import { type Hired, Pool } from "./pool";
+import type { Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
-type Remote = Comlink.Remote<Workbench>;
+export type Engine = Comlink.Remote<Workbench>;
 
-export type Engine = Omit<Remote, "train"> & {
-  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
-};
+/** Trains until it is done, or until the signal asks for the best so far. */
+export interface TrainingWorker {
+  train(job: TrainingJob, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
+}
 
-/** Starts the worker. The promise fails, with words for a person, where wasm or workers are missing. */
+/** Compiles the program, once for all workers. */
+async function compile(): Promise<WebAssembly.Module> {
+  const answer = await fetch(new URL("../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url));
+  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  // Not every host knows what a .wasm file is.
+  const named = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
+  return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
+}
+
+function open(name: string) {
+  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name });
+  const broken = new Promise<never>((_, fail) => {
+    worker.addEventListener("error", (event) => {
+      fail(new Error(`the worker that computed it stopped${event.message ? ` (${event.message})` : ""}`));
+    });
+  });
+  return { worker, broken };
+}
+
+function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
+  const { worker, broken } = open("training");
+  const remote = Comlink.wrap<Trainee>(worker);
+  return {
+    worker: {
+      async train(job, report, signal) {
+        signal.throwIfAborted();
+        const cancel = () => void remote.cancelTraining();
+        signal.addEventListener("abort", cancel);
+        try {
+          return await remote.train(job, Comlink.proxy(report));
+        } catch (problem) {
+          // A trap of the wasm names an instruction, which is no news to a person.
+          if (!(problem instanceof Error) || problem.name !== "RuntimeError") throw problem;
+          throw new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
+        } finally {
+          signal.removeEventListener("abort", cancel);
+        }
+      },
+    },
+    ready: remote.start(wasm),
+    broken,
+    dismiss: () => worker.terminate(),
+  };
+}
+
+/** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
 export async function startEngine(): Promise<{
   engine: Engine;
+  pool: Pool<TrainingWorker>;
   version: string;
-  samples: Awaited<ReturnType<Remote["start"]>>["samples"];
+  samples: SampleInfo[];
 }> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
-  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "vcgpdm" });
-  const broken = new Promise<never>((_, fail) => {
-    worker.addEventListener("error", (event) => {
-      fail(new Error(event.message || "the worker that computes it could not be started"));
-    });
-  });
-  const remote = Comlink.wrap<Workbench>(worker);
-  const { version, samples } = await Promise.race([remote.start(), broken]).catch((problem: unknown) => {
+  const program = compile();
+  const { worker, broken } = open("model");
+  const engine = Comlink.wrap<Workbench>(worker);
+  const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));
+  const { wasm, version, samples } = await Promise.race([started, broken]).catch((problem: unknown) => {
     const why = problem instanceof Error ? problem.message : String(problem);
     throw new Error(`its program could not be loaded (${why}). Reloading the page may help.`);
   });
-  const engine = new Proxy(remote, {
-    get(target, name) {
-      if (name === "train") {
-        return (job: TrainingJob, report: Report) =>
-          target.train(job, Comlink.proxy(report));
-      }
-      if (name === "then") return undefined;
-      return Reflect.get(target, name);
-    },
-  }) as unknown as Engine;
-  return { engine, version, samples };
+  const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm));
+  return { engine, pool, version, samples };
 }

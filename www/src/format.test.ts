@@ -9,9 +9,9 @@ it("writes numbers shortly", () => {
   expect([duration(4.4), duration(80)]).toEqual(["4 s", "1 min 20 s"]);
 });
 
-it("does not promise a time left too early", () => {
-  expect(timeLeft(0.5, 0.2)).toBe("estimating the time left");
-  expect(timeLeft(10, 0)).toBe("estimating the time left");
-  expect(timeLeft(10, 0.5)).toBe("at most 10 s left");
-  expect(timeLeft(100, 0.5)).toBe("at most 1 min 40 s left");
+it("rounds the time left, and does not promise one too early", () => {
+  expect(timeLeft(null)).toBe("estimating the time left");
+  expect(timeLeft(0.2)).toBe("at most 1 s left");
+  expect(timeLeft(10)).toBe("at most 10 s left");
+  expect(timeLeft(97)).toBe("at most 1 min 40 s left");
 });

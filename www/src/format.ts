@@ -25,10 +25,9 @@ export function duration(seconds: number): string {
   return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }
 
-/** Time left, rounded so that it does not flicker. */
-export function timeLeft(elapsed: number, fraction: number): string {
-  if (fraction <= 0.01 || elapsed < 1) return "estimating the time left";
-  const left = (elapsed * (1 - fraction)) / fraction;
+/** Time left, rounded so that it does not flicker; null: not known yet. */
+export function timeLeft(left: number | null): string {
+  if (left === null) return "estimating the time left";
   const step = left > 60 ? 10 : left > 20 ? 5 : 1;
   return `at most ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
 }

@@ -63,8 +63,9 @@ async function showFirstMotion(): Promise<void> {
 async function startModel(): Promise<void> {
   const text = fetch(new URL("first/model.json", document.baseURI)).then((answer) => (answer.ok ? answer.text() : null));
   try {
-    const { engine, version, samples } = await startEngine();
+    const { engine, pool, version, samples } = await startEngine();
     app.engine = engine;
+    app.pool = pool;
     app.version = version;
     const model = await text;
     if (model !== null) takeUp(app, await engine.openModel(model, app.settings.frames), { couplings: true });

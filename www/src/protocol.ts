@@ -63,7 +63,7 @@ export interface ModelView {
   poseInducing: Float64Array[];
   /** [source][target] */
   dynamicsInducing: DynamicsInducing[][];
-  /** Latent means of the training frames of each part [N x Q]; null for a model from a file. */
+  /** Latent means of the training frames of each part [N x Q]; null for a model from a file. The page adds them. */
   trainingLatents: Float64Array[] | null;
 }
 
@@ -91,9 +91,13 @@ export interface OpenedModel {
   rollout: RolloutResult;
 }
 
+/** Where a clip comes from: every worker that trains on it reads it for itself. */
+export type ClipSource = { sample: string } | { name: string; file: Blob };
+
 /** A clip chosen for training: frames first (counted from 0) up to, not including, end. */
 export interface TrainingClip {
   id: number;
+  source: ClipSource;
   first: number;
   end: number;
 }
@@ -112,36 +116,48 @@ export interface InducingReport {
   frames: Float64Array;
 }
 
+/** A trained model on its way from the worker that trained it to the one that shows it. */
+export interface TrainedModel {
+  /** The shared JSON document. */
+  text: string;
+  /** Latent means of the training frames of each part [N x Q]. */
+  latents: Float64Array[];
+}
+
 /** Sent about ten times a second while training. */
 export interface TrainingReport {
   /** One entry for each iteration since the last report. */
   steps: TrainingProgress[];
   /** Seconds since the start. */
   elapsed: number;
-  /** About once a second: the best model so far. */
-  snapshot: OpenedModel | null;
+  /** The best model so far: with the last report, and where the answer to an earlier one asked for it. */
+  model: TrainedModel | null;
 }
 
-/** The worker may wait until the page has taken a report. */
-export type Report = (report: TrainingReport) => void | Promise<void>;
+/** Answers whether the next report is to bring the best model so far. */
+export type Report = (report: TrainingReport) => boolean | Promise<boolean>;
 
 export interface TrainingOutcome {
   cancelled: boolean;
   /** Why training ended, in plain words. */
   reason: string;
-  result: OpenedModel;
 }
 
 export interface TrainingJob {
   clips: TrainingClip[];
   settings: TrainingSettings;
-  /** How the snapshots are rolled out. */
-  frames: number;
 }
 
-/** The worker's face; every call answers with a promise on the page's side. */
+/** The face of a worker that trains, one model at a time. */
+export interface Trainee {
+  start(wasm: WebAssembly.Module): Promise<unknown>;
+  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
+  cancelTraining(): void;
+}
+
+/** The face of the worker that shows; every call answers with a promise on the page's side. */
 export interface Workbench {
-  start(): Promise<{ version: string; samples: SampleInfo[] }>;
+  start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
   readClip(name: string, bytes: Uint8Array): LoadedClip;
   sampleClip(id: string): LoadedClip;
@@ -151,8 +167,6 @@ export interface Workbench {
   openModel(text: string, frames: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
-  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
-  cancelTraining(): void;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
 }

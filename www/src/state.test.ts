@@ -12,7 +12,7 @@ describe("settings in the URL", () => {
       ...initialSettings(),
       parts: "hand",
       split: [{ name: "legs & hips", joints: [0, 1, 2, 3, 7] }, { name: "rest", joints: [4, 5, 6] }],
-      latent: 2, dynamicsIps: 8, poseIps: 25, order: 1, framesPerSecond: 24, seed: 4294967295, maxIterations: 1000,
+      latent: 2, dynamicsIps: 8, poseIps: 25, order: 1, framesPerSecond: 24, seed: 4294967295, maxIterations: 1000, trainings: 5,
       frames: 600, start: 3, reading: "re-inferred" as const, alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const, speed: 0.25 as const, loop: false,
     };

@@ -1,6 +1,6 @@
-// Owns the wasm: clips, the current model and the training loop. No DOM.
+// Owns the wasm: the clips and the current model; and what workers of the pool do. No DOM.
 import * as Comlink from "comlink";
-import init, { Clip, freshSeed, Model, Trainer, TrainingSet, version } from "vcgpdm";
+import init, { Clip, freshSeed, Model, TrainingSet, version } from "vcgpdm";
 import type {
   DynamicsInducing,
   InducingPoint,
@@ -8,25 +8,16 @@ import type {
   LoadedClip,
   ModelView,
   OpenedModel,
-  Report,
   RolloutRequest,
   RolloutResult,
-  TrainingJob,
-  TrainingOutcome,
-  TrainingProgress,
   Workbench,
 } from "./protocol";
-
-/** Milliseconds of training before messages (cancel, a slider) get their turn. */
-const SLICE = 35;
-const REPORT_EVERY = 100;
-const SNAPSHOT_EVERY = 1000;
+import { trainee } from "./trainee";
 
 const clips = new Map<number, Clip>();
 let lastClip = 0;
 let model: Model | null = null;
 let revision = 0;
-let training: { cancelled: boolean } | null = null;
 /** The latents of the last rollout, for the frames an inducing point speaks for. */
 let rolled: RolloutResult | null = null;
 
@@ -59,7 +50,7 @@ function clipOf(id: number): Clip {
   return clip;
 }
 
-function view(of: Model, trainingLatents: Float64Array[] | null): ModelView {
+function view(of: Model): ModelView {
   const info = of.info();
   const parts = info.parts.map((_, i) => i);
   const dynamics = (source: number, target: number): DynamicsInducing => ({
@@ -72,7 +63,7 @@ function view(of: Model, trainingLatents: Float64Array[] | null): ModelView {
     info,
     poseInducing: parts.map((part) => of.poseIps(part)),
     dynamicsInducing: parts.map((source) => parts.map((target) => dynamics(source, target))),
-    trainingLatents,
+    trainingLatents: null,
   };
 }
 
@@ -98,13 +89,13 @@ function roll(of: Model, request: RolloutRequest): RolloutResult {
 }
 
 /** Takes a model up as the current one and rolls it out as learned. */
-function takeUp(next: Model, frames: number, trainingLatents: Float64Array[] | null): OpenedModel {
+function takeUp(next: Model, frames: number): OpenedModel {
   const before = model;
   revision += 1;
   model = next;
   try {
     const opened = {
-      model: view(next, trainingLatents),
+      model: view(next),
       rollout: roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" }),
     };
     before?.free();
@@ -113,85 +104,6 @@ function takeUp(next: Model, frames: number, trainingLatents: Float64Array[] | n
     model = before;
     next.free();
     throw problem;
-  }
-}
-
-function trainingSet(chosen: { id: number; first: number; end: number }[]): TrainingSet {
-  const set = new TrainingSet();
-  try {
-    for (const { id, first, end } of chosen) {
-      const clip = clipOf(id);
-      const frames = clip.info().frames;
-      if (first <= 0 && end >= frames) {
-        set.add(clip);
-      } else {
-        const piece = clip.cut(first, end);
-        set.add(piece);
-        piece.free();
-      }
-    }
-    return set;
-  } catch (problem) {
-    set.free();
-    throw problem;
-  }
-}
-
-/** Lets waiting messages in. */
-function breathe(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, 0));
-}
-
-async function train(
-  job: TrainingJob,
-  report: Report,
-): Promise<TrainingOutcome> {
-  if (training) throw new Error("A training is running: cancel it first.");
-  const set = trainingSet(job.clips);
-  let trainer: Trainer;
-  try {
-    trainer = new Trainer(set, job.settings);
-  } finally {
-    set.free();
-  }
-  const run = { cancelled: false };
-  training = run;
-  const snapshot = () =>
-    takeUp(
-      trainer.model(),
-      job.frames,
-      job.settings.parts.map((_, part) => trainer.latents(part)),
-    );
-  try {
-    const start = performance.now();
-    let steps: TrainingProgress[] = [];
-    let reported = -Infinity;
-    let shown = -Infinity;
-    let last: TrainingProgress | null = null;
-    while (!run.cancelled && !last?.done) {
-      const slice = performance.now();
-      do {
-        last = trainer.step();
-        steps.push(last);
-      } while (!last.done && performance.now() - slice < SLICE);
-      const now = performance.now();
-      if (now - reported >= REPORT_EVERY && !last.done) {
-        const due = now - shown >= SNAPSHOT_EVERY;
-        report({ steps, elapsed: (now - start) / 1000, snapshot: due ? snapshot() : null });
-        steps = [];
-        reported = now;
-        if (due) shown = performance.now();
-      }
-      await breathe();
-    }
-    const result = snapshot();
-    // Waits until the page has it: reports and the outcome travel on different ports.
-    await report({ steps, elapsed: (performance.now() - start) / 1000, snapshot: null });
-    const reason = run.cancelled ? "You cancelled; this is the best so far." : (last?.reason ?? "Done.");
-    return { cancelled: run.cancelled, reason, result };
-  } finally {
-    training = null;
-    trainer.free();
   }
 }
 
@@ -226,8 +138,8 @@ function inducing(point: InducingPoint, request: RolloutRequest): InducingReport
 }
 
 const workbench: Workbench = {
-  async start() {
-    await init();
+  async start(wasm) {
+    await init({ module_or_path: wasm });
     return { version: version(), samples: Clip.samples() };
   },
   freshSeed: () => freshSeed(),
@@ -238,18 +150,19 @@ const workbench: Workbench = {
     clips.delete(id);
   },
   checkTogether(ids) {
-    trainingSet(ids.map((id) => ({ id, first: 0, end: Infinity }))).free();
+    const set = new TrainingSet();
+    try {
+      for (const id of ids) set.add(clipOf(id));
+    } finally {
+      set.free();
+    }
   },
-  openModel: (text, frames) => takeUp(Model.fromJson(text), frames, null),
+  openModel: (text, frames) => takeUp(Model.fromJson(text), frames),
   rollout(request) {
     const result = roll(currentModel(), request);
     return handOver(result, result.motion.positions, ...result.latents);
   },
   inducing,
-  train,
-  cancelTraining() {
-    if (training) training.cancelled = true;
-  },
   modelJson: () => currentModel().toJson(),
   rolloutBvh(request) {
     const rollout = currentModel().rollout(request);
@@ -261,4 +174,5 @@ const workbench: Workbench = {
   },
 };
 
-Comlink.expose(workbench);
+// One program for both: a worker of the pool is never asked for the rest.
+Comlink.expose({ ...trainee, ...workbench });

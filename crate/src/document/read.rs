@@ -24,6 +24,54 @@ const MOST_SEQUENCES: usize = 10_000;
 
 /// A model of any kind.
 pub(super) fn document(value: &Value) -> Result<AnyModel, DocumentError> {
+    let head = head(value)?;
+    Ok(match head.kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => AnyModel::Variational(Box::new(variational(head)?)),
+        _ => AnyModel::Baseline(Box::new(baseline(head)?)),
+    })
+}
+
+/// A variational model. A program that asks for no other need not hold the code of the others.
+pub(super) fn motion_model(value: &Value) -> Result<MotionModel, DocumentError> {
+    let head = head(value)?;
+    match head.kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => variational(head),
+        other => Err(DocumentError::Kind { found: other.id() }),
+    }
+}
+
+/// What all kinds of documents have, and the rest.
+struct Head<'a> {
+    document: Object<'a>,
+    /// The field that names the kind.
+    named: Option<Field<'a>>,
+    kind: ModelKind,
+    mapping: PoseMapping,
+    column_means: Vec<f64>,
+    frame_time: f64,
+}
+
+impl Head<'_> {
+    /// The body, once the model is known to be of the kind that the document names.
+    fn body(
+        self,
+        found: ModelKind,
+        layout: PartsLayout,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<Body, DocumentError> {
+        if let Some(field) = self.named
+            && found != self.kind
+        {
+            let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
+            return Err(field.error(message).into());
+        }
+        self.document.end()?;
+        let Head { mapping, column_means, frame_time, .. } = self;
+        Ok(Body { mapping, layout, column_means, frame_time, sequences })
+    }
+}
+
+fn head(value: &Value) -> Result<Head<'_>, DocumentError> {
     let mut document = Field::root(value).object()?;
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
@@ -49,21 +97,7 @@ pub(super) fn document(value: &Value) -> Result<AnyModel, DocumentError> {
     let column_means = means.numbers()?;
     count(&means, column_means.len(), mapping.column_count()..=mapping.column_count())?;
     tame(&means, &column_means)?;
-    let body =
-        |layout, sequences| Body { mapping: mapping.clone(), layout, column_means, frame_time, sequences };
-    let model = match kind {
-        ModelKind::Vcgpdm | ModelKind::Vgpdm => {
-            AnyModel::Variational(Box::new(variational(document, &mapping, body)?))
-        }
-        _ => AnyModel::Baseline(Box::new(baseline(kind, document, &mapping, body)?)),
-    };
-    match named {
-        Some(field) if model.kind() != kind => {
-            let (expected, found) = (model.kind().id(), kind.id());
-            Err(field.error(format!("expected {expected}, for so many parts, found {found}")).into())
-        }
-        _ => Ok(model),
-    }
+    Ok(Head { document, named, kind, mapping, column_means, frame_time })
 }
 
 fn kind(field: &Field) -> Result<ModelKind, FieldError> {
@@ -76,13 +110,8 @@ fn kind(field: &Field) -> Result<ModelKind, FieldError> {
 }
 
 /// What is left of a baseline's document after the body.
-fn baseline(
-    kind: ModelKind,
-    mut document: Object,
-    mapping: &PoseMapping,
-    body: impl FnOnce(PartsLayout, Vec<SequenceInfo>) -> Body,
-) -> Result<BaselineModel, DocumentError> {
-    let parts = document.get("parts")?;
+fn baseline(mut head: Head) -> Result<BaselineModel, DocumentError> {
+    let parts = head.document.get("parts")?;
     let specs = parts.list(|part| {
         let mut object = part.object()?;
         let spec = part_spec(&mut object)?;
@@ -90,9 +119,9 @@ fn baseline(
         Ok(spec)
     })?;
     count(&parts, specs.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, mapping)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
     let columns: Vec<usize> = (0..specs.len()).map(|part| layout.columns(part).len()).collect();
-    let field = document.get("sequences")?;
+    let field = head.document.get("sequences")?;
     let sequences = field.list(|item| {
         let mut object = item.object()?;
         let info = sequence_info(&mut object)?;
@@ -101,8 +130,8 @@ fn baseline(
     })?;
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
     let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
-    let field = document.get("model")?;
-    let model: Box<dyn MovementModel> = match kind {
+    let field = head.document.get("model")?;
+    let model: Box<dyn MovementModel> = match head.kind {
         ModelKind::MapGpdm | ModelKind::MapCgpdm => Box::new(MapModel::from_field(field, &columns, lengths)?),
         ModelKind::Tmp => Box::new(Tmp::from_field(field, &columns, lengths.len())?),
         ModelKind::DmpDiscrete => Box::new(DmpDiscrete::from_field(field, &columns, lengths.len())?),
@@ -110,7 +139,7 @@ fn baseline(
         // They have a document of their own.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
     };
-    let mut object = document.get("provenance")?.object()?;
+    let mut object = head.document.get("provenance")?.object()?;
     let record = Record {
         engine: object.get("engine")?.text()?.to_owned(),
         settings: object.get("settings")?.fields(|field| field.number())?,
@@ -120,47 +149,44 @@ fn baseline(
         note: note(&mut object)?,
     };
     object.end()?;
-    document.end()?;
-    Ok(BaselineModel { body: body(layout, sequences), model, record })
+    let body = head.body(model.kind(), layout, sequences)?;
+    Ok(BaselineModel { body, model, record })
 }
 
 /// What is left of a variational model's document after the body.
-fn variational(
-    mut document: Object,
-    mapping: &PoseMapping,
-    body: impl FnOnce(PartsLayout, Vec<SequenceInfo>) -> Body,
-) -> Result<MotionModel, DocumentError> {
-    let order = document.get("order")?;
+fn variational(mut head: Head) -> Result<MotionModel, DocumentError> {
+    let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
-    let jitter = within(document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
+    let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
 
-    let parts = document.get("parts")?;
+    let parts = head.document.get("parts")?;
     let (specs, maps): (Vec<_>, Vec<_>) = parts.list(part)?.into_iter().unzip();
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, mapping)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
         let map: &PoseMap = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
     }
     let latent: Vec<usize> = maps.iter().map(|map| map.r.ncols()).collect();
 
-    let dynamics = document.get("dynamics")?;
+    let dynamics = head.document.get("dynamics")?;
     let items = dynamics.items()?;
     count(&dynamics, items.len(), m..=m)?;
     let mut targets = Vec::with_capacity(m);
     for (item, q) in items.into_iter().zip(&latent) {
         targets.push(target(item, &latent, *q, order)?);
     }
-    let field = document.get("alpha")?;
+    let field = head.document.get("alpha")?;
     let alpha = field.matrix()?;
     shape(&field, &alpha, m, m)?;
     positive(&field, alpha.as_slice())?;
-    let field = document.get("sequences")?;
+    let field = head.document.get("sequences")?;
     let (sequences, starts): (Vec<_>, Vec<_>) =
         field.list(|item| sequence(item, &latent, order))?.into_iter().unzip();
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
-    let provenance = provenance(document.get("provenance")?, m)?;
-    document.end()?;
+    let provenance = provenance(head.document.get("provenance")?, m)?;
+    let found = if m == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm };
+    let body = head.body(found, layout, sequences)?;
 
     let mut experts = vec![Vec::with_capacity(m); m];
     let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
@@ -173,7 +199,7 @@ fn variational(
     }
     let fitted =
         FittedModel { order, jitter, experts, dynamics_covariance, sums, parts: maps, alpha, starts };
-    Ok(MotionModel::new(fitted, body(layout, sequences), provenance)?)
+    Ok(MotionModel::new(fitted, body, provenance)?)
 }
 
 fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {

@@ -20,6 +20,8 @@ pub(crate) use exp::exp;
 pub(crate) use flat::{ALPHA, BETA, LAMBDA, MU, SIGNAL};
 pub use flat::{Group, Kind, Parameters};
 pub use kernel::Kernel;
+#[cfg(all(feature = "speed", not(target_arch = "wasm32")))]
+pub(crate) use lanes::Lanes;
 pub use params::{Expert, Params, PartParams};
 pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
 pub use psi::Gaussians;

@@ -29,12 +29,13 @@ pub trait Target {
 }
 
 /// A block of the schedule: which parameters are free, for how long.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phase {
-    /// What is being optimised, in plain words.
+    /// What is optimised, in plain words.
     pub name: &'static str,
-    /// The free parameters.
+    /// What is free; the rest is held.
     pub groups: &'static [Group],
-    /// Iterations at most.
+    /// Most iterations. The last phase of a schedule goes on until the objective no longer rises.
     pub iterations: usize,
 }
 

@@ -6,8 +6,9 @@ mod optimizer;
 mod trainer;
 mod variational;
 
-pub(crate) use ascent::{Ascent, Phase, Target};
-pub(crate) use init::starting_point;
+pub use ascent::Phase;
+pub(crate) use ascent::{Ascent, Target};
+pub use init::starting_point;
 pub(crate) use trainer::check_training;
-pub use trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+pub use trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings, schedule};
 pub use variational::{VariationalLearner, VariationalModel};

@@ -54,6 +54,9 @@ pub enum TrainingError {
         /// The value asked for.
         found: usize,
     },
+    /// There is nothing to do.
+    #[error("expected at least one phase in the schedule, found none")]
+    NoPhases,
     /// There is no part.
     #[error("expected at least one part, found none")]
     NoParts,
@@ -159,15 +162,28 @@ impl Trainer {
         }
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
         let params = starting_point(&y, &sequences, &settings);
-        let objective = Objective::new(y, sequences, JITTER);
-        let mut workspace = objective.workspace(&params);
-        objective.compute(&params, &mut workspace)?;
-        let terms = workspace.terms().clone();
-        let start = (terms.total(), terms);
         let phases = schedule(settings.max_iterations);
+        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings)
+    }
+
+    /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
+    /// number of iterations and for the model's provenance.
+    pub fn from_start(
+        objective: Objective,
+        start: Params,
+        phases: Vec<Phase>,
+        settings: TrainingSettings,
+    ) -> Result<Self, TrainingError> {
+        if phases.is_empty() {
+            return Err(TrainingError::NoPhases);
+        }
+        let mut workspace = objective.workspace(&start);
+        objective.compute(&start, &mut workspace)?;
+        let terms = workspace.terms().clone();
+        let value = (terms.total(), terms);
         let bound = Bound { objective, workspace };
         let settled = "the bound no longer rises";
-        let ascent = Ascent::new(bound, params, start, phases, settings.max_iterations, settled);
+        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations, settled);
         Ok(Self { ascent, settings })
     }
 
@@ -247,7 +263,7 @@ fn in_range(name: &'static str, found: usize, highest: usize) -> Result<(), Trai
 ///
 /// Without the first block some seeds end in a model that stands still; with the authors' further blocks (latents alone, kernels
 /// alone, inducing points alone) more of them end in a worse bound.
-fn schedule(max_iterations: usize) -> Vec<Phase> {
+pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
     let first = Phase {
         name: "couplings, kernels and inducing points",

@@ -12,7 +12,8 @@ const LARGEST_FILE = 200e6;
 export async function loadSamples(app: App, samples: SampleInfo[]): Promise<void> {
   for (const { id, title, movement } of samples) {
     const loaded = await app.engine!.sampleClip(id);
-    add(app, { key: `made-${id}`, title, origin: "made", movement, loaded, ticked: movement === "walk" });
+    const source = { sample: id };
+    add(app, { key: `made-${id}`, title, origin: "made", movement, source, loaded, ticked: movement === "walk" });
   }
 }
 
@@ -50,7 +51,10 @@ export async function openFiles(app: App, files: readonly File[], at: { x: numbe
 
 async function openModel(app: App, text: string): Promise<void> {
   if (app.busy) throw new Error("A training is running: cancel it before opening a model.");
-  takeUp(app, await app.engine!.openModel(text, app.settings.frames));
+  const opened = await app.engine!.openModel(text, app.settings.frames);
+  app.chosen = null;
+  takeUp(app, opened);
+  app.tell("training");
 }
 
 async function openClip(app: App, file: File, first: boolean): Promise<void> {
@@ -60,7 +64,8 @@ async function openClip(app: App, file: File, first: boolean): Promise<void> {
   // Own clips are what the visitor wants to train on now: the made ones step back.
   if (first) app.clips = app.clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
   const key = `own-${loaded.id}`;
-  add(app, { key, title, origin: "own", movement: "", loaded, ticked: true });
+  const source = { name: title, file: new Blob([bytes]) };
+  add(app, { key, title, origin: "own", movement: "", source, loaded, ticked: true });
   if (first) preview(app, key);
 }
 

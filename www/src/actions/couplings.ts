@@ -61,7 +61,7 @@ export function rollOut(app: App): void {
 }
 
 export function setCoupling(app: App, source: number, target: number, alpha: number): void {
-  if (app.busy || !app.model) return;
+  if (!app.model) return;
   const learned = app.model.info.alpha[source]?.[target];
   const changed = { ...app.settings.alpha };
   // Within half a percent of the learned value is back at it.
@@ -82,7 +82,6 @@ export function resetCoupling(app: App, source: number, target: number): void {
 }
 
 export function resetCouplings(app: App): void {
-  if (app.busy) return;
   changeSettings(app, { alpha: {} });
   rollOut(app);
 }

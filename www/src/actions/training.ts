@@ -1,9 +1,14 @@
 // Training: start, follow, cancel.
 import type { App } from "../app";
 import { partsFor } from "../parts";
-import type { TrainingReport, TrainingSettings } from "../protocol";
-import { messageOf, showRollout, takeUp } from "./couplings";
+import type { Report, TrainingSettings } from "../protocol";
+import { bestRun, type Run, seedsFrom } from "../runs";
+import { messageOf, showRollout } from "./couplings";
+import { followRun, keeping, stageRun } from "./runs";
 import { changeSettings } from "./settings";
+
+/** Milliseconds between two redraws of what trainings report, however many run. */
+const TELL_EVERY = 100;
 
 /** The settings of the training that the page's controls ask for; null without a ticked clip. */
 export function trainingSettings(app: App): TrainingSettings | null {
@@ -24,40 +29,88 @@ export function whyNotTrain(app: App): string {
   return app.clash ? "The ticked clips do not go together; Clips says why" : "";
 }
 
-export async function train(app: App): Promise<void> {
-  const settings = trainingSettings(app);
-  if (!app.engine || !settings || app.busy || whyNotTrain(app)) return;
-  const parts = settings.parts.map(({ name }) => name);
-  app.training = { status: "running", steps: [], parts, elapsed: 0, ending: "", failed: false };
-  app.tell("training");
-  const clips = app.tickedClips().map(({ loaded, first, end }) => ({ id: loaded.id, first, end }));
-  // The first snapshot takes the stage; after that a clip that is being looked at may keep it.
-  let onStage = false;
-  const follow = (report: TrainingReport) => {
-    if (!app.busy) return;
-    app.training.steps.push(...report.steps);
-    app.training.elapsed = report.elapsed;
-    if (report.snapshot) {
-      takeUp(app, report.snapshot, { clip: onStage });
-      onStage = true;
-    }
+let lastRun = 0;
+
+function runsFor(app: App, settings: TrainingSettings): Run[] {
+  const clips = app.tickedClips().map(({ loaded, title, source, first, end }) => ({ id: loaded.id, title, source, first, end }));
+  return seedsFrom(settings.seed, app.settings.trainings).map((seed) => ({
+    id: ++lastRun, settings: { ...settings, seed }, clips, state: "waiting", steps: [], elapsed: 0, ending: "", model: null,
+  }));
+}
+
+const telling = new WeakSet<App>();
+
+function tellSoon(app: App): void {
+  if (telling.has(app)) return;
+  telling.add(app);
+  setTimeout(() => {
+    telling.delete(app);
     app.tell("training");
+  }, TELL_EVERY);
+}
+
+/** Carries one run out on a worker of the pool. Its failure is its own. */
+async function carryOut(app: App, run: Run, signal: AbortSignal): Promise<void> {
+  const report: Report = ({ steps, elapsed, model }) => {
+    if (run.state !== "running") return false;
+    run.steps.push(...steps);
+    run.elapsed = elapsed;
+    if (model) run.model = model;
+    tellSoon(app);
+    return followRun(app, run);
   };
   try {
-    const outcome = await app.engine.train({ clips, settings, frames: app.settings.frames }, follow);
-    Object.assign(app.training, { status: "idle", ending: outcome.reason });
-    takeUp(app, outcome.result, { clip: onStage });
+    const outcome = await app.pool!.run((worker) => {
+      run.state = "running";
+      app.tell("training");
+      return worker.train({ clips: run.clips, settings: run.settings }, report, signal);
+    }, signal);
+    run.state = outcome.cancelled ? "cancelled" : "done";
+    run.ending = outcome.reason;
   } catch (problem) {
-    Object.assign(app.training, { status: "idle", ending: messageOf(problem), failed: true });
-    showRollout(app);
+    const stopped = problem === signal.reason;
+    run.state = stopped ? "cancelled" : "failed";
+    run.ending = stopped ? "You cancelled before it began." : messageOf(problem);
   }
   app.tell("training");
 }
 
+/** Trains from as many seeds as the settings ask for, and takes the best up. */
+export async function train(app: App): Promise<void> {
+  const settings = trainingSettings(app);
+  if (!app.pool || !settings || app.busy || whyNotTrain(app)) return;
+  const runs = runsFor(app, settings);
+  const stop = new AbortController();
+  app.training = { status: "running", runs, stop, picked: false, ending: "", failed: false };
+  app.runs = [...app.runs, ...runs];
+  app.chosen = runs[0]!;
+  app.tell("training");
+  await Promise.all(runs.map((run) => carryOut(app, run, stop.signal)));
+  const kept = runs.filter(({ model }) => model !== null);
+  const best = bestRun(kept.filter(({ state }) => state !== "failed")) ?? bestRun(kept);
+  const { picked } = app.training;
+  if (best && !picked) await stageRun(app, best, keeping(app));
+  if (!best) showRollout(app);
+  Object.assign(app.training, { status: "idle", ...ending(runs, picked ? null : best) });
+  app.tell("training");
+}
+
+/** What became of the runs, in words. */
+function ending(runs: readonly Run[], best: Run | null): { ending: string; failed: boolean } {
+  const failed = runs.filter(({ state }) => state === "failed");
+  if (failed.length === runs.length) return { ending: failed[0]!.ending, failed: true };
+  if (runs.length === 1) return { ending: runs[0]!.ending, failed: false };
+  const count = (state: Run["state"]) => runs.filter((run) => run.state === state).length;
+  const counts = (["done", "cancelled", "failed"] as const).filter((state) => count(state) > 0).map((state) => `${count(state)} ${state}`);
+  const shown = best ? ` The best so far, seed ${best.settings.seed}, is on the stage.` : "";
+  return { ending: `${counts.join(", ")}.${count("cancelled") > 0 ? shown : shown.replace(" so far", "")}`, failed: false };
+}
+
+/** Stops all runs. Each that has begun keeps its best so far. */
 export function cancelTraining(app: App): void {
   if (app.training.status !== "running") return;
   app.training.status = "cancelling";
-  void app.engine?.cancelTraining();
+  app.training.stop.abort();
   app.tell("training");
 }
 

@@ -55,7 +55,6 @@ export class BodyMap extends View {
 
   private grab(source: number, target: number) {
     return (event: PointerEvent) => {
-      if (this.app.busy) return;
       event.preventDefault();
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
       this.drag = { source, target, y: event.clientY, alpha: this.app.couplings()[source]![target]! };

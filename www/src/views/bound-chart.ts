@@ -1,21 +1,41 @@
-// The bound while it rises, and its terms beneath.
+// The bounds of the trainings while they rise, and the terms of the one that is looked at beneath.
 import { html, nothing } from "lit";
 import type uPlot from "uplot";
 import { grouped } from "../format";
 import { onThemeChange, partColour, theme } from "../palette";
 import type { TrainingProgress } from "../protocol";
+import { dataOf, type Run } from "../runs";
 import { boundRange } from "./bound-range";
+import "./runs";
 import { swatchStyle, View } from "./view";
 
-interface Line {
+interface Stroke {
   label: string;
   colour: string;
+  width?: number;
   dash?: number[];
+}
+
+interface Line extends Stroke {
   value(step: TrainingProgress): number;
 }
 
-function boundLine(): Line {
-  return { label: "bound", colour: theme().ink, value: ({ bound }) => bound };
+/** A line for each run whose bound can be compared with this one's; this one's lies above the others. */
+function boundRuns(told: Run, runs: readonly Run[]): Run[] {
+  const data = dataOf(told);
+  return [...runs.filter((run) => run !== told && run.steps.length > 0 && dataOf(run) === data), told];
+}
+
+function boundStroke(run: Run, told: Run): Stroke {
+  const { ink, faint } = theme();
+  return { label: `seed ${run.settings.seed}`, ...(run === told ? { colour: ink } : { colour: faint, width: 1 }) };
+}
+
+/** Values by iteration; nothing where a run has not been. */
+function byIteration(steps: readonly TrainingProgress[], length: number, value: (step: TrainingProgress) => number): (number | null)[] {
+  const row = new Array<number | null>(length).fill(null);
+  for (const step of steps) row[step.iteration - 1] = value(step);
+  return row;
 }
 
 function termLines(parts: readonly string[]): Line[] {
@@ -62,7 +82,7 @@ export class BoundChart extends View {
     this.terms?.setSize({ width, height: 92 });
   }
 
-  private make(Chart: Charts, box: HTMLElement, lines: Line[], height: number): uPlot {
+  private make(Chart: Charts, box: HTMLElement, lines: Stroke[], height: number): uPlot {
     const { quiet, line } = theme();
     const grid = { stroke: line, width: 1 };
     const font = "11px system-ui, sans-serif";
@@ -74,12 +94,12 @@ export class BoundChart extends View {
         legend: { show: false },
         cursor: { show: false },
         padding: [8, 16, 0, 0],
-        scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flatMap((row) => Array.from(row as number[]))) } },
+        scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flat() as (number | null)[]) } },
         axes: [
           { stroke: quiet, grid: { show: false }, ticks: { show: false }, font, size: 22, gap: 2 },
           { stroke: quiet, grid, ticks: { show: false }, font, size: 58, gap: 4, values: (_, ticks) => ticks.map(grouped) },
         ],
-        series: [{}, ...lines.map(({ label, colour, dash }) => ({ label, stroke: colour, width: 1.75, ...(dash ? { dash } : {}), points: { show: false } }))],
+        series: [{}, ...lines.map(({ label, colour, width, dash }) => ({ label, stroke: colour, width: width ?? 1.75, ...(dash ? { dash } : {}), points: { show: false } }))],
       },
       [[], ...lines.map(() => [])],
       box,
@@ -87,7 +107,7 @@ export class BoundChart extends View {
   }
 
   private fill(): void {
-    const { steps, parts } = this.app.training;
+    const { told, runs } = this.app;
     if (this.app.busy && this.charts === null) {
       this.charts = "loading";
       loadCharts().then(
@@ -100,36 +120,45 @@ export class BoundChart extends View {
       );
     }
     const Chart = this.charts;
-    if (steps.length === 0 || this.clientWidth === 0 || Chart === null || Chart === "loading") return;
-    const lines = termLines(parts);
-    const key = `${parts.join("|")}|${theme().dark}`;
-    const first = steps[0];
+    if (!told || told.steps.length === 0 || this.clientWidth === 0 || Chart === null || Chart === "loading") return;
+    const lines = termLines(told.settings.parts.map(({ name }) => name));
+    const drawn = boundRuns(told, runs);
+    const key = `${drawn.map(({ id }) => id)}|${theme().dark}`;
     if (this.of !== key || !this.bound || !this.terms) {
       this.of = key;
       this.bound?.destroy();
       this.terms?.destroy();
-      this.bound = this.make(Chart, this.querySelector(".bound")!, [boundLine()], 132);
+      this.bound = this.make(Chart, this.querySelector(".bound")!, drawn.map((run) => boundStroke(run, told)), 132);
       this.terms = this.make(Chart, this.querySelector(".terms")!, lines, 92);
     }
-    if (!first) return;
-    const x = steps.map(({ iteration }) => iteration);
-    this.bound.setData([x, steps.map(({ bound }) => bound)]);
-    this.terms.setData([x, ...lines.map(({ value }) => steps.map(value))]);
+    const last = ({ steps }: Run) => steps.at(-1)?.iteration ?? 0;
+    const iterations = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
+    const longest = Math.max(...drawn.map(last));
+    this.bound.setData([iterations(longest), ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound))]);
+    const length = last(told);
+    this.terms.setData([iterations(length), ...lines.map(({ value }) => byIteration(told.steps, length, value))]);
   }
 
   protected override render() {
-    const { steps, parts } = this.app.training;
+    const { told, learning, runs } = this.app;
+    const steps = told?.steps ?? [];
     const last = steps.at(-1);
+    // One line has room for one of the two.
+    const of = runs.length > 1 ? `, seed ${told?.settings.seed}` : learning && last ? `, ${last.phase}` : "";
+    // While a next training sets up, the room of the last one stays.
+    const none = runs.every(({ steps }) => steps.length === 0);
+    const parts = told?.settings.parts.map(({ name }) => name) ?? [];
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span>Evidence lower bound${this.app.busy && last ? html`<small>, ${last.phase}</small>` : nothing}</span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span>Evidence lower bound<small>${of}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-          ${steps.length === 0 ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+          ${none ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
-        <figcaption ?hidden=${steps.length === 0}>Its terms</figcaption>
-        <div class="terms" ?hidden=${steps.length === 0} role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul ?hidden=${steps.length === 0} class="term-list">
+        <pg-runs .app=${this.app}></pg-runs>
+        <figcaption ?hidden=${none}>Its terms</figcaption>
+        <div class="terms" ?hidden=${none} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${none} class="term-list">
           ${termLines(parts).map(({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`)}

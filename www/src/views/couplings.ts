@@ -36,7 +36,7 @@ export class CouplingsView extends View {
   }
 
   private cell(source: number, target: number) {
-    const { model, rollout, busy } = this.app;
+    const { model, rollout } = this.app;
     const learned = model!.info.alpha[source]![target]!;
     const alpha = this.app.couplings()[source]![target]!;
     const w = rollout?.weights[source]?.[target] ?? 0;
@@ -51,7 +51,7 @@ export class CouplingsView extends View {
           <input type="range" dir="rtl" min=${LOG_MIN} max=${LOG_MAX} step="0.01" .value=${Math.log10(alpha).toFixed(2)}
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
-            title="${label}: drag to change, double click to reset" ?disabled=${busy}
+            title="${label}: drag to change, double click to reset"
             @input=${this.slide(source, target)} @keydown=${this.keys(source, target)}
             @dblclick=${() => resetCoupling(this.app, source, target)} />
         </div>
@@ -85,10 +85,10 @@ export class CouplingsView extends View {
   }
 
   private readings() {
-    const { settings, busy, altered } = this.app;
+    const { settings, altered } = this.app;
     const inferred = settings.reading === "re-inferred";
     return html`
-      <fieldset class="readings" ?disabled=${busy}>
+      <fieldset class="readings">
         <legend>When a slider moves</legend>
         <div class="segments">
           <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"

@@ -6,13 +6,14 @@ import { cancelTraining, newSeed, train, whyNotTrain } from "../actions/training
 import { sentence, timeLeft } from "../format";
 import { partColour } from "../palette";
 import { partsFor } from "../parts";
+import { isOver, secondsLeft, share } from "../runs";
 import { BY_HAND, type NumberSetting, SETTINGS } from "../state";
 import "./bound-chart";
 import { icon } from "./icons";
 import "./parts-editor";
 import { swatchStyle, View } from "./view";
 
-type Count = "latent" | "dynamicsIps" | "poseIps" | "framesPerSecond" | "seed" | "maxIterations" | "order";
+type Count = "latent" | "dynamicsIps" | "poseIps" | "framesPerSecond" | "seed" | "maxIterations" | "order" | "trainings";
 
 export class TrainingView extends View {
   static override topics = ["training", "settings", "clips", "engine"] as const;
@@ -63,33 +64,32 @@ export class TrainingView extends View {
   /** Beside the button: what would happen, what is happening, or how it ended. */
   private words(why: string) {
     const { app } = this;
-    const { training } = app;
-    const last = training.steps.at(-1);
+    const { runs, ending, failed } = app.training;
+    const last = runs.length === 1 ? runs[0]!.steps.at(-1) : undefined;
+    const iteration = last ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}${app.busy ? "" : "."}</span>` : nothing;
     if (app.busy) {
-      return last
-        ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}</span><span>${sentence(timeLeft(training.elapsed, last.fraction))}</span>`
-        : html`<span>Setting up</span>`;
+      if (runs.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
+      const done = runs.length > 1 ? html`<span>${runs.filter(isOver).length} of ${runs.length} trainings done</span>` : iteration;
+      return html`${done}<span>${sentence(timeLeft(secondsLeft(runs, app.pool?.width ?? 1)))}</span>`;
     }
     if (why) return sentence(why);
-    if (training.ending) {
-      const ending = sentence(training.ending);
-      return training.failed || !last
-        ? html`<span class="bad">Training failed. ${ending}</span>`
-        : html`<span>Iteration ${last.iteration} of ${last.maxIterations}.</span><span>${ending}</span>`;
-    }
+    if (failed) return html`<span class="bad">Training failed. ${sentence(ending)}</span>`;
+    if (ending) return html`${iteration}<span>${sentence(ending)}</span>`;
     const ticked = app.tickedClips().length;
-    return `A new model, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
+    const { trainings } = app.settings;
+    const models = trainings === 1 ? "A new model" : `${trainings} new models`;
+    return `${models}, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
   private announcement(): string {
-    const { training } = this.app;
-    const last = training.steps.at(-1);
-    if (training.status === "running") {
-      return last ? `Training, ${Math.floor(last.fraction * 10) * 10} per cent of the iterations` : "Training started";
+    const { status, runs, ending } = this.app.training;
+    if (status === "running") {
+      const done = Math.floor(share(runs) * 10) * 10;
+      return runs.some(({ steps }) => steps.length > 0) ? `Training, ${done} per cent of the iterations` : "Training started";
     }
-    if (training.status === "cancelling") return "Cancelling";
-    return training.ending ? `Training ended. ${sentence(training.ending)}` : "";
+    if (status === "cancelling") return "Cancelling";
+    return ending ? `Training ended. ${sentence(ending)}` : "";
   }
 
   protected override render() {
@@ -100,12 +100,12 @@ export class TrainingView extends View {
       <div class="train-row">
         ${app.busy
           ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
-              title="Stops here and keeps the best so far" @click=${() => cancelTraining(app)}>Cancel</button>`
+              title="Stops here and keeps what was learned so far" @click=${() => cancelTraining(app)}>Cancel</button>`
           : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
               @click=${() => void train(app)}>Train</button>`}
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
-      <progress max="1" .value=${app.busy ? (app.training.steps.at(-1)?.fraction ?? 0) : 0} aria-label="Training"
+      <progress max="1" .value=${app.busy ? share(app.training.runs) : 0} aria-label="Training"
         class=${app.busy ? "" : "resting"} aria-hidden=${app.busy ? "false" : "true"}></progress>
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
       <div class="fields main-fields">
@@ -128,6 +128,7 @@ export class TrainingView extends View {
               }} />
             <button class="round" aria-label="New seed" title="New seed" ?disabled=${app.busy || !app.engine} @click=${() => void newSeed(app)}>${icon("dice")}</button>
           </div>
+          ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores")}
           ${this.count("order", "Frames of history", "The order p of the dynamics")}
           ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
         </div>

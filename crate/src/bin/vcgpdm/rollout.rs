@@ -5,12 +5,12 @@ use nalgebra::DMatrix;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use vcgpdm::{MotionModel, RolloutRequest, bvh};
+use vcgpdm::{AnyModel, MotionModel, RolloutRequest, bvh};
 
 /// Roll a model out and write the motion as BVH.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A trained model.
+    /// A trained model of any kind.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
     /// Frames in all, the start included.
@@ -32,6 +32,24 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
+    let y = match &model {
+        AnyModel::Variational(model) => variational(arguments, model)?,
+        AnyModel::Baseline(_) => {
+            if !arguments.alpha.is_empty() || arguments.latents.is_some() {
+                let kind = model.kind().id();
+                return Err(
+                    format!("--alpha and --latents: expected a vcgpdm or vgpdm model, found {kind}").into()
+                );
+            }
+            model.rollout(arguments.from, arguments.frames)?
+        }
+    };
+    let clip = model.body().clip(&y, &name_of(&arguments.out))?;
+    files::write_text(&arguments.out, &bvh::write(&clip))
+}
+
+/// All columns of a model whose couplings may be changed, and its latents into a file of their own.
+fn variational(arguments: &Arguments, model: &MotionModel) -> Result<DMatrix<f64>, Box<dyn Error>> {
     let names: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
     let mut alpha = model.fitted.alpha.clone();
     for coupling in &arguments.alpha {
@@ -45,17 +63,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         ..RolloutRequest::default()
     };
     let rollout = model.rollout(&request)?;
-    let clip = model.clip(&rollout, &name_of(&arguments.out))?;
-    files::write_text(&arguments.out, &bvh::write(&clip))?;
     if let Some(path) = &arguments.latents {
         files::write_text(path, &csv(&names, &rollout.latents, model.body.frame_time))?;
     }
-    Ok(())
+    Ok(rollout.y)
 }
 
-/// Reads a model document.
-pub fn read_model(path: &Path) -> Result<MotionModel, Box<dyn Error>> {
-    MotionModel::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+/// Reads a model document of any kind.
+pub fn read_model(path: &Path) -> Result<AnyModel, Box<dyn Error>> {
+    AnyModel::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
 }
 
 fn name_of(path: &Path) -> String {

@@ -3,13 +3,12 @@
 use crate::files;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::RolloutRequest;
 use vcgpdm::evaluation::dtw_mse;
 
 /// Print the error of a rollout against a whole trial after dynamic time warping as one JSON object.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A trained model.
+    /// A trained model of any kind.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
     /// The trial: a BVH file of the same body, or sample:ID.
@@ -22,14 +21,14 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
+    let body = model.body();
     let clip = files::read_clip(&arguments.clip)?;
     let in_clip = |reason: &dyn Error| format!("{}: {reason}", clip.name);
-    model.body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
+    body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
         format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
     })?;
-    let trial = clip.prepared(1.0 / model.body.frame_time)?;
-    let actual = model.body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
-    let request =
-        RolloutRequest { frames: actual.nrows(), sequence: arguments.from, ..RolloutRequest::default() };
-    files::print_json(&dtw_mse(&model.rollout(&request)?.y, &actual)?)
+    let trial = clip.prepared(1.0 / body.frame_time)?;
+    let actual = body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
+    let predicted = model.rollout(arguments.from, actual.nrows())?;
+    files::print_json(&dtw_mse(&predicted, &actual)?)
 }

@@ -1,0 +1,102 @@
+// `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: one bound with its gradient, a training and a rollout,
+// side by side: native, wasm in Node, wasm in Chromium, and another program that prints {"median_ms": ...}. One thread each.
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { parseArgs } from "node:util";
+import { launchChromium } from "./chromium.mjs";
+import { at, Failure, main, output, run } from "./run.mjs";
+import { serve } from "./serve.mjs";
+import { installTools } from "./tools.mjs";
+import { buildPackage } from "./wasm.mjs";
+
+const ROUNDS = 3;
+const folder = at("target/speed");
+
+/** @typedef {{ evaluation: Record<string, number>, training?: Record<string, number> }} Side */
+
+/** The last line a command prints, as JSON. */
+function json(/** @type {string} */ program, /** @type {string[]} */ ...args) {
+  const text = output(program, ...args);
+  if (text === null) throw new Failure(`\`${[program, ...args].join(" ")}\` failed`);
+  return JSON.parse(text.split("\n").at(-1) ?? "null");
+}
+
+/** A starting point on the project's own walks, where no case is given. */
+async function ownCase() {
+  const file = join(folder, "case.json");
+  const walks = [1, 2, 3, 4].map((k) => `sample:walk-${k}`);
+  await run(at("target/release/vcgpdm"), "train", ...walks, "--parts", "lower,upper", "--max-iterations", "1", "--write-start", file, "--out", join(folder, "model.json"));
+  return file;
+}
+
+/** Measures in a page of its own. */
+async function inChromium(/** @type {string} */ text, /** @type {[string, string][]} */ files) {
+  const server = await serve(folder);
+  const browser = await launchChromium();
+  try {
+    const page = await browser.newPage();
+    await page.goto(`${server.address}index.html`);
+    return /** @type {Side} */ (await page.evaluate(async ({ text, files, address }) => {
+      const wasm = await import(`${address}web/vcgpdm.js`);
+      const { evaluation, training } = await import(`${address}measure.js`);
+      await wasm.default();
+      return { evaluation: evaluation(wasm, text), training: training(wasm, files) };
+    }, { text, files, address: server.address }));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[values.length >> 1] ?? NaN;
+
+await main(async () => {
+  const { values, positionals } = parseArgs({ allowPositionals: true, options: { peer: { type: "string" } } });
+  await installTools();
+  await run("cargo", "build", "--release", "--features", "cli,speed", "--example", "speed", "--bin", "vcgpdm");
+  await buildPackage(folder, ["--features", "speed"]);
+  mkdirSync(folder, { recursive: true });
+  copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
+  writeFileSync(join(folder, "index.html"), "<!doctype html><title>speed</title>");
+
+  const [given, ...clips] = positionals;
+  const file = given ?? (await ownCase());
+  const text = readFileSync(file, "utf8");
+  const files = clips.map((clip) => /** @type {[string, string]} */ ([basename(clip), readFileSync(clip, "utf8")]));
+
+  /** @type {Record<string, Side[]>} */
+  const sides = {};
+  const add = (/** @type {string} */ name, /** @type {Side} */ side) => (sides[name] ??= []).push(side);
+  for (let round = 0; round < ROUNDS; round++) {
+    add("native", json(at("target/release/examples/speed"), file, ...clips));
+    add("wasm, Node", json(process.execPath, at("scripts/speed/node.mjs"), file, ...clips));
+    add("wasm, Chromium", await inChromium(text, files));
+    if (values.peer) {
+      const [program = "", ...args] = values.peer.split(/\s+/);
+      add("peer", { evaluation: json(program, ...args) });
+    }
+  }
+
+  const of = (/** @type {string} */ name, /** @type {(side: Side) => number | undefined} */ value) =>
+    median((sides[name] ?? []).map(value).filter((v) => v !== undefined));
+  const bound = (/** @type {string} */ name) => of(name, (side) => side.evaluation.median_ms);
+  const show = (/** @type {number} */ value, digits = 2) => (Number.isNaN(value) ? "" : value.toFixed(digits));
+  console.log(`\nMedians of ${ROUNDS} rounds, one after the other.\n`);
+  console.log("| | bound with gradient, ms | faster than the peer | time of native | training, s | to 99.9 % of its bound, s | rollout of 300 frames with positions, ms |");
+  console.log("|---|---|---|---|---|---|---|");
+  for (const name of Object.keys(sides)) {
+    const cells = [
+      show(bound(name)), values.peer && name !== "peer" ? `${show(bound("peer") / bound(name), 1)} times` : "", show(bound(name) / bound("native")),
+      ...["seconds", "seconds_to_999"].map((key) => show(of(name, (side) => side.training?.[key]))), show(of(name, (side) => side.training?.rollout_ms)),
+    ];
+    console.log(`| ${name} | ${cells.join(" | ")} |`);
+  }
+  const native = sides.native?.[0]?.evaluation ?? {};
+  const million = (/** @type {string} */ key) => (native[key] ?? NaN) / 1e6;
+  const exponentials = 1e3 * million("exponentials") / million("exponentials_per_second");
+  const products = 1e3 * million("multiply_adds") / million("multiply_adds_per_second");
+  console.log(`
+One bound with its gradient is ${million("exponentials").toFixed(3)} million exponentials and ${million("multiply_adds").toFixed(2)} million multiplications with an addition.
+With operands at hand this machine does ${million("exponentials_per_second").toFixed(0)} and ${million("multiply_adds_per_second").toFixed(0)} million a second, natively and two to a register:
+${exponentials.toFixed(2)} ms + ${products.toFixed(2)} ms, ${(100 * (exponentials + products) / (native.median_ms ?? NaN)).toFixed(0)} % of the native time.`);
+});

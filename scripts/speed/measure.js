@@ -1,0 +1,65 @@
+// The same measurements as crate/examples/speed.rs, of the wasm package; runs in Node and in a browser.
+
+/**
+ * Median milliseconds of one bound with its gradient.
+ * @param {any} wasm the package, built with the feature `speed`
+ * @param {string} text a golden case
+ */
+export function evaluation(wasm, text) {
+  const found = wasm.Case.fromJson(text);
+  const times = [];
+  let bound = NaN;
+  // The first ones are not counted: the engine compiles a function again once it is used much.
+  for (let i = 0; i < 400; i++) {
+    const start = performance.now();
+    bound = found.boundWithGradient();
+    if (i >= 100) times.push(performance.now() - start);
+  }
+  found.free();
+  times.sort((a, b) => a - b);
+  return { bound, median_ms: times[times.length >> 1] };
+}
+
+/**
+ * Seconds of a training on lower and upper body, and until 99.9 % of its bound.
+ * @param {any} wasm
+ * @param {[string, string][]} files names and texts of BVH files; none: the bundled walks
+ */
+export function training(wasm, files) {
+  const { Clip, Trainer, TrainingSet } = wasm;
+  const bytes = new TextEncoder();
+  const samples = () => Clip.samples().slice(0, 6).map((/** @type {{ id: string }} */ { id }) => Clip.sample(id));
+  const clips = files.length > 0 ? files.map(([name, text]) => Clip.read(name, bytes.encode(text))) : samples();
+  const set = new TrainingSet();
+  for (const clip of clips) set.add(clip);
+  const { parts } = clips[0].info().presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
+  const start = performance.now();
+  const trainer = new Trainer(set, {
+    parts, latent: 3, dynamicsIps: 12, poseIps: 12, order: 2, framesPerSecond: 30, seed: 0, maxIterations: 800,
+  });
+  const trace = [];
+  let last;
+  do {
+    last = trainer.step();
+    trace.push({ seconds: (performance.now() - start) / 1000, best: last.best });
+  } while (!last.done);
+  const enough = last.best - 1e-3 * Math.abs(last.best);
+
+  const model = trainer.model();
+  const times = [];
+  for (let i = 0; i < 200; i++) {
+    const begin = performance.now();
+    const rollout = model.rollout({ frames: 300, sequence: 0 });
+    rollout.positions();
+    times.push(performance.now() - begin);
+    rollout.free();
+  }
+  times.sort((a, b) => a - b);
+  return {
+    bound: last.best,
+    iterations: last.iteration,
+    seconds: trace.at(-1)?.seconds,
+    seconds_to_999: trace.find(({ best }) => best >= enough)?.seconds,
+    rollout_ms: times[times.length >> 1],
+  };
+}

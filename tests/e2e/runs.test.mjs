@@ -1,0 +1,193 @@
+// Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a crash leaves.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { Model } from "../../crate/pkg/node/vcgpdm.js";
+import { barriers, openSite, ready, saved } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => { site = await openSite(); });
+after(() => site?.close());
+
+/** A visit on a machine of so many cores, as far as the page can tell. */
+async function visit(/** @type {number} */ cores, /** @type {string} */ settings, options = {}) {
+  const visit = await site.visit({ settings, cores, ...options });
+  await ready(visit.page);
+  return visit;
+}
+
+/** Notes how many trainings ever run at once. */
+async function watchRunning(/** @type {Page} */ page) {
+  await page.evaluate(() => {
+    Object.assign(window, { mostRunning: 0 });
+    new MutationObserver(() => {
+      const now = document.querySelectorAll("[data-testid=run][data-state=running]").length;
+      Object.assign(window, { mostRunning: Math.max(now, /** @type {any} */ (window).mostRunning) });
+    }).observe(document.body, { subtree: true, childList: true, attributes: true });
+  });
+  return () => page.evaluate(() => Number(/** @type {any} */ (window).mostRunning));
+}
+
+const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 120_000 });
+const provenance = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info().provenance;
+
+/** The table as a visitor reads it. */
+async function table(/** @type {Page} */ page) {
+  return page.getByTestId("run").evaluateAll((rows) => rows.map((row) => ({
+    state: /** @type {HTMLElement} */ (row).dataset["state"],
+    seed: Number(row.querySelector("th")?.textContent),
+    chosen: row.querySelector("input")?.checked,
+    best: row.querySelector(".best") !== null,
+    cells: [...row.querySelectorAll("td")].map((cell) => cell.textContent?.replace(", the best", "").trim() ?? ""),
+  })));
+}
+
+/** Waits until the row of this seed is marked, and answers with the seed of the model that the page then saves. */
+async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
+  await page.waitForFunction((seed) => document.querySelector("[data-testid=run].chosen th")?.textContent?.trim() === String(seed), seed);
+  return (await provenance(page)).settings.seed;
+}
+
+describe("several trainings", () => {
+  it("run on a worker each, and the best is on the stage; another is there at a click", async () => {
+    const { page, problems, leave } = await visit(3, "trainings=3&seed=5&iterations=60&fps=15");
+    const before = page.workers().length;
+    const most = await watchRunning(page);
+    let workers = 0;
+    page.on("worker", () => { workers += 1; });
+    await page.getByTestId("train").click();
+    await page.getByTestId("cancel").waitFor();
+    await trainIsBack(page);
+    assert.equal(before, 1, "no worker of the pool starts before there is work");
+    assert.equal(workers, 3);
+    assert.ok((await most()) >= 2, `${await most()} trainings at once`);
+
+    const rows = await table(page);
+    assert.deepEqual(rows.map(({ seed }) => seed), [5, 6, 7]);
+    assert.deepEqual(rows.map(({ state }) => state), ["done", "done", "done"]);
+    const bounds = rows.map(({ cells }) => Number(cells[0]?.replace(/,/g, "").replace("\u2212", "-")));
+    assert.ok(bounds.every(Number.isFinite) && new Set(bounds).size === 3, `bounds ${bounds}`);
+    const at = bounds.indexOf(Math.max(...bounds));
+    assert.deepEqual(rows.map(({ best }) => best), bounds.map((_, i) => i === at));
+    assert.deepEqual(rows.map(({ chosen }) => chosen), bounds.map((_, i) => i === at));
+    const shown = await provenance(page);
+    assert.equal(shown.settings.seed, 5 + at);
+    assert.equal(Math.round(shown.bound), bounds[at]);
+
+    const other = (at + 1) % 3;
+    await page.getByTestId("run").nth(other).click();
+    assert.equal(await seedShown(page, 5 + other), 5 + other);
+    // By keyboard: the arrow keys go from one to the next.
+    await page.getByTestId("run").nth(other).getByRole("radio").focus();
+    await page.keyboard.press("ArrowDown");
+    const next = (other + 1) % 3;
+    assert.equal(await seedShown(page, 5 + next), 5 + next);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("wait for their turn on a machine with one core", async () => {
+    const { page, problems, leave } = await visit(1, "trainings=3&iterations=10&fps=15");
+    const most = await watchRunning(page);
+    await page.getByTestId("train").click();
+    await page.getByTestId("cancel").waitFor();
+    await trainIsBack(page);
+    assert.equal(await most(), 1);
+    assert.deepEqual((await table(page)).map(({ state }) => state), ["done", "done", "done"]);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("keep what is done, and the best so far of the rest, when they are cancelled", async () => {
+    const { page, problems, leave } = await visit(2, "trainings=4&iterations=300&fps=15");
+    await page.getByTestId("train").click();
+    await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
+    await page.locator("[data-testid=run][data-state=running]").first().waitFor({ timeout: 30_000 });
+    await page.getByTestId("cancel").click();
+    await trainIsBack(page);
+    const rows = await table(page);
+    const done = rows.filter(({ state }) => state === "done");
+    assert.ok(done.length >= 1 && done.length < 4, JSON.stringify(rows));
+    assert.ok(rows.every(({ state }) => state === "done" || state === "cancelled"), JSON.stringify(rows));
+    const chosen = rows.filter(({ chosen }) => chosen);
+    assert.equal(chosen.length, 1);
+    assert.ok(chosen[0]?.best);
+    assert.equal((await provenance(page)).settings.seed, chosen[0]?.seed);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("go on when the worker of one of them dies, and nothing else is lost", async () => {
+    const { page, leave } = await visit(2, "trainings=3&iterations=400&fps=15");
+    /** @type {import("playwright-core").Worker[]} */
+    const workers = [];
+    page.on("worker", (worker) => workers.push(worker));
+    await page.getByTestId("train").click();
+    await page.waitForFunction(() => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2);
+    await workers[0]?.evaluate(() => { setTimeout(() => { throw new Error("a test broke this worker"); }); });
+    await trainIsBack(page);
+    const rows = await table(page);
+    assert.deepEqual(rows.map(({ state }) => state).sort(), ["done", "done", "failed"], JSON.stringify(rows));
+    await page.getByTestId("runs").getByText("a test broke this worker").waitFor();
+    assert.equal(workers.length, 3, "a fresh worker took the place of the one that died");
+    const chosen = rows.find(({ chosen }) => chosen);
+    assert.equal(chosen?.state, "done");
+    assert.equal((await provenance(page)).settings.seed, chosen?.seed);
+    await leave();
+  });
+
+  it("let the sliders answer meanwhile", async () => {
+    const { page, problems, leave } = await visit(2, "trainings=2&iterations=5000&dynamics=24&poses=24");
+    await page.getByTestId("train").click();
+    await page.waitForFunction(() => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2);
+    const weight = page.getByTestId("weight-0-1");
+    const before = await weight.textContent();
+    await page.getByTestId("coupling-0-1").fill("-2.5");
+    await page.waitForFunction((before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before, before, { timeout: 5000 });
+    assert.equal(await page.getByTestId("cancel").count(), 1, "it still trains");
+    await page.getByTestId("cancel").click();
+    await trainIsBack(page);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("the table of trainings", () => {
+  it("keeps a training under other settings beside the first, tells what differs, and can be cleared", async () => {
+    const { page, problems, leave } = await visit(2, "iterations=10&fps=15");
+    await page.getByTestId("train").click();
+    await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
+    await trainIsBack(page);
+    await page.getByTestId("setting-dynamicsIps").fill("9");
+    await page.getByTestId("setting-dynamicsIps").blur();
+    await page.getByTestId("train").click();
+    await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
+    await trainIsBack(page);
+    assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), ["Seed", "K", "Bound", "It.", "Time"]);
+    assert.deepEqual((await table(page)).map(({ cells }) => cells[0]), ["12", "9"]);
+
+    const shown = await provenance(page);
+    await page.getByRole("button", { name: "Remove seed 1" }).first().click();
+    assert.equal(await page.getByTestId("run").count(), 1);
+    await page.getByTestId("clear-runs").click();
+    assert.equal(await page.getByTestId("run").count(), 0);
+    assert.deepEqual(await provenance(page), shown, "the model stays on the stage");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    it(`has no serious barrier in ${colorScheme} colours, and fits a phone`, async () => {
+      const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", { colorScheme, viewport: { width: 390, height: 844 }, reducedMotion: "reduce" });
+      await page.getByRole("tab", { name: "Training" }).click();
+      await page.getByTestId("train").click();
+      await page.getByTestId("cancel").waitFor();
+      await trainIsBack(page);
+      assert.deepEqual(await barriers(page), []);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+      await leave();
+    });
+  }
+});

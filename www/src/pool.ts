@@ -1,0 +1,109 @@
+// Work for several workers: in the order in which it was asked for, on as many at once as the pool is wide. Knows no model.
+
+/** A worker that the pool has started. */
+export interface Hired<Worker> {
+  worker: Worker;
+  /** Kept when the worker can take work. */
+  ready: Promise<unknown>;
+  /** Fails, with words for a person, when the worker dies. */
+  broken: Promise<never>;
+  dismiss(): void;
+}
+
+interface Waiting<Worker> {
+  work(worker: Worker): Promise<unknown>;
+  signal: AbortSignal | undefined;
+  done(result: unknown): void;
+  failed(problem: unknown): void;
+}
+
+/** Milliseconds that aborted work may take to come to its own end. */
+const GRACE = 30_000;
+
+export class Pool<Worker> {
+  private readonly idle: Hired<Worker>[] = [];
+  private waiting: Waiting<Worker>[] = [];
+  private busy = 0;
+
+  constructor(
+    /** How many workers work at once. */
+    readonly width: number,
+    private readonly hire: () => Hired<Worker>,
+    private readonly grace = GRACE,
+  ) {}
+
+  /**
+   * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work under way is
+   * expected to hear the signal itself and to end early, with a result, before the grace is over.
+   */
+  run<Result>(work: (worker: Worker) => Promise<Result>, signal?: AbortSignal): Promise<Result> {
+    return new Promise<Result>((resolve, reject) => {
+      if (signal?.aborted) return reject(signal.reason);
+      const job: Waiting<Worker> = { work, signal, done: resolve as (result: unknown) => void, failed: reject };
+      this.waiting.push(job);
+      signal?.addEventListener("abort", () => this.drop(job), { once: true });
+      this.next();
+    });
+  }
+
+  private drop(job: Waiting<Worker>): void {
+    if (!this.waiting.includes(job)) return;
+    this.waiting = this.waiting.filter((other) => other !== job);
+    job.failed(job.signal?.reason);
+  }
+
+  private next(): void {
+    while (this.busy < this.width && this.waiting.length > 0) void this.attend(this.waiting.shift()!);
+    // One stays for the next work; the memory of the others is given back.
+    if (this.busy === 0) while (this.idle.length > 1) this.idle.pop()!.dismiss();
+  }
+
+  private async attend({ work, signal, done, failed }: Waiting<Worker>): Promise<void> {
+    this.busy += 1;
+    const silence = patience(signal, this.grace);
+    let hired: Hired<Worker> | null = null;
+    try {
+      hired = this.idle.pop() ?? this.open();
+      const { worker, ready, broken } = hired;
+      const result = await Promise.race([ready.then(() => work(worker)), broken, silence.promise]);
+      this.idle.push(hired);
+      done(result);
+    } catch (problem) {
+      // A worker whose work failed is not trusted again: the next work gets a fresh one.
+      hired?.dismiss();
+      failed(problem);
+    } finally {
+      silence.end();
+      this.busy -= 1;
+      this.next();
+    }
+  }
+
+  private open(): Hired<Worker> {
+    const hired = this.hire();
+    hired.broken.catch(() => {
+      const at = this.idle.indexOf(hired);
+      if (at >= 0) this.idle.splice(at, 1)[0]!.dismiss();
+    });
+    return hired;
+  }
+}
+
+/** Fails when the signal was given and nothing has happened for so long. */
+function patience(signal: AbortSignal | undefined, grace: number) {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let wait = () => {};
+  const promise = new Promise<never>((_, fail) => {
+    const words = `the worker did not stop within ${Math.round(grace / 1000)} seconds.`;
+    wait = () => (timer = setTimeout(() => fail(new Error(words)), grace));
+  });
+  if (signal?.aborted) wait();
+  else signal?.addEventListener("abort", wait, { once: true });
+  return {
+    promise,
+    end() {
+      signal?.removeEventListener("abort", wait);
+      clearTimeout(timer);
+    },
+  };
+}
