@@ -45,7 +45,8 @@ fn text(path: &Path) -> &str {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    for arguments in [&["--help"][..], &["--version"], &["clip", "--help"], &["bound", "--help"]] {
+    let commands = ["clip", "bound", "evaluate", "report"].map(|command| vec![command, "--help"]);
+    for arguments in commands.iter().map(Vec::as_slice).chain([&["--help"][..], &["--version"]]) {
         let output = run(arguments);
         assert!(output.status.success() && !output.stdout.is_empty() && output.stderr.is_empty());
     }
