@@ -6,8 +6,8 @@
 
 use crate::linalg::NumericsError;
 use crate::model::{
-    BoundTerms, Expert, FittedModel, Gaussians, Kernel, Objective, Params, PartParams, Reading, Sequences,
-    SequencesError,
+    BoundTerms, Expert, FittedModel, Gaussians, Kernel, Objective, Parameters, Params, PartParams, Reading,
+    Sequences, SequencesError,
 };
 use crate::rollout::{MOST_FRAMES, Poser, Roller, RolloutError};
 use crate::rows::{self, matrix_from_rows, rows_of};

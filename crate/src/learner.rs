@@ -3,6 +3,7 @@
 //! The protocol of a comparison: train on all trials but one, and on the first frames of the one held out as a sequence of
 //! its own; roll out from that sequence for the length of the trial.
 
+use crate::json::Value;
 use crate::linalg::NumericsError;
 use crate::rollout::RolloutError;
 use nalgebra::DMatrix;
@@ -140,6 +141,12 @@ pub trait MovementModel {
 
     /// The bound on the log evidence, in nats, where the model has one.
     fn bound(&self) -> Option<f64>;
+
+    /// What a document holds of it under "model"; `None` for the variational models, whose document is that of
+    /// [`MotionModel`](crate::MotionModel).
+    fn to_value(&self) -> Option<Value> {
+        None
+    }
 }
 
 #[cfg(test)]

@@ -22,7 +22,9 @@
 //! ```
 
 mod anatomy;
+mod any_model;
 pub mod baselines;
+mod body;
 pub mod bvh;
 mod case;
 mod clip;
@@ -49,6 +51,11 @@ mod training;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use any_model::{AnyModel, BaselineModel, Record};
+pub use baselines::map::{
+    LogDensity, MapLearner, MapModel, MapParams, MapPart, MapPoseMap, MapSettings, MapTerms,
+};
+pub use body::Body;
 pub use case::{Case, CaseError, CaseResult};
 pub use clip::{Clip, ClipError, LocalPose};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
@@ -58,8 +65,8 @@ pub use learner::{Learner, LearningProgress, ModelKind, MovementModel, Movements
 pub use linalg::NumericsError;
 pub use model::{
     BoundTerms, DynamicsSums, Expert, FittedExpert, FittedModel, Gaussians, Group, InducingPosterior, Kernel,
-    Kind, Objective, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
-    coupling_weights,
+    Kind, Objective, Parameters, Params, PartParams, PoseMap, Posteriors, Reading, Sequences, SequencesError,
+    Workspace, coupling_weights,
 };
 pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};
 pub use parts::{

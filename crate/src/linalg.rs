@@ -1,5 +1,7 @@
 //! Cholesky factors of covariances: the jitter ladder, solves, log-determinants.
 
+mod blocked;
+
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use thiserror::Error;
 
@@ -38,11 +40,25 @@ pub struct Factor {
 impl Factor {
     /// Factorises `matrix` [n x n]. Only after a failure is jitter added: 1e-6 of the mean diagonal, times 10 up to 10 times.
     pub fn new(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
+        let mut factor = Self::default();
+        factor.refactor(matrix, what)?;
+        Ok(factor)
+    }
+
+    /// Becomes the factor of `matrix`, as [`new`](Self::new); allocates nothing when the size stays and no jitter is needed.
+    pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
         if matrix.iter().any(|v| !v.is_finite()) {
             return Err(NumericsError::NotFinite { what });
         }
-        if let Some(cholesky) = Cholesky::new(matrix.clone()) {
-            return Ok(Self { cholesky });
+        let mut room = std::mem::take(self).cholesky.unpack_dirty();
+        if room.shape() == matrix.shape() {
+            room.copy_from(matrix);
+        } else {
+            room = matrix.clone();
+        }
+        if let Some(cholesky) = factorise(room) {
+            self.cholesky = cholesky;
+            return Ok(());
         }
         let size = matrix.nrows();
         let mean_diagonal = matrix.trace().abs() / size.max(1) as f64;
@@ -52,8 +68,9 @@ impl Factor {
             for k in 0..size {
                 shifted[(k, k)] += jitter;
             }
-            if let Some(cholesky) = Cholesky::new(shifted) {
-                return Ok(Self { cholesky });
+            if let Some(cholesky) = factorise(shifted) {
+                self.cholesky = cholesky;
+                return Ok(());
             }
             jitter *= 10.0;
         }
@@ -71,43 +88,100 @@ impl Factor {
         self.cholesky.solve(rhs)
     }
 
+    /// `x` becomes matrix^-1 x.
+    pub fn solve_mut(&self, x: &mut DMatrix<f64>) {
+        self.cholesky.solve_mut(x);
+    }
+
+    /// `x` becomes L^-1 x.
+    pub fn solve_lower_mut(&self, x: &mut DMatrix<f64>) {
+        blocked::solve_lower(&self.cholesky.l_dirty().as_view(), &mut x.as_view_mut());
+    }
+
+    /// `x` becomes L^-T x.
+    pub fn solve_upper_mut(&self, x: &mut DMatrix<f64>) {
+        self.cholesky.l_dirty().tr_solve_lower_triangular_unchecked_mut(x);
+    }
+
+    /// A symmetric `m` becomes L^-1 m L^-T.
+    pub fn whiten_mut(&self, m: &mut DMatrix<f64>) {
+        self.solve_lower_mut(m);
+        m.transpose_mut();
+        self.solve_lower_mut(m);
+        symmetrise(m);
+    }
+
+    /// A symmetric `m` becomes L^-T m L^-1.
+    pub fn unwhiten_mut(&self, m: &mut DMatrix<f64>) {
+        self.solve_upper_mut(m);
+        m.transpose_mut();
+        self.solve_upper_mut(m);
+        symmetrise(m);
+    }
+
     /// L^-1 `rhs`.
     pub fn solve_lower(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = rhs.clone();
-        // A Cholesky factor has a positive diagonal, so the substitution cannot meet a zero.
-        self.cholesky.l_dirty().solve_lower_triangular_unchecked_mut(&mut x);
+        self.solve_lower_mut(&mut x);
         x
     }
 
     /// L^-T `rhs`.
     pub fn solve_upper(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = rhs.clone();
-        self.cholesky.l_dirty().tr_solve_lower_triangular_unchecked_mut(&mut x);
+        self.solve_upper_mut(&mut x);
         x
-    }
-
-    /// L^-1 `m` L^-T of a symmetric `m`.
-    pub fn whiten(&self, m: &DMatrix<f64>) -> DMatrix<f64> {
-        let half = self.solve_lower(m);
-        symmetric(self.solve_lower(&half.transpose()))
-    }
-
-    /// L^-T `m` L^-1 of a symmetric `m`.
-    pub fn unwhiten(&self, m: &DMatrix<f64>) -> DMatrix<f64> {
-        let half = self.solve_upper(m);
-        symmetric(self.solve_upper(&half.transpose()))
     }
 
     /// matrix^-1.
     pub fn inverse(&self) -> DMatrix<f64> {
-        symmetric(self.cholesky.inverse())
+        let n = self.cholesky.l_dirty().nrows();
+        let mut m = DMatrix::zeros(n, n);
+        self.inverse_into(&mut m);
+        m
+    }
+
+    /// `m` [n x n] becomes matrix^-1.
+    pub fn inverse_into(&self, m: &mut DMatrix<f64>) {
+        if m.nrows() > blocked::LEAF {
+            blocked::inverse(self.cholesky.l_dirty(), m);
+            return;
+        }
+        m.fill_with_identity();
+        self.solve_mut(m);
+        symmetrise(m);
     }
 }
 
-/// (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.
-pub fn symmetric(m: DMatrix<f64>) -> DMatrix<f64> {
-    let t = m.transpose();
-    (m + t) * 0.5
+fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+    if matrix.nrows() <= blocked::LEAF {
+        return Cholesky::new(matrix);
+    }
+    blocked::cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
+}
+
+impl Default for Factor {
+    /// The factor of the matrix of no rows.
+    fn default() -> Self {
+        Self { cholesky: Cholesky::pack_dirty(DMatrix::zeros(0, 0)) }
+    }
+}
+
+/// `m` becomes (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.
+pub fn symmetrise(m: &mut DMatrix<f64>) {
+    for a in 0..m.nrows() {
+        for b in 0..a {
+            let mean = 0.5 * (m[(a, b)] + m[(b, a)]);
+            m[(a, b)] = mean;
+            m[(b, a)] = mean;
+        }
+    }
+}
+
+/// (m + m^T) / 2.
+pub fn symmetric(mut m: DMatrix<f64>) -> DMatrix<f64> {
+    symmetrise(&mut m);
+    m
 }
 
 #[cfg(test)]
@@ -125,7 +199,9 @@ mod tests {
         let f = Factor::new(&k, "test").unwrap();
         let rhs = DMatrix::from_fn(3, 2, |i, j| (i + 2 * j) as f64);
         assert_relative_eq!(&k * f.solve(&rhs), rhs, epsilon = 1e-12);
-        assert_relative_eq!(&k * f.inverse(), DMatrix::identity(3, 3), epsilon = 1e-12);
+        let mut inverse = DMatrix::zeros(3, 3);
+        f.inverse_into(&mut inverse);
+        assert_relative_eq!(&k * inverse, DMatrix::identity(3, 3), epsilon = 1e-12);
         assert_relative_eq!(f.log_determinant(), k.determinant().ln(), epsilon = 1e-12);
     }
 
@@ -133,14 +209,25 @@ mod tests {
     fn whitening_and_unwhitening_are_congruences() {
         let k = covariance();
         let f = Factor::new(&k, "test").unwrap();
-        assert_relative_eq!(f.whiten(&k), DMatrix::identity(3, 3), epsilon = 1e-12);
-        assert_relative_eq!(f.unwhiten(&DMatrix::identity(3, 3)), f.inverse(), epsilon = 1e-12);
+        let mut white = k.clone();
+        f.whiten_mut(&mut white);
+        assert_relative_eq!(white, DMatrix::identity(3, 3), epsilon = 1e-12);
+        f.unwhiten_mut(&mut white);
+        assert_relative_eq!(&k * white, DMatrix::identity(3, 3), epsilon = 1e-12);
     }
 
     #[test]
     fn a_singular_covariance_climbs_the_ladder() {
         let k = DMatrix::from_element(4, 4, 1.0);
         assert!(Factor::new(&k, "test").unwrap().log_determinant().is_finite());
+    }
+
+    #[test]
+    fn a_factor_can_be_used_again_after_a_failure() {
+        let mut f = Factor::new(&covariance(), "test").unwrap();
+        f.refactor(&DMatrix::from_element(2, 2, f64::NAN), "test").unwrap_err();
+        f.refactor(&DMatrix::identity(2, 2), "test").unwrap();
+        assert_eq!(f.log_determinant(), 0.0);
     }
 
     #[test]

@@ -1,13 +1,12 @@
 //! A trained model of a body: the fitted vCGPDM with what turns its columns into poses, and where it came from.
 
-use crate::bvh::MAX_VALUES;
+use crate::body::Body;
 use crate::clip::Clip;
-use crate::dataset::{Dataset, SequenceInfo};
+use crate::dataset::Dataset;
 use crate::linalg::NumericsError;
 use crate::model::{BoundTerms, FittedModel, Reading};
-use crate::parts::PartsLayout;
-use crate::pose::{PoseError, PoseMapping, RootStart};
-use crate::rollout::{MOST_FRAMES, Poser, Roller, RolloutError};
+use crate::pose::PoseError;
+use crate::rollout::{Poser, Roller, RolloutError};
 use crate::training::{Trainer, TrainingSettings};
 use nalgebra::DMatrix;
 
@@ -37,16 +36,8 @@ pub struct Provenance {
 pub struct MotionModel {
     /// The fitted model.
     pub fitted: FittedModel,
-    /// From columns to joint rotations.
-    pub mapping: PoseMapping,
-    /// Which columns belong to which part.
-    pub layout: PartsLayout,
-    /// The mean of every column [D].
-    pub column_means: Vec<f64>,
-    /// Seconds from one frame to the next.
-    pub frame_time: f64,
-    /// The training sequences one can start from.
-    pub sequences: Vec<SequenceInfo>,
+    /// What turns its columns into poses, and what it was trained on.
+    pub body: Body,
     /// How the model was made.
     pub provenance: Provenance,
     poser: Poser,
@@ -76,17 +67,9 @@ pub struct Rollout {
 
 impl MotionModel {
     /// Puts a model together; fails when its pose maps cannot be solved for.
-    pub fn new(
-        fitted: FittedModel,
-        mapping: PoseMapping,
-        layout: PartsLayout,
-        column_means: Vec<f64>,
-        frame_time: f64,
-        sequences: Vec<SequenceInfo>,
-        provenance: Provenance,
-    ) -> Result<Self, NumericsError> {
+    pub fn new(fitted: FittedModel, body: Body, provenance: Provenance) -> Result<Self, NumericsError> {
         let poser = Poser::new(&fitted)?;
-        Ok(Self { fitted, mapping, layout, column_means, frame_time, sequences, provenance, poser })
+        Ok(Self { fitted, body, provenance, poser })
     }
 
     /// The best model of a training so far; `frames_per_second` is the rate that the data set was asked for.
@@ -106,26 +89,13 @@ impl MotionModel {
             evaluations: progress.evaluations,
             note: None,
         };
-        Self::new(
-            trainer.model()?,
-            dataset.mapping.clone(),
-            dataset.layout.clone(),
-            dataset.column_means.clone(),
-            dataset.frame_time,
-            dataset.sequences.clone(),
-            provenance,
-        )
+        Self::new(trainer.model()?, Body::of(dataset), provenance)
     }
 
     /// The mean rollout from a training sequence's start latents.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
-        // What a BVH file may hold, so that the rollout can be read again and fits the memory.
-        let latent: usize = self.fitted.parts.iter().map(|part| part.r.ncols()).sum();
-        let widest = latent.max(self.column_means.len()).max(self.mapping.skeleton().channel_count());
-        let most = MOST_FRAMES.min(MAX_VALUES / widest);
-        if !(1..=most).contains(&request.frames) {
-            return Err(RolloutError::Frames { most, found: request.frames });
-        }
+        let latent = self.fitted.parts.iter().map(|part| part.r.ncols()).sum();
+        self.body.check_frames(request.frames, latent)?;
         let alpha = request.alpha.as_ref().unwrap_or(&self.fitted.alpha);
         let roller = Roller::new(&self.fitted, alpha, request.reading)?;
         let latents = roller.latents(self.fitted.start(request.sequence)?, request.frames)?;
@@ -135,28 +105,18 @@ impl MotionModel {
 
     /// All columns at the latents of every part [frames x Q_i]; a part without rows stays at its mean pose.
     fn columns_at(&self, latents: &[DMatrix<f64>]) -> DMatrix<f64> {
-        let frames = latents.iter().map(|x| x.nrows()).max().unwrap_or(0);
-        let mut y = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
-        for (part, x) in latents.iter().enumerate().filter(|(_, x)| x.nrows() > 0) {
-            let observed = self.poser.observations(part, x);
-            for (c, column) in self.layout.columns(part).iter().enumerate() {
-                let mut out = y.column_mut(*column);
-                out += observed.column(c);
-            }
-        }
-        y
+        let parts = latents.iter().enumerate();
+        self.body.columns(&parts.map(|(part, x)| self.poser.observations(part, x)).collect::<Vec<_>>())
     }
 
     /// The rollout as a clip, starting at the origin.
     pub fn clip(&self, rollout: &Rollout, name: &str) -> Result<Clip, PoseError> {
-        let mut clip = self.mapping.decode(&rollout.y, &RootStart::default(), self.frame_time)?;
-        clip.name = name.to_owned();
-        Ok(clip)
+        self.body.clip(&rollout.y, name)
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, for a body 1.7 m tall.
     pub fn positions(&self, rollout: &Rollout) -> Result<Vec<f32>, PoseError> {
-        self.mapping.decode_positions(&rollout.y, &RootStart::default())
+        self.body.positions(&rollout.y)
     }
 
     /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at their mean pose.
@@ -174,6 +134,6 @@ impl MotionModel {
         let empty = |p: usize| DMatrix::zeros(0, self.fitted.parts[p].r.ncols());
         let mut latents: Vec<DMatrix<f64>> = (0..self.fitted.part_count()).map(empty).collect();
         latents[part] = DMatrix::from_row_slice(1, columns, latent);
-        Ok(self.mapping.decode_positions(&self.columns_at(&latents), &RootStart::default())?)
+        Ok(self.body.positions(&self.columns_at(&latents))?)
     }
 }

@@ -80,7 +80,7 @@ pub enum RolloutError {
 
 /// A weighted sum of kernels, ready to be evaluated often: f(x) = sum_a k(x, z_a) c_a.
 #[derive(Clone, Debug)]
-struct KernelSum {
+pub(crate) struct KernelSum {
     /// Inducing inputs divided by the lengthscales, one after the other [K x P].
     scaled: Vec<f64>,
     inverse_lengthscales: Vec<f64>,
@@ -90,7 +90,8 @@ struct KernelSum {
 }
 
 impl KernelSum {
-    fn new(z: &DMatrix<f64>, kernel: &Kernel, coefficients: &DMatrix<f64>) -> Self {
+    /// Inputs `z` [K x P], `coefficients` [K x C].
+    pub fn new(z: &DMatrix<f64>, kernel: &Kernel, coefficients: &DMatrix<f64>) -> Self {
         let inverse_lengthscales: Vec<f64> = kernel.lambda.iter().map(|l| 1.0 / l.sqrt()).collect();
         let scaled = z
             .row_iter()
@@ -175,6 +176,11 @@ impl Roller {
         })
     }
 
+    /// Of dynamics that are sums of kernels, `dynamics[target][source]`; `latent` dimensions of each part.
+    pub(crate) fn of_sums(order: usize, latent: Vec<usize>, dynamics: Vec<Vec<KernelSum>>) -> Self {
+        Self { order, latent, dynamics }
+    }
+
     /// The latent path of every part [frames x Q]: the `start` [p x Q] of each part, then the mean dynamics.
     pub fn latents(&self, start: &[DMatrix<f64>], frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let p = self.order;
@@ -218,6 +224,11 @@ impl Poser {
         let maps = model.parts.iter().enumerate();
         let maps = maps.map(|(i, map)| Ok(KernelSum::new(&map.r, &map.kernel, &model.pose_coefficients(i)?)));
         Ok(Self { maps: maps.collect::<Result<_, NumericsError>>()? })
+    }
+
+    /// Of pose maps that are sums of kernels, one for each part.
+    pub(crate) fn of_sums(maps: Vec<KernelSum>) -> Self {
+        Self { maps }
     }
 
     /// The observed columns of one part at its latents [frames x Q]: [frames x D], without the column means.

@@ -468,6 +468,7 @@ impl Model {
         let model = &self.model;
         let fitted = &model.fitted;
         let parts: Vec<PartInfo> = model
+            .body
             .layout
             .parts()
             .iter()
@@ -483,7 +484,7 @@ impl Model {
         let provenance = Provenance {
             engine: p.engine.clone(),
             settings: TrainingSettings {
-                parts: model.layout.parts().iter().map(part_spec).collect(),
+                parts: model.body.layout.parts().iter().map(part_spec).collect(),
                 latent: p.settings.latent,
                 dynamics_ips: p.settings.dynamics_ips,
                 pose_ips: p.settings.pose_ips,
@@ -498,11 +499,11 @@ impl Model {
             evaluations: p.evaluations,
             note: p.note.clone(),
         };
-        let sequences = model.sequences.iter();
+        let sequences = model.body.sequences.iter();
         let info = ModelInfo {
             parts,
             order: fitted.order,
-            frame_time: model.frame_time,
+            frame_time: model.body.frame_time,
             alpha: rows_of(&fitted.alpha),
             dynamics_ips: fitted
                 .experts
@@ -512,8 +513,8 @@ impl Model {
             sequences: sequences
                 .map(|s| SequenceInfo { name: s.name.clone(), sha256: s.sha256.clone(), frames: s.frames })
                 .collect(),
-            joints: joints(model.mapping.skeleton()),
-            figure: figure(model.mapping.skeleton()),
+            joints: joints(model.body.mapping.skeleton()),
+            figure: figure(model.body.mapping.skeleton()),
             provenance,
         };
         info.into_ts().map_err(error)
@@ -669,4 +670,31 @@ pub fn fresh_seed() -> Result<u32, JsError> {
 #[wasm_bindgen]
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// A problem and a point in its parameter space, for measuring one bound with its gradient.
+#[cfg(feature = "speed")]
+#[wasm_bindgen]
+pub struct Case {
+    case: crate::case::Case,
+    workspace: crate::model::Workspace,
+}
+
+#[cfg(feature = "speed")]
+#[wasm_bindgen]
+impl Case {
+    /// Reads a golden case.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &str) -> Result<Case, JsError> {
+        let case = crate::case::Case::from_json(text)?;
+        let workspace = case.objective.workspace(&case.params);
+        Ok(Case { case, workspace })
+    }
+
+    /// The bound, in nats; its gradient is computed as well.
+    #[wasm_bindgen(js_name = boundWithGradient)]
+    pub fn bound_with_gradient(&mut self) -> Result<f64, JsError> {
+        self.case.objective.compute_with_gradient(&self.case.params, &mut self.workspace)?;
+        Ok(self.workspace.terms().total())
+    }
 }

@@ -1,8 +1,10 @@
-//! The movement primitives that the GP dynamical models are compared with.
+//! The models that the vCGPDM is compared with: GPDMs with point latents, and movement primitives.
 
 mod dmp;
+pub mod map;
 mod period;
 mod phase;
+mod stored;
 mod tmp;
 
 pub use dmp::{

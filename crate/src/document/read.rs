@@ -1,25 +1,77 @@
 //! From the tree of a document to a model: every field is checked where it is read.
 
 use super::{DocumentError, FORMAT, VERSION};
+use crate::any_model::{AnyModel, BaselineModel, Record};
+use crate::baselines::map::MapModel;
+use crate::baselines::{DmpDiscrete, DmpRhythmic, Tmp};
+use crate::body::Body;
 use crate::dataset::SequenceInfo;
-use crate::json::{Field, FieldError, Value, write};
+use crate::json::checks::{count, positive, positive_number, shape, tame, tame_matrix, within};
+use crate::json::{Field, FieldError, Object, Value, write};
+use crate::learner::{ModelKind, MovementModel};
 use crate::model::{BoundTerms, DynamicsSums, FittedExpert, FittedModel, Kernel, PoseMap};
 use crate::motion_model::{MotionModel, Provenance};
 use crate::parts::{PartSpec, PartsLayout};
 use crate::pose::PoseMapping;
 use crate::training::TrainingSettings;
 use nalgebra::{DMatrix, DVector};
-use std::ops::RangeInclusive;
 
 const MOST_PARTS: usize = 64;
 const MOST_LATENT: usize = 100;
 const MOST_IPS: usize = 1000;
 const MOST_ORDER: usize = 100;
 const MOST_SEQUENCES: usize = 10_000;
-/// Beyond this no sum of products stays finite for sure.
-const LARGEST: f64 = 1e12;
 
-pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
+/// A model of any kind.
+pub(super) fn document(value: &Value) -> Result<AnyModel, DocumentError> {
+    let head = head(value)?;
+    Ok(match head.kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => AnyModel::Variational(Box::new(variational(head)?)),
+        _ => AnyModel::Baseline(Box::new(baseline(head)?)),
+    })
+}
+
+/// A variational model. A program that asks for no other need not hold the code of the others.
+pub(super) fn motion_model(value: &Value) -> Result<MotionModel, DocumentError> {
+    let head = head(value)?;
+    match head.kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => variational(head),
+        other => Err(DocumentError::Kind { found: other.id() }),
+    }
+}
+
+/// What all kinds of documents have, and the rest.
+struct Head<'a> {
+    document: Object<'a>,
+    /// The field that names the kind.
+    named: Option<Field<'a>>,
+    kind: ModelKind,
+    mapping: PoseMapping,
+    column_means: Vec<f64>,
+    frame_time: f64,
+}
+
+impl Head<'_> {
+    /// The body, once the model is known to be of the kind that the document names.
+    fn body(
+        self,
+        found: ModelKind,
+        layout: PartsLayout,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<Body, DocumentError> {
+        if let Some(field) = self.named
+            && found != self.kind
+        {
+            let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
+            return Err(field.error(message).into());
+        }
+        self.document.end()?;
+        let Head { mapping, column_means, frame_time, .. } = self;
+        Ok(Body { mapping, layout, column_means, frame_time, sequences })
+    }
+}
+
+fn head(value: &Value) -> Result<Head<'_>, DocumentError> {
     let mut document = Field::root(value).object()?;
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
@@ -32,47 +84,109 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     }
     let version = document.get("version")?;
     match version.whole()? {
-        VERSION => {}
+        1..=VERSION => {}
         found if found > VERSION => return Err(DocumentError::Version { found }),
-        _ => return Err(version.wrong(&VERSION.to_string()).into()),
+        _ => return Err(version.wrong(&format!("from 1 to {VERSION}")).into()),
     }
+    // The first version had no other kind and did not name it.
+    let named = document.optional("kind");
+    let kind = named.as_ref().map_or(Ok(ModelKind::Vcgpdm), kind)?;
     let mapping = PoseMapping::from_field(document.get("pose")?)?;
     let frame_time = within(document.get("frame_time")?, 1e-5..=10.0, "seconds from 0.00001 to 10")?;
     let means = document.get("column_means")?;
     let column_means = means.numbers()?;
     count(&means, column_means.len(), mapping.column_count()..=mapping.column_count())?;
     tame(&means, &column_means)?;
-    let order = document.get("order")?;
-    let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
-    let jitter = within(document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
+    Ok(Head { document, named, kind, mapping, column_means, frame_time })
+}
 
-    let parts = document.get("parts")?;
+fn kind(field: &Field) -> Result<ModelKind, FieldError> {
+    let id = field.text()?;
+    ModelKind::from_id(id).ok_or_else(|| {
+        let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
+        let found: String = id.chars().take(60).collect();
+        field.error(format!("expected one of {}, found {found:?}", known.join(", ")))
+    })
+}
+
+/// What is left of a baseline's document after the body.
+fn baseline(mut head: Head) -> Result<BaselineModel, DocumentError> {
+    let parts = head.document.get("parts")?;
+    let specs = parts.list(|part| {
+        let mut object = part.object()?;
+        let spec = part_spec(&mut object)?;
+        object.end()?;
+        Ok(spec)
+    })?;
+    count(&parts, specs.len(), 1..=MOST_PARTS)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    let columns: Vec<usize> = (0..specs.len()).map(|part| layout.columns(part).len()).collect();
+    let field = head.document.get("sequences")?;
+    let sequences = field.list(|item| {
+        let mut object = item.object()?;
+        let info = sequence_info(&mut object)?;
+        object.end()?;
+        Ok(info)
+    })?;
+    count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
+    let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
+    let field = head.document.get("model")?;
+    let model: Box<dyn MovementModel> = match head.kind {
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => Box::new(MapModel::from_field(field, &columns, lengths)?),
+        ModelKind::Tmp => Box::new(Tmp::from_field(field, &columns, lengths.len())?),
+        ModelKind::DmpDiscrete => Box::new(DmpDiscrete::from_field(field, &columns, lengths.len())?),
+        ModelKind::DmpRhythmic => Box::new(DmpRhythmic::from_field(field, &columns, lengths.len())?),
+        // They have a document of their own.
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
+    };
+    let mut object = head.document.get("provenance")?.object()?;
+    let record = Record {
+        engine: object.get("engine")?.text()?.to_owned(),
+        settings: object.get("settings")?.fields(|field| field.number())?,
+        frames_per_second: object.get("frames_per_second")?.number()?,
+        objective: object.get("objective")?.number()?,
+        iterations: object.get("iterations")?.whole()?,
+        note: note(&mut object)?,
+    };
+    object.end()?;
+    let body = head.body(model.kind(), layout, sequences)?;
+    Ok(BaselineModel { body, model, record })
+}
+
+/// What is left of a variational model's document after the body.
+fn variational(mut head: Head) -> Result<MotionModel, DocumentError> {
+    let order = head.document.get("order")?;
+    let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
+    let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
+
+    let parts = head.document.get("parts")?;
     let (specs, maps): (Vec<_>, Vec<_>) = parts.list(part)?.into_iter().unzip();
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, &mapping)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
         let map: &PoseMap = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
     }
     let latent: Vec<usize> = maps.iter().map(|map| map.r.ncols()).collect();
 
-    let dynamics = document.get("dynamics")?;
+    let dynamics = head.document.get("dynamics")?;
     let items = dynamics.items()?;
     count(&dynamics, items.len(), m..=m)?;
     let mut targets = Vec::with_capacity(m);
     for (item, q) in items.into_iter().zip(&latent) {
         targets.push(target(item, &latent, *q, order)?);
     }
-    let field = document.get("alpha")?;
+    let field = head.document.get("alpha")?;
     let alpha = field.matrix()?;
     shape(&field, &alpha, m, m)?;
     positive(&field, alpha.as_slice())?;
-    let field = document.get("sequences")?;
+    let field = head.document.get("sequences")?;
     let (sequences, starts): (Vec<_>, Vec<_>) =
         field.list(|item| sequence(item, &latent, order))?.into_iter().unzip();
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
-    let provenance = provenance(document.get("provenance")?, m)?;
-    document.end()?;
+    let provenance = provenance(head.document.get("provenance")?, m)?;
+    let found = if m == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm };
+    let body = head.body(found, layout, sequences)?;
 
     let mut experts = vec![Vec::with_capacity(m); m];
     let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
@@ -85,15 +199,34 @@ pub(super) fn document(value: &Value) -> Result<MotionModel, DocumentError> {
     }
     let fitted =
         FittedModel { order, jitter, experts, dynamics_covariance, sums, parts: maps, alpha, starts };
-    Ok(MotionModel::new(fitted, mapping, layout, column_means, frame_time, sequences, provenance)?)
+    Ok(MotionModel::new(fitted, body, provenance)?)
+}
+
+fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {
+    Ok(PartSpec {
+        name: part.get("name")?.text()?.to_owned(),
+        joints: part.get("joints")?.list(|joint| joint.whole())?,
+    })
+}
+
+fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, FieldError> {
+    Ok(SequenceInfo {
+        name: sequence.get("clip")?.text()?.to_owned(),
+        sha256: sequence.get("sha256")?.text()?.to_owned(),
+        frames: sequence.get("frames")?.whole()?,
+    })
+}
+
+fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
+    match object.optional("note") {
+        Some(note) if *note.value() != Value::Null => Ok(Some(note.text()?.to_owned())),
+        _ => Ok(None),
+    }
 }
 
 fn part(field: Field) -> Result<(PartSpec, PoseMap), FieldError> {
     let mut part = field.object()?;
-    let spec = PartSpec {
-        name: part.get("name")?.text()?.to_owned(),
-        joints: part.get("joints")?.list(|joint| joint.whole())?,
-    };
+    let spec = part_spec(&mut part)?;
     let field = part.get("lambda")?;
     let lambda = field.numbers()?;
     let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;
@@ -169,11 +302,7 @@ fn sequence(
     order: usize,
 ) -> Result<(SequenceInfo, Vec<DMatrix<f64>>), FieldError> {
     let mut sequence = field.object()?;
-    let info = SequenceInfo {
-        name: sequence.get("clip")?.text()?.to_owned(),
-        sha256: sequence.get("sha256")?.text()?.to_owned(),
-        frames: sequence.get("frames")?.whole()?,
-    };
+    let info = sequence_info(&mut sequence)?;
     let field = sequence.get("start")?;
     let items = field.items()?;
     count(&field, items.len(), latent.len()..=latent.len())?;
@@ -198,10 +327,7 @@ fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
         terms: terms(object.get("terms")?, m)?,
         iterations: object.get("iterations")?.whole()?,
         evaluations: object.get("evaluations")?.whole()?,
-        note: match object.optional("note") {
-            Some(note) if *note.value() != Value::Null => Some(note.text()?.to_owned()),
-            _ => None,
-        },
+        note: note(&mut object)?,
     };
     object.end()?;
     Ok(provenance)
@@ -236,54 +362,4 @@ fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {
     };
     object.end()?;
     Ok(terms)
-}
-
-/// A number in a range that `expected` puts into words.
-fn within(field: Field, range: RangeInclusive<f64>, expected: &str) -> Result<f64, FieldError> {
-    let number = field.number()?;
-    if range.contains(&number) { Ok(number) } else { Err(field.wrong(expected)) }
-}
-
-/// `found` of a field: its value or its length.
-fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
-    if range.contains(&found) {
-        return Ok(found);
-    }
-    let (lowest, highest) = range.into_inner();
-    let expected = if lowest == highest { lowest.to_string() } else { format!("from {lowest} to {highest}") };
-    Err(field.error(format!("expected {expected}, found {found}")))
-}
-
-fn shape(field: &Field, matrix: &DMatrix<f64>, rows: usize, columns: usize) -> Result<(), FieldError> {
-    let (r, c) = matrix.shape();
-    if (r, c) == (rows, columns) {
-        return Ok(());
-    }
-    Err(field.error(format!("expected {rows} x {columns} numbers, found {r} x {c}")))
-}
-
-fn positive_number(field: Field) -> Result<f64, FieldError> {
-    let number = field.number()?;
-    positive(&field, &[number])?;
-    Ok(number)
-}
-
-fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
-    match values.iter().find(|v| !(1e-12..=LARGEST).contains(*v)) {
-        None => Ok(()),
-        Some(v) => Err(field.error(format!("expected positive numbers up to 1e12, found {v}"))),
-    }
-}
-
-fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
-    match values.iter().find(|v| v.abs() > LARGEST) {
-        None => Ok(()),
-        Some(v) => Err(field.error(format!("expected numbers up to 1e12 in size, found {v}"))),
-    }
-}
-
-fn tame_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
-    let matrix = field.matrix()?;
-    tame(field, matrix.as_slice())?;
-    Ok(matrix)
 }

@@ -1,5 +1,9 @@
 use super::*;
+use crate::any_model::Record;
+use crate::baselines::map::{MapLearner, MapSettings};
+use crate::body::Body;
 use crate::dataset::{Dataset, Source};
+use crate::learner::{Learner, ModelKind, Movements, Sequence};
 use crate::motion_model::RolloutRequest;
 use crate::parts::presets;
 use crate::samples;
@@ -37,7 +41,7 @@ fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
     let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
     assert_eq!(again.fitted, model.fitted);
     assert_eq!(again.provenance, model.provenance);
-    assert_eq!(again.sequences, model.sequences);
+    assert_eq!(again.body.sequences, model.body.sequences);
     let request = RolloutRequest { frames: 50, ..Default::default() };
     assert_eq!(model.rollout(&request).unwrap().y, again.rollout(&request).unwrap().y);
     assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
@@ -58,8 +62,8 @@ fn it_holds_no_training_clip() {
         }
         count(v)
     };
-    let frames = model.sequences[0].frames;
-    assert!(numbers(&document()) < frames * model.column_means.len() / 2);
+    let frames = model.body.sequences[0].frames;
+    assert!(numbers(&document()) < frames * model.body.column_means.len() / 2);
 }
 
 #[test]
@@ -74,7 +78,7 @@ fn other_files_are_refused_with_the_reason() {
     assert!(refused(|v| v["format"] = json!(vec![1; 100_000])).len() < 200, "a line can be read");
     assert_eq!(
         refused(|v| v["version"] = json!(7)),
-        "expected a model of version 1 or earlier, found version 7; a newer program wrote it"
+        "expected a model of version 2 or earlier, found version 7; a newer program wrote it"
     );
 }
 
@@ -164,4 +168,132 @@ fn what_is_not_finite_is_not_written() {
     let mut model = trained().clone();
     model.provenance.bound = f64::NAN;
     assert!(model.to_json().unwrap_err().to_string().ends_with("expected finite numbers, found NaN"));
+}
+
+/// A MAP CGPDM of the sample walk, hardly trained.
+fn baseline() -> BaselineModel {
+    let clip = samples::clip("walk-1").unwrap().cut(0, 40).unwrap();
+    let parts = &presets(&clip.skeleton)[1].parts;
+    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+    let frames = dataset.lengths()[0];
+    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
+    let mut learner = MapLearner::new(movements, settings).unwrap();
+    while !learner.step().done {}
+    let record = Record {
+        engine: "test".to_owned(),
+        settings: vec![("latent".to_owned(), 2.0), ("seed".to_owned(), 0.0)],
+        frames_per_second: 30.0,
+        objective: learner.progress().best,
+        iterations: 10,
+        note: None,
+    };
+    BaselineModel { body: Body::of(&dataset), model: learner.model().unwrap(), record }
+}
+
+#[test]
+fn a_baseline_rolls_out_to_the_bit_as_it_was_written() {
+    let model = AnyModel::Baseline(Box::new(baseline()));
+    let text = model.to_json().unwrap();
+    let again = AnyModel::from_json(&text).unwrap();
+    assert_eq!(again.kind(), ModelKind::MapCgpdm);
+    assert_eq!(again.to_json().unwrap(), text);
+    let y = model.rollout(0, 60).unwrap();
+    assert_eq!(again.rollout(0, 60).unwrap(), y);
+    assert!(y.iter().all(|v| v.is_finite()));
+    let (AnyModel::Baseline(written), AnyModel::Baseline(read)) = (&model, &again) else {
+        panic!("another kind");
+    };
+    assert_eq!(read.record, written.record);
+    assert_eq!(read.model.stored_numbers(), written.model.stored_numbers());
+    assert_eq!(again.body().clip(&y, "walk.bvh").unwrap().frames(), 60);
+    assert_eq!(
+        MotionModel::from_json(&text).unwrap_err().to_string(),
+        "expected a vcgpdm or vgpdm model, found a map-cgpdm model"
+    );
+}
+
+#[test]
+fn documents_without_a_kind_are_variational() {
+    let AnyModel::Variational(model) = AnyModel::from_json(&trained().to_json().unwrap()).unwrap() else {
+        panic!("another kind");
+    };
+    assert_eq!(model.fitted, trained().fitted);
+    let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
+    let known = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
+    assert_eq!(named("gplvm"), format!("at kind: expected one of {known}, found \"gplvm\""));
+    assert_eq!(named("vgpdm"), "at kind: expected vcgpdm, for so many parts, found vgpdm");
+    let any = AnyModel::from_json(&trained().to_json().unwrap()).unwrap();
+    let request = RolloutRequest { frames: 20, ..Default::default() };
+    assert_eq!(any.rollout(0, 20).unwrap(), trained().rollout(&request).unwrap().y);
+}
+
+#[test]
+fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
+    type Change = fn(&mut Value);
+    let document: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
+    let cases: [(&str, Change); 10] = [
+        ("at kind: expected map-cgpdm, for so many parts, found map-gpdm", |v| v["kind"] = json!("map-gpdm")),
+        ("at model.order: expected from 1 to 100, found 0", |v| v["model"]["order"] = json!(0)),
+        ("at model: sequence 0 has ", |v| v["model"]["order"] = json!(100)),
+        ("at model.parts[0].latents: expected ", |v| v["sequences"][0]["frames"] = json!(39)),
+        ("at model.parts[1].variance: expected positive", |v| v["model"]["parts"][1]["variance"] = json!(0)),
+        ("at model.parts[1].coefficients: expected ", |v| v["model"]["parts"][1]["coefficients"] = json!([])),
+        ("at model.dynamics[0].lambda[1]: expected 4, found 1", |v| {
+            v["model"]["dynamics"][0]["lambda"][1] = json!([1.0]);
+        }),
+        ("at model.dynamics[1].coefficients: expected numbers up to 1e12", |v| {
+            v["model"]["dynamics"][1]["coefficients"][3][0] = json!(1e13);
+        }),
+        ("at model.alpha: expected positive numbers", |v| v["model"]["alpha"][1][0] = json!(-1.0)),
+        ("at provenance.settings.latent: expected a number", |v| {
+            v["provenance"]["settings"]["latent"] = json!("two");
+        }),
+    ];
+    for (expected, change) in cases {
+        let mut value = document.clone();
+        change(&mut value);
+        let error = AnyModel::from_json(&value.to_string()).err().unwrap().to_string();
+        assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
+    }
+}
+
+#[test]
+fn movement_primitives_come_back_as_they_were_written() {
+    use crate::baselines::{Canonical, DmpLearner, DmpSettings, TmpLearner, TmpSettings};
+    let BaselineModel { body, record, .. } = baseline();
+    let clip = samples::clip("walk-1").unwrap();
+    let parts = body.layout.parts().to_vec();
+    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
+    let frames = dataset.lengths()[0];
+    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let dmp = |canonical| DmpLearner::new(&movements, DmpSettings::new(canonical)).unwrap();
+    let learners: [(ModelKind, Box<dyn Learner>); 3] = [
+        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, TmpSettings::default()).unwrap())),
+        (ModelKind::DmpDiscrete, Box::new(dmp(Canonical::Discrete))),
+        (ModelKind::DmpRhythmic, Box::new(dmp(Canonical::Rhythmic))),
+    ];
+    for (kind, mut learner) in learners {
+        for _ in 0..3 {
+            learner.step();
+        }
+        let body = Body::of(&dataset);
+        let model = BaselineModel { body, model: learner.model().unwrap(), record: record.clone() };
+        let text = model.to_json().unwrap();
+        let again = AnyModel::from_json(&text).unwrap();
+        assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
+        let y = AnyModel::Baseline(Box::new(model)).rollout(0, 50).unwrap();
+        assert_eq!(again.rollout(0, 50).unwrap(), y);
+        // Every field of a model is needed, and none but these.
+        let value: Value = serde_json::from_str(&text).unwrap();
+        for name in value["model"].as_object().unwrap().keys() {
+            let mut broken = value.clone();
+            broken["model"].as_object_mut().unwrap().remove(name);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert_eq!(error, format!("at model: expected a field \"{name}\", found none"));
+            broken["model"][name] = json!([["x"]]);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert!(error.starts_with(&format!("at model.{name}")), "{error}");
+        }
+    }
 }

@@ -1,14 +1,14 @@
 //! From a model to the tree of its document.
 
 use super::{FORMAT, VERSION, Value};
+use crate::any_model::BaselineModel;
 use crate::model::{BoundTerms, FittedExpert};
 use crate::motion_model::{MotionModel, Provenance};
 use crate::training::TrainingSettings;
-use nalgebra::DMatrix;
 
-pub(super) fn document(model: &MotionModel) -> Value {
+pub(super) fn variational(model: &MotionModel) -> Value {
     let fitted = &model.fitted;
-    let parts = fitted.parts.iter().zip(model.layout.parts());
+    let parts = fitted.parts.iter().zip(model.body.layout.parts());
     let parts = Value::list(parts, |(map, spec)| {
         Value::object([
             ("name", Value::text(&spec.name)),
@@ -16,56 +16,89 @@ pub(super) fn document(model: &MotionModel) -> Value {
             ("lambda", Value::numbers(map.kernel.lambda.as_slice())),
             ("variance", Value::Number(map.kernel.variance)),
             ("beta", Value::Number(map.beta)),
-            ("r", matrix(&map.r)),
-            ("v_mean", matrix(&map.mean)),
-            ("v_covariance", matrix(&map.covariance)),
+            ("r", Value::matrix(&map.r)),
+            ("v_mean", Value::matrix(&map.mean)),
+            ("v_covariance", Value::matrix(&map.covariance)),
         ])
     });
     // The dynamics into each part; matrices over its sources stack them in order.
     let dynamics = Value::list(0..fitted.part_count(), |i| {
         Value::object([
             ("experts", Value::list(&fitted.experts, |row| expert(&row[i]))),
-            ("u_covariance", matrix(&fitted.dynamics_covariance[i])),
-            ("sum_psi2", matrix(&fitted.sums[i].psi2)),
-            ("sum_psi1_mu", matrix(&fitted.sums[i].psi1_mu)),
+            ("u_covariance", Value::matrix(&fitted.dynamics_covariance[i])),
+            ("sum_psi2", Value::matrix(&fitted.sums[i].psi2)),
+            ("sum_psi1_mu", Value::matrix(&fitted.sums[i].psi1_mu)),
         ])
     });
-    let sequences = Value::list(model.sequences.iter().zip(&fitted.starts), |(info, start)| {
+    let sequences = Value::list(model.body.sequences.iter().zip(&fitted.starts), |(info, start)| {
         Value::object([
             ("clip", Value::text(&info.name)),
             ("sha256", Value::text(&info.sha256)),
             ("frames", Value::whole(info.frames)),
             // The latent means of the first frames of each part.
-            ("start", Value::list(start, matrix)),
+            ("start", Value::list(start, Value::matrix)),
         ])
     });
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(VERSION)),
-        ("pose", model.mapping.to_value()),
-        ("frame_time", Value::Number(model.frame_time)),
-        ("column_means", Value::numbers(&model.column_means)),
+        // The first version still says all there is to say.
+        ("version", Value::whole(1)),
+        ("pose", model.body.mapping.to_value()),
+        ("frame_time", Value::Number(model.body.frame_time)),
+        ("column_means", Value::numbers(&model.body.column_means)),
         ("order", Value::whole(fitted.order)),
         ("jitter", Value::Number(fitted.jitter)),
         ("parts", parts),
         ("dynamics", dynamics),
         // Row the source, column the target.
-        ("alpha", matrix(&fitted.alpha)),
+        ("alpha", Value::matrix(&fitted.alpha)),
         ("sequences", sequences),
         ("provenance", provenance(&model.provenance)),
     ])
 }
 
-/// An array of rows.
-fn matrix(matrix: &DMatrix<f64>) -> Value {
-    Value::list(matrix.row_iter(), |row| Value::list(row.iter(), |v| Value::Number(*v)))
+/// A document of a model that only rolls out; `None` for a kind that has a document of its own.
+pub(super) fn baseline(baseline: &BaselineModel) -> Option<Value> {
+    let BaselineModel { body, model, record } = baseline;
+    let fields = model.to_value()?;
+    let parts = Value::list(body.layout.parts(), |spec| {
+        Value::object([("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))])
+    });
+    let sequences = Value::list(&body.sequences, |info| {
+        Value::object([
+            ("clip", Value::text(&info.name)),
+            ("sha256", Value::text(&info.sha256)),
+            ("frames", Value::whole(info.frames)),
+        ])
+    });
+    let settings = record.settings.iter().map(|(name, value)| (name.clone(), Value::Number(*value)));
+    let provenance = Value::object([
+        ("engine", Value::text(&record.engine)),
+        ("settings", Value::Object(settings.collect())),
+        ("frames_per_second", Value::Number(record.frames_per_second)),
+        ("objective", Value::Number(record.objective)),
+        ("iterations", Value::whole(record.iterations)),
+        ("note", record.note.as_deref().map_or(Value::Null, Value::text)),
+    ]);
+    Some(Value::object([
+        ("format", Value::text(FORMAT)),
+        ("version", Value::whole(VERSION)),
+        ("kind", Value::text(model.kind().id())),
+        ("pose", body.mapping.to_value()),
+        ("frame_time", Value::Number(body.frame_time)),
+        ("column_means", Value::numbers(&body.column_means)),
+        ("parts", parts),
+        ("sequences", sequences),
+        ("model", fields),
+        ("provenance", provenance),
+    ]))
 }
 
 fn expert(expert: &FittedExpert) -> Value {
     Value::object([
         ("lambda", Value::numbers(expert.kernel.lambda.as_slice())),
-        ("z", matrix(&expert.z)),
-        ("u_mean", matrix(&expert.mean)),
+        ("z", Value::matrix(&expert.z)),
+        ("u_mean", Value::matrix(&expert.mean)),
     ])
 }
 

@@ -1,11 +1,14 @@
 //! JSON, small: a tree of values, read and written so that every number comes back to the bit, and a cursor over the tree
 //! that knows the path of the field it stands on. Many times smaller in the wasm than a general library's code.
 
+pub mod checks;
 mod field;
 mod parse;
 mod write;
 
-pub use field::{Field, FieldError};
+use nalgebra::DMatrix;
+
+pub use field::{Field, FieldError, Object};
 pub use parse::{JsonError, parse};
 pub use write::{NotFinite, write};
 
@@ -40,6 +43,11 @@ impl Value {
     /// An array of numbers.
     pub fn numbers(values: &[f64]) -> Value {
         Value::list(values, |v| Value::Number(*v))
+    }
+
+    /// An array of rows.
+    pub fn matrix(matrix: &DMatrix<f64>) -> Value {
+        Value::list(matrix.row_iter(), |row| Value::list(row.iter(), |v| Value::Number(*v)))
     }
 
     /// An array of whole numbers.

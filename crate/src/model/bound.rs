@@ -7,7 +7,8 @@
 //! with A = K + Psi2 / n and gap = psi0 - tr(K^-1 Psi2). Everything is computed in the coordinates in which K = L L^T is the
 //! identity: A = L ( I + B / n ) L^T with B = L^-1 Psi2 L^-T, which is well conditioned whatever K is.
 
-use crate::linalg::{Factor, NumericsError};
+use super::tall::add_tr_product;
+use crate::linalg::{Factor, NumericsError, symmetric};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -55,77 +56,116 @@ pub struct InducingPosterior {
     pub covariance: DMatrix<f64>,
 }
 
-/// What value, adjoint and posterior share.
-struct Whitened {
+/// Room for the bound of one GP and its adjoint, to be used again and again.
+#[derive(Debug)]
+pub struct BoundRoom {
     k: Factor,
     /// B = L^-1 Psi2 L^-T.
     whitened: DMatrix<f64>,
-    /// I + B / n.
+    inner_matrix: DMatrix<f64>,
+    /// Of I + B / n.
     inner: Factor,
+    /// L^-1 b.
+    b: DMatrix<f64>,
     /// (I + B / n)^-1 L^-1 b.
     c: DMatrix<f64>,
-    /// tr(b^T A^-1 b).
-    fit: f64,
+    c_transposed: DMatrix<f64>,
+    cct: DMatrix<f64>,
+    /// (I + B / n)^-1.
+    inverse: DMatrix<f64>,
+    adjoint: BoundAdjoint,
+}
+
+impl BoundRoom {
+    /// For M inducing points and C target columns.
+    pub fn new(inducing: usize, columns: usize) -> Self {
+        let square = || DMatrix::zeros(inducing, inducing);
+        let wide = || DMatrix::zeros(inducing, columns);
+        let adjoint = BoundAdjoint {
+            k: square(),
+            psi2: square(),
+            b: wide(),
+            psi0: 0.0,
+            second_moment: 0.0,
+            noise: 0.0,
+        };
+        Self {
+            k: Factor::default(),
+            whitened: square(),
+            inner_matrix: square(),
+            inner: Factor::default(),
+            b: wide(),
+            c: wide(),
+            c_transposed: DMatrix::zeros(columns, inducing),
+            cct: square(),
+            inverse: square(),
+            adjoint,
+        }
+    }
+
+    /// What [`SparseGp::bound_and_adjoint`] left.
+    pub fn adjoint(&self) -> &BoundAdjoint {
+        &self.adjoint
+    }
 }
 
 impl SparseGp<'_> {
-    fn whitened(&self) -> Result<Whitened, NumericsError> {
-        let k = Factor::new(self.k, "covariance of the inducing points")?;
-        let whitened = k.whiten(self.psi2);
-        let mut inner = &whitened / self.noise;
-        for a in 0..inner.nrows() {
-            inner[(a, a)] += 1.0;
+    /// The bound, in nats; the room then holds what the adjoint needs.
+    pub fn bound(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
+        let BoundRoom { k, whitened, inner_matrix, inner, b, c, .. } = room;
+        let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
+        k.refactor(self.k, "covariance of the inducing points")?;
+        whitened.copy_from(self.psi2);
+        k.whiten_mut(whitened);
+        inner_matrix.copy_from(whitened);
+        *inner_matrix /= n;
+        for a in 0..inner_matrix.nrows() {
+            inner_matrix[(a, a)] += 1.0;
         }
-        let inner = Factor::new(&inner, "covariance of the data at the inducing points")?;
-        let b = k.solve_lower(self.b);
-        let c = inner.solve(&b);
-        let fit = b.dot(&c);
-        Ok(Whitened { k, whitened, inner, c, fit })
-    }
-
-    fn value(&self, w: &Whitened) -> f64 {
-        let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
-        let gap = self.psi0 - w.whitened.trace();
-        -0.5 * rows * columns * (TAU * n).ln()
+        inner.refactor(inner_matrix, "covariance of the data at the inducing points")?;
+        b.copy_from(self.b);
+        k.solve_lower_mut(b);
+        c.copy_from(b);
+        inner.solve_mut(c);
+        let gap = self.psi0 - whitened.trace();
+        let bound = -0.5 * rows * columns * (TAU * n).ln()
             - 0.5 * self.second_moment / n
-            - 0.5 * columns * w.inner.log_determinant()
-            + 0.5 * w.fit / (n * n)
-            - 0.5 * columns * gap / n
+            - 0.5 * columns * inner.log_determinant()
+            + 0.5 * b.dot(c) / (n * n)
+            - 0.5 * columns * gap / n;
+        Ok(bound)
     }
 
-    /// The bound, in nats.
-    pub fn bound(&self) -> Result<f64, NumericsError> {
-        Ok(self.value(&self.whitened()?))
-    }
-
-    /// The bound, in nats, and its adjoint.
-    pub fn bound_and_adjoint(&self) -> Result<(f64, BoundAdjoint), NumericsError> {
-        let w = self.whitened()?;
+    /// The bound, in nats; its adjoint stays in the room.
+    pub fn bound_and_adjoint(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
+        let bound = self.bound(room)?;
+        let BoundRoom { k: k_factor, whitened, inner, b, c, c_transposed, cct, inverse, adjoint, .. } = room;
         let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
-        let size = self.k.nrows();
-        let inverse = w.inner.inverse();
-        let cct = &w.c * w.c.transpose();
-        let identity = DMatrix::identity(size, size);
-        let psi2 = (&identity - &inverse) * (0.5 * columns / n) - &cct * (0.5 / (n * n * n));
-        let k = (&identity - &inverse) * (0.5 * columns)
-            - &cct * (0.5 / (n * n))
-            - &w.whitened * (0.5 * columns / n);
-        let gap = self.psi0 - w.whitened.trace();
-        let noise = -0.5 * rows * columns / n
+        inner.inverse_into(inverse);
+        c.transpose_to(c_transposed);
+        cct.fill(0.0);
+        add_tr_product(c_transposed, c_transposed, cct);
+        for k in 0..whitened.len() {
+            let identity = if k % (whitened.nrows() + 1) == 0 { 1.0 } else { 0.0 };
+            let shrunk = identity - inverse[k];
+            adjoint.psi2[k] = 0.5 * columns / n * shrunk - 0.5 / (n * n * n) * cct[k];
+            adjoint.k[k] = 0.5 * columns * shrunk - 0.5 / (n * n) * cct[k] - 0.5 * columns / n * whitened[k];
+        }
+        k_factor.unwhiten_mut(&mut adjoint.psi2);
+        k_factor.unwhiten_mut(&mut adjoint.k);
+        adjoint.b.copy_from(c);
+        k_factor.solve_upper_mut(&mut adjoint.b);
+        adjoint.b /= n * n;
+        adjoint.psi0 = -0.5 * columns / n;
+        adjoint.second_moment = -0.5 / n;
+        let gap = self.psi0 - whitened.trace();
+        adjoint.noise = -0.5 * rows * columns / n
             + 0.5 * self.second_moment / (n * n)
-            + 0.5 * columns * inverse.dot(&w.whitened) / (n * n)
-            - w.fit / (n * n * n)
-            + 0.5 * cct.dot(&w.whitened) / (n * n * n * n)
+            + 0.5 * columns * inverse.dot(whitened) / (n * n)
+            - b.dot(c) / (n * n * n)
+            + 0.5 * cct.dot(whitened) / (n * n * n * n)
             + 0.5 * columns * gap / (n * n);
-        let adjoint = BoundAdjoint {
-            k: w.k.unwhiten(&k),
-            psi2: w.k.unwhiten(&psi2),
-            b: w.k.solve_upper(&w.c) / (n * n),
-            psi0: -0.5 * columns / n,
-            second_moment: -0.5 / n,
-            noise,
-        };
-        Ok((self.value(&w), adjoint))
+        Ok(bound)
     }
 
     /// The optimal posterior of the inducing outputs (Velychko et al. 2018, A26), without ever forming K^-1.
@@ -133,7 +173,7 @@ impl SparseGp<'_> {
         let a =
             Factor::new(&(self.k + self.psi2 / self.noise), "covariance of the data at the inducing points")?;
         let mean = self.k * a.solve(self.b) / self.noise;
-        let covariance = crate::linalg::symmetric(self.k * a.solve(self.k));
+        let covariance = symmetric(self.k * a.solve(self.k));
         Ok(InducingPosterior { mean, covariance })
     }
 }
@@ -181,20 +221,24 @@ mod tests {
             + 1.5 * (e.k.determinant().ln() - a.determinant().ln())
             + (e.b.transpose() * inverse * &e.b).trace() / (2.0 * n * n)
             - 1.5 * gap / n;
-        assert_relative_eq!(gp.bound().unwrap(), expected, max_relative = 1e-11);
-        assert_relative_eq!(gp.bound_and_adjoint().unwrap().0, expected, max_relative = 1e-11);
+        let mut room = BoundRoom::new(4, 3);
+        assert_relative_eq!(gp.bound(&mut room).unwrap(), expected, max_relative = 1e-11);
+        assert_relative_eq!(gp.bound_and_adjoint(&mut room).unwrap(), expected, max_relative = 1e-11);
     }
 
     #[test]
     fn adjoint_agrees_with_differences() {
         let e = Example::new();
-        let (_, adjoint) = e.gp().bound_and_adjoint().unwrap();
+        let mut room = BoundRoom::new(4, 3);
+        e.gp().bound_and_adjoint(&mut room).unwrap();
+        let adjoint = room.adjoint();
         let h = 1e-6;
         let difference = |change: &dyn Fn(&mut Example, f64)| {
             let (mut up, mut down) = (Example::new(), Example::new());
             change(&mut up, h);
             change(&mut down, -h);
-            (up.gp().bound().unwrap() - down.gp().bound().unwrap()) / (2.0 * h)
+            let bound = |e: &Example| e.gp().bound(&mut BoundRoom::new(4, 3)).unwrap();
+            (bound(&up) - bound(&down)) / (2.0 * h)
         };
         for i in 0..4 {
             for j in 0..=i {

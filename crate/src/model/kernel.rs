@@ -18,18 +18,30 @@ pub struct Kernel {
 impl Kernel {
     /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on its diagonal.
     pub fn inducing_covariance(&self, z: &DMatrix<f64>, jitter: f64) -> DMatrix<f64> {
-        let n = z.nrows();
-        let mut k = DMatrix::zeros(n, n);
-        for a in 0..n {
-            k[(a, a)] = self.variance * (1.0 + jitter);
-            for b in 0..a {
-                let d2: f64 = (0..z.ncols()).map(|q| (z[(a, q)] - z[(b, q)]).powi(2) / self.lambda[q]).sum();
-                let value = self.variance * exp(-0.5 * d2);
-                k[(a, b)] = value;
-                k[(b, a)] = value;
-            }
-        }
+        let mut k = DMatrix::zeros(z.nrows(), z.nrows());
+        self.inducing_covariance_into(z, jitter, &mut k);
         k
+    }
+
+    /// As [`inducing_covariance`](Self::inducing_covariance), into a matrix that is there.
+    pub fn inducing_covariance_into(&self, z: &DMatrix<f64>, jitter: f64, k: &mut DMatrix<f64>) {
+        let n = z.nrows();
+        // Column by column below the diagonal, so that the inner loops run over numbers that lie together.
+        for b in 0..n {
+            let column = &mut k.as_mut_slice()[b * n + b + 1..(b + 1) * n];
+            column.fill(0.0);
+            for q in 0..z.ncols() {
+                let (at, lambda) = (z[(b, q)], self.lambda[q]);
+                for (d2, x) in column.iter_mut().zip(&z.as_slice()[q * n + b + 1..(q + 1) * n]) {
+                    *d2 += (x - at) * (x - at) / lambda;
+                }
+            }
+            for d2 in column {
+                *d2 = self.variance * exp(-0.5 * *d2);
+            }
+            k[(b, b)] = self.variance * (1.0 + jitter);
+        }
+        k.fill_upper_triangle_with_lower_triangle();
     }
 
     /// The covariance of the points `x` [n x P] with the inducing inputs `z` [K x P]: [n x K].
@@ -67,9 +79,34 @@ impl Kernel {
         }
         into.variance += total / self.variance;
     }
+
+    /// The adjoint of [`inducing_covariance`](Self::inducing_covariance) without jitter at many points `x` [n x P]: three
+    /// products of matrices instead of loops over pairs. `df_dk` [n x n] (symmetric) is overwritten.
+    pub fn covariance_adjoint(
+        &self,
+        x: &DMatrix<f64>,
+        k: &DMatrix<f64>,
+        df_dk: &mut DMatrix<f64>,
+    ) -> KernelAdjoint {
+        df_dk.component_mul_assign(k);
+        // h_ab = dF/dk_ab k_ab: sum_b h_ab (x_a - x_b) = x_a sum_b h_ab - (h x)_a.
+        let rows = df_dk.column_sum();
+        let hx = &*df_dk * x;
+        let mut adjoint = KernelAdjoint::zeros(x.nrows(), x.ncols());
+        for q in 0..x.ncols() {
+            for a in 0..x.nrows() {
+                let pull = x[(a, q)] * rows[a] - hx[(a, q)];
+                adjoint.z[(a, q)] = -2.0 * pull / self.lambda[q];
+                adjoint.lambda[q] += x[(a, q)] * pull;
+            }
+            adjoint.lambda[q] /= self.lambda[q] * self.lambda[q];
+        }
+        adjoint.variance = rows.sum() / self.variance;
+        adjoint
+    }
 }
 
-/// dF with respect to a kernel and its inducing inputs.
+/// dF with respect to a kernel and its inputs.
 #[derive(Clone, Debug)]
 pub struct KernelAdjoint {
     /// dF/dz [K x P].
@@ -84,6 +121,20 @@ impl KernelAdjoint {
     /// All zero, for `ips` inducing inputs of `dims` dimensions.
     pub fn zeros(ips: usize, dims: usize) -> Self {
         Self { z: DMatrix::zeros(ips, dims), lambda: DVector::zeros(dims), variance: 0.0 }
+    }
+
+    /// Adds it to the entries of a gradient.
+    pub fn add_to(&self, z: &mut DMatrix<f64>, kernel: &mut Kernel) {
+        *z += &self.z;
+        kernel.lambda += &self.lambda;
+        kernel.variance += self.variance;
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.z.fill(0.0);
+        self.lambda.fill(0.0);
+        self.variance = 0.0;
     }
 }
 
@@ -142,5 +193,18 @@ mod tests {
         up.variance += h;
         down.variance -= h;
         assert_relative_eq!(adjoint.variance, (f(&up, &z) - f(&down, &z)) / (2.0 * h), epsilon = 1e-8);
+    }
+
+    #[test]
+    fn adjoint_at_many_points_is_the_adjoint() {
+        let (kernel, z) = example();
+        let g = DMatrix::from_row_slice(3, 3, &[0.3, -0.2, 0.7, -0.2, 1.1, 0.4, 0.7, 0.4, -0.5]);
+        let k = kernel.inducing_covariance(&z, 0.0);
+        let mut expected = KernelAdjoint::zeros(3, 2);
+        kernel.inducing_covariance_adjoint(&z, &k, 0.0, &g, &mut expected);
+        let adjoint = kernel.covariance_adjoint(&z, &k, &mut g.clone());
+        assert_relative_eq!(adjoint.z, expected.z, epsilon = 1e-12);
+        assert_relative_eq!(adjoint.lambda, expected.lambda, epsilon = 1e-12);
+        assert_relative_eq!(adjoint.variance, expected.variance, epsilon = 1e-12);
     }
 }

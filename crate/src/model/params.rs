@@ -1,5 +1,6 @@
-//! The named parameters of the model, their constraints, and the flat vector that an optimiser sees.
+//! The named parameters of the vCGPDM.
 
+use super::flat::{ALPHA, BETA, IPS, Kind, LAMBDA, MU, Parameters, S, SIGNAL};
 use super::kernel::Kernel;
 use super::psi::Gaussians;
 use nalgebra::DMatrix;
@@ -40,52 +41,30 @@ pub struct Params {
     pub alpha: DMatrix<f64>,
 }
 
-/// The blocks of parameters that a schedule can free or hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// mu and S.
-    Latents,
-    /// Couplings, lengthscales, signal and noise variances.
-    Kernels,
-    /// r and z.
-    InducingInputs,
-}
-
-/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm) and the box it is held in.
-#[derive(Clone, Copy, Debug)]
-pub struct Kind {
-    /// Its block.
-    pub group: Group,
-    positive: bool,
-    lowest: f64,
-    highest: f64,
-}
-
-const fn free(group: Group, limit: f64) -> Kind {
-    Kind { group, positive: false, lowest: -limit, highest: limit }
-}
-
-const fn positive(group: Group, lowest: f64, highest: f64) -> Kind {
-    Kind { group, positive: true, lowest, highest }
-}
-
-// The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
-const MU: Kind = free(Group::Latents, 10.0);
-const S: Kind = positive(Group::Latents, 1e-3, 2.0);
-const IPS: Kind = free(Group::InducingInputs, 10.0);
-const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
-const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
-const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2);
-const ALPHA: Kind = positive(Group::Kernels, 1e-3, 10.0);
-
 impl Params {
     /// M.
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }
 
-    /// Calls `f` with every block of values and its kind, in the order of the flat vector.
-    pub(crate) fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
+    /// The same shapes, all entries zero.
+    pub fn zeros_like(&self) -> Params {
+        let mut zeros = self.clone();
+        zeros.set_zero();
+        zeros
+    }
+
+    /// Sets all entries to zero.
+    pub fn set_zero(&mut self) {
+        self.visit_mut(&mut |_, values| values.fill(0.0));
+        for expert in self.experts.iter_mut().flatten() {
+            expert.kernel.variance = 0.0;
+        }
+    }
+}
+
+impl Parameters for Params {
+    fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
         for part in &self.parts {
             f(MU, part.latents.mean.as_slice());
             f(S, part.latents.variance.as_slice());
@@ -116,73 +95,11 @@ impl Params {
         }
         f(ALPHA, self.alpha.as_mut_slice());
     }
-
-    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes.
-    pub fn to_flat(&self) -> Vec<f64> {
-        let mut flat = Vec::new();
-        self.visit(&mut |kind, values| {
-            flat.extend(values.iter().map(|v| {
-                let held = v.clamp(kind.lowest, kind.highest);
-                if kind.positive { held.ln() } else { held }
-            }));
-        });
-        flat
-    }
-
-    /// Takes the values of a flat vector of the same shape.
-    pub fn set_flat(&mut self, flat: &[f64]) {
-        let mut rest = flat.iter();
-        self.visit_mut(&mut |kind, values| {
-            for (value, flat) in values.iter_mut().zip(&mut rest) {
-                // Through the box once more, because the exponential of a logarithm can round past its end.
-                *value = if kind.positive { flat.exp() } else { *flat }.clamp(kind.lowest, kind.highest);
-            }
-        });
-    }
-
-    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural parameters `at`.
-    pub fn to_flat_gradient(&self, at: &Params) -> Vec<f64> {
-        let mut flat = Vec::new();
-        self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));
-        let mut k = 0;
-        at.visit(&mut |kind, values| {
-            for (g, value) in flat[k..k + values.len()].iter_mut().zip(values) {
-                if kind.positive {
-                    *g *= value;
-                }
-            }
-            k += values.len();
-        });
-        flat
-    }
-
-    /// The kind of every entry of the flat vector.
-    pub fn flat_kinds(&self) -> Vec<Kind> {
-        let mut kinds = Vec::new();
-        self.visit(&mut |kind, values| kinds.extend(std::iter::repeat_n(kind, values.len())));
-        kinds
-    }
-
-    /// The same shapes, all entries zero.
-    pub fn zeros_like(&self) -> Params {
-        let mut zeros = self.clone();
-        zeros.visit_mut(&mut |_, values| values.fill(0.0));
-        for expert in zeros.experts.iter_mut().flatten() {
-            expert.kernel.variance = 0.0;
-        }
-        zeros
-    }
-}
-
-impl Kind {
-    /// The box of a flat entry of this kind.
-    pub fn flat_box(&self) -> (f64, f64) {
-        if self.positive { (self.lowest.ln(), self.highest.ln()) } else { (self.lowest, self.highest) }
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use crate::model::Parameters;
     use crate::model::testing::random_case;
     use approx::assert_relative_eq;
 

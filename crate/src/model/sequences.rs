@@ -85,40 +85,61 @@ impl Sequences {
     /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves) [R x Q].
     pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
         let mut out = DMatrix::zeros(self.transitions(), x.ncols());
+        self.lagged_into(x, lag, &mut out);
+        out
+    }
+
+    /// As [`lagged`](Self::lagged), into a matrix that is there.
+    pub fn lagged_into(&self, x: &DMatrix<f64>, lag: usize, out: &mut DMatrix<f64>) {
         for (rows, frames) in self.blocks(lag) {
             out.rows_mut(rows.start, rows.len()).copy_from(&x.rows(frames.start, frames.len()));
         }
-        out
     }
 
     /// The histories (x_{t-p}, ..., x_{t-1}), oldest first, of the latents `x` [N x Q]: [R x pQ].
     pub fn histories(&self, x: &Gaussians) -> Gaussians {
-        let dims = x.mean.ncols();
-        let mut out = Gaussians::zeros(self.transitions(), self.order * dims);
-        for k in 0..self.order {
-            for (rows, frames) in self.blocks(self.order - k) {
-                let shape = (rows.len(), dims);
-                out.mean
-                    .view_mut((rows.start, k * dims), shape)
-                    .copy_from(&x.mean.rows(frames.start, shape.0));
-                out.variance
-                    .view_mut((rows.start, k * dims), shape)
-                    .copy_from(&x.variance.rows(frames.start, shape.0));
-            }
-        }
+        let mut out = Gaussians::zeros(self.transitions(), self.order * x.mean.ncols());
+        self.histories_into(x, &mut out);
         out
+    }
+
+    /// As [`histories`](Self::histories), into matrices that are there.
+    pub fn histories_into(&self, x: &Gaussians, out: &mut Gaussians) {
+        self.windows_into(&x.mean, &mut out.mean);
+        self.windows_into(&x.variance, &mut out.variance);
     }
 
     /// Adds the adjoint of [`histories`](Self::histories) to `into` [N x Q].
     pub fn add_histories_adjoint(&self, adjoint: &Gaussians, into: &mut Gaussians) {
-        let dims = into.mean.ncols();
+        self.add_windows_adjoint(&adjoint.mean, &mut into.mean);
+        self.add_windows_adjoint(&adjoint.variance, &mut into.variance);
+    }
+
+    /// The p rows of `x` [N x Q] before each frame that has a history, side by side, oldest first: [R x pQ].
+    pub fn windows(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut out = DMatrix::zeros(self.transitions(), self.order * x.ncols());
+        self.windows_into(x, &mut out);
+        out
+    }
+
+    fn windows_into(&self, x: &DMatrix<f64>, out: &mut DMatrix<f64>) {
+        let dims = x.ncols();
         for k in 0..self.order {
             for (rows, frames) in self.blocks(self.order - k) {
                 let shape = (rows.len(), dims);
-                let mut mean = into.mean.rows_mut(frames.start, shape.0);
-                mean += adjoint.mean.view((rows.start, k * dims), shape);
-                let mut variance = into.variance.rows_mut(frames.start, shape.0);
-                variance += adjoint.variance.view((rows.start, k * dims), shape);
+                out.view_mut((rows.start, k * dims), shape).copy_from(&x.rows(frames.start, shape.0));
+            }
+        }
+    }
+
+    /// Adds the adjoint of [`windows`](Self::windows) to `into` [N x Q].
+    pub fn add_windows_adjoint(&self, adjoint: &DMatrix<f64>, into: &mut DMatrix<f64>) {
+        let dims = into.ncols();
+        for k in 0..self.order {
+            for (rows, frames) in self.blocks(self.order - k) {
+                let shape = (rows.len(), dims);
+                let mut out = into.rows_mut(frames.start, shape.0);
+                out += adjoint.view((rows.start, k * dims), shape);
             }
         }
     }

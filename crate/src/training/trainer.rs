@@ -1,23 +1,20 @@
 //! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best kept.
 
+use super::ascent::{Ascent, Phase, Target};
 use super::init::starting_point;
-use super::optimizer::{Evaluate, Optimizer};
 use crate::linalg::NumericsError;
-use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError};
+use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError, Workspace};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use thiserror::Error;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 50;
-/// The joint search ends when so many iterations have together gained less than [`SMALL_GAIN`] of the bound.
-const PATIENCE: usize = 40;
-const SMALL_GAIN: f64 = 1e-6;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
+const MOST_DIMENSIONS: usize = 100;
 
 /// What training is asked to do.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -117,63 +114,34 @@ pub struct TrainingProgress {
     pub fraction: f64,
 }
 
-/// A block of the schedule: which parameters are free, for how long.
-struct Phase {
-    name: &'static str,
-    groups: &'static [Group],
-    iterations: usize,
-}
-
-/// What the optimiser's evaluations leave behind.
-struct Search {
+/// The bound and the room in which it is computed.
+struct Bound {
     objective: Objective,
-    params: Params,
-    /// The flat vector, held entries included.
-    flat: Vec<f64>,
-    best: f64,
-    best_flat: Vec<f64>,
-    best_terms: BoundTerms,
-    evaluations: usize,
+    workspace: Workspace,
 }
 
-impl Search {
-    /// The negative bound and its gradient with the entries `free` of the flat vector replaced by `x`.
-    fn evaluate(&mut self, free: &[usize], x: &[f64]) -> (f64, Vec<f64>) {
-        self.evaluations += 1;
-        for (k, value) in free.iter().zip(x) {
-            self.flat[*k] = *value;
-        }
-        self.params.set_flat(&self.flat);
-        if let Ok((terms, gradient)) = self.objective.terms_and_gradient(&self.params) {
-            let bound = terms.total();
-            let gradient = gradient.to_flat_gradient(&self.params);
-            if gradient.iter().all(|g| g.is_finite()) {
-                if bound > self.best {
-                    self.best = bound;
-                    self.best_flat.copy_from_slice(&self.flat);
-                    self.best_terms = terms;
-                }
-                return (-bound, free.iter().map(|k| -gradient[*k]).collect());
-            }
-        }
-        // A point that no jitter could save: worse than all that was seen, so that the line search turns back.
-        (1e3 * (1.0 + self.best.abs()), vec![0.0; free.len()])
+impl Target for Bound {
+    type Parameters = Params;
+    type Terms = BoundTerms;
+
+    fn compute(&mut self, at: &Params) -> Result<f64, NumericsError> {
+        self.objective.compute_with_gradient(at, &mut self.workspace)?;
+        Ok(self.workspace.terms().total())
+    }
+
+    fn terms(&self) -> &BoundTerms {
+        self.workspace.terms()
+    }
+
+    fn gradient(&self) -> &Params {
+        self.workspace.gradient()
     }
 }
 
 /// A training under way.
 pub struct Trainer {
-    search: Arc<Mutex<Search>>,
+    ascent: Ascent<Bound>,
     settings: TrainingSettings,
-    phases: Vec<Phase>,
-    phase: usize,
-    phase_iterations: usize,
-    iteration: usize,
-    optimizer: Option<Optimizer>,
-    /// Best bounds of the joint search, iteration by iteration.
-    trace: Vec<f64>,
-    bound: f64,
-    reason: Option<&'static str>,
 }
 
 impl Trainer {
@@ -184,127 +152,45 @@ impl Trainer {
         settings: TrainingSettings,
     ) -> Result<Self, TrainingError> {
         for (name, found) in [
-            ("the latent dimension", settings.latent),
             ("the number of dynamics inducing points", settings.dynamics_ips),
             ("the number of pose inducing points", settings.pose_ips),
-            ("the order of the dynamics", settings.order),
         ] {
-            let highest = if name.contains("points") { LARGEST } else { 100 };
-            if !(1..=highest).contains(&found) {
-                return Err(TrainingError::Setting { name, lowest: 1, highest, found });
-            }
+            in_range(name, found, LARGEST)?;
         }
-        if y.is_empty() {
-            return Err(TrainingError::NoParts);
-        }
-        let sequences = Sequences::new(lengths, settings.order)?;
-        let expected = sequences.frames();
-        if let Some(part) = y.iter().position(|y| y.nrows() != expected) {
-            return Err(TrainingError::Frames { part, expected, found: y[part].nrows() });
-        }
+        let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
         let params = starting_point(&y, &sequences, &settings);
         let objective = Objective::new(y, sequences, JITTER);
-        let flat = params.to_flat();
-        let best_terms = objective.terms(&params)?;
-        let best = best_terms.total();
+        let mut workspace = objective.workspace(&params);
+        objective.compute(&params, &mut workspace)?;
+        let terms = workspace.terms().clone();
+        let start = (terms.total(), terms);
         let phases = schedule(settings.max_iterations);
-        let best_flat = flat.clone();
-        let search = Search { objective, params, flat, best, best_flat, best_terms, evaluations: 0 };
-        Ok(Self {
-            search: Arc::new(Mutex::new(search)),
-            settings,
-            phases,
-            phase: 0,
-            phase_iterations: 0,
-            iteration: 0,
-            optimizer: None,
-            trace: Vec::new(),
-            bound: best,
-            reason: None,
-        })
-    }
-
-    fn search(&self) -> MutexGuard<'_, Search> {
-        // Evaluations do not unwind; if one ever did, the best so far would still be whole.
-        self.search.lock().unwrap_or_else(PoisonError::into_inner)
+        let bound = Bound { objective, workspace };
+        let settled = "the bound no longer rises";
+        let ascent = Ascent::new(bound, params, start, phases, settings.max_iterations, settled);
+        Ok(Self { ascent, settings })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
     pub fn step(&mut self) -> TrainingProgress {
-        if self.reason.is_none() {
-            if self.iteration >= self.settings.max_iterations {
-                self.reason = Some("all iterations used");
-            } else {
-                self.iterate();
-            }
-        }
+        self.ascent.step();
         self.progress()
-    }
-
-    fn iterate(&mut self) {
-        let mut optimizer = match self.optimizer.take() {
-            Some(optimizer) => optimizer,
-            None => self.begin_phase(),
-        };
-        let moved = optimizer.step();
-        self.iteration += 1;
-        self.phase_iterations += 1;
-        if let Some(value) = optimizer.value() {
-            self.bound = -value;
-        }
-        let last = self.phase + 1 == self.phases.len();
-        if last {
-            let best = self.search().best;
-            self.trace.push(best);
-            let settled = self.trace.len() > PATIENCE
-                && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
-            if !moved || settled {
-                self.reason = Some("the bound no longer rises");
-            }
-        }
-        if last || (moved && self.phase_iterations < self.phases[self.phase].iterations) {
-            self.optimizer = Some(optimizer);
-        } else {
-            self.phase += 1;
-            self.phase_iterations = 0;
-        }
-    }
-
-    /// Every phase starts from the best point so far.
-    fn begin_phase(&self) -> Optimizer {
-        let mut search = self.search();
-        search.flat = search.best_flat.clone();
-        let groups = self.phases[self.phase].groups;
-        let kinds = search.params.flat_kinds();
-        let free: Vec<usize> = (0..kinds.len()).filter(|k| groups.contains(&kinds[*k].group)).collect();
-        let start = free.iter().map(|k| search.flat[*k]).collect();
-        let boxes: Vec<(f64, f64)> = free.iter().map(|k| kinds[*k].flat_box()).collect();
-        drop(search);
-        let shared = Arc::clone(&self.search);
-        let evaluate: Evaluate =
-            Box::new(move |x| shared.lock().unwrap_or_else(PoisonError::into_inner).evaluate(&free, x));
-        Optimizer::new(start, boxes.into_iter(), evaluate)
     }
 
     /// How far training is.
     pub fn progress(&self) -> TrainingProgress {
-        let search = self.search();
-        let max_iterations = self.settings.max_iterations;
+        let (ascent, search) = (&self.ascent, self.ascent.search());
         TrainingProgress {
-            iteration: self.iteration,
-            max_iterations,
+            iteration: ascent.iteration(),
+            max_iterations: ascent.max_iterations(),
             evaluations: search.evaluations,
-            bound: self.bound,
+            bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
-            phase: self.phases[self.phase].name.to_owned(),
-            done: self.reason.is_some(),
-            reason: self.reason.map(str::to_owned),
-            fraction: if self.reason.is_some() {
-                1.0
-            } else {
-                self.iteration as f64 / max_iterations.max(1) as f64
-            },
+            phase: ascent.phase().to_owned(),
+            done: ascent.reason().is_some(),
+            reason: ascent.reason().map(str::to_owned),
+            fraction: ascent.fraction(),
         }
     }
 
@@ -315,22 +201,46 @@ impl Trainer {
 
     /// The parameters of the best bound so far; before the first step, the starting point.
     pub fn best(&self) -> Params {
-        let search = self.search();
-        let mut params = search.params.clone();
-        params.set_flat(&search.best_flat);
-        params
+        self.ascent.search().best_parameters()
     }
 
     /// What the bound is computed on.
     pub fn objective(&self) -> Objective {
-        self.search().objective.clone()
+        self.ascent.search().target.objective.clone()
     }
 
     /// The model of the best bound so far.
     pub fn model(&self) -> Result<FittedModel, NumericsError> {
-        let params = self.best();
-        FittedModel::fit(&self.search().objective, &params)
+        let search = self.ascent.search();
+        FittedModel::fit(&search.target.objective, &search.best_parameters())
     }
+}
+
+/// What every model with latents asks of its observations `y` [N x D_i] and settings.
+pub fn check_training(
+    y: &[DMatrix<f64>],
+    lengths: Vec<usize>,
+    latent: usize,
+    order: usize,
+) -> Result<Sequences, TrainingError> {
+    in_range("the latent dimension", latent, MOST_DIMENSIONS)?;
+    in_range("the order of the dynamics", order, MOST_DIMENSIONS)?;
+    if y.is_empty() {
+        return Err(TrainingError::NoParts);
+    }
+    let sequences = Sequences::new(lengths, order)?;
+    let expected = sequences.frames();
+    if let Some(part) = y.iter().position(|y| y.nrows() != expected) {
+        return Err(TrainingError::Frames { part, expected, found: y[part].nrows() });
+    }
+    Ok(sequences)
+}
+
+fn in_range(name: &'static str, found: usize, highest: usize) -> Result<(), TrainingError> {
+    if (1..=highest).contains(&found) {
+        return Ok(());
+    }
+    Err(TrainingError::Setting { name, lowest: 1, highest, found })
 }
 
 /// First what the latents are explained with, while they stay at their principal components; then everything together.
@@ -345,13 +255,7 @@ fn schedule(max_iterations: usize) -> Vec<Phase> {
         iterations: BLOCK_ITERATIONS.min(max_iterations / 8),
     };
     let all = &[Latents, Kernels, InducingInputs];
-    let mut phases =
-        vec![first, Phase { name: "everything together", groups: all, iterations: max_iterations }];
-    // The last stays, even without iterations: there is always a phase to tell.
-    if phases[0].iterations == 0 {
-        phases.remove(0);
-    }
-    phases
+    vec![first, Phase { name: "everything together", groups: all, iterations: max_iterations }]
 }
 
 #[cfg(test)]

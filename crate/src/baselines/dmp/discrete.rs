@@ -4,6 +4,7 @@ use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use super::super::split;
 use super::spring::{Curve, integrate, regress};
 use super::{Adaptation, OVERLAP, SpringStart};
+use crate::json::Value;
 use crate::learner::{ModelKind, MovementModel};
 use crate::linalg::NumericsError;
 use crate::rollout::{RolloutError, check_frames};
@@ -186,5 +187,9 @@ impl MovementModel for DmpDiscrete {
 
     fn bound(&self) -> Option<f64> {
         None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
     }
 }

@@ -20,6 +20,7 @@ mod discrete;
 mod learner;
 mod rhythmic;
 mod spring;
+mod stored;
 #[cfg(test)]
 mod tests;
 

@@ -10,6 +10,9 @@ pub const BETA_Z: f64 = ALPHA_Z / 4.0;
 const RIDGE: f64 = 1e-6;
 /// A step of the integration is at most this part of tau; the spring's own time is tau / 12.5.
 const LARGEST_STEP: f64 = 0.02;
+/// Ends of tau, in frames: no tempo and no document makes a frame take more than 500 steps.
+const SHORTEST: f64 = 0.1;
+const LONGEST: f64 = 1e6;
 /// Forces are learned at so many times from frame to frame.
 const BETWEEN: usize = 4;
 
@@ -26,6 +29,7 @@ pub fn integrate(
     frames: usize,
     mut force: impl FnMut(f64, &mut DVector<f64>),
 ) -> DMatrix<f64> {
+    let tau = tau.clamp(SHORTEST, LONGEST);
     let steps = (1.0 / (LARGEST_STEP * tau)).ceil().max(1.0);
     let h = 1.0 / steps;
     let columns = start.len();

@@ -23,6 +23,7 @@
 mod kernel;
 mod learner;
 mod posterior;
+mod stored;
 #[cfg(test)]
 mod tests;
 mod weights;
@@ -31,6 +32,7 @@ pub use learner::{NoiseSharing, TmpLearner, TmpSettings};
 
 use super::phase::{PhaseAxis, PhaseMap, Trial};
 use super::split;
+use crate::json::Value;
 use crate::learner::{ModelKind, MovementModel};
 use crate::linalg::NumericsError;
 use crate::rollout::{RolloutError, check_frames};
@@ -144,5 +146,9 @@ impl MovementModel for Tmp {
 
     fn bound(&self) -> Option<f64> {
         Some(self.bound)
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
     }
 }

@@ -23,10 +23,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let case = Case::from_json(&text).map_err(named)?;
     let mut result = case.evaluate().map_err(named)?;
     if let Some(repeat) = arguments.repeat {
+        let mut workspace = case.objective.workspace(&case.params);
         let mut times = Vec::new();
         for _ in 0..repeat {
             let begin = Instant::now();
-            std::hint::black_box(case.objective.terms_and_gradient(&case.params)?);
+            case.objective.compute_with_gradient(std::hint::black_box(&case.params), &mut workspace)?;
             times.push(1e3 * begin.elapsed().as_secs_f64());
         }
         result.median_ms = Some(median(&mut times));

@@ -32,7 +32,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
-    let names: Vec<String> = model.layout.parts().iter().map(|part| part.name.clone()).collect();
+    let names: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
     let mut alpha = model.fitted.alpha.clone();
     for coupling in &arguments.alpha {
         let (source, target, value) = parse_coupling(coupling, &names)?;
@@ -48,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let clip = model.clip(&rollout, &name_of(&arguments.out))?;
     files::write_text(&arguments.out, &bvh::write(&clip))?;
     if let Some(path) = &arguments.latents {
-        files::write_text(path, &csv(&names, &rollout.latents, model.frame_time))?;
+        files::write_text(path, &csv(&names, &rollout.latents, model.body.frame_time))?;
     }
     Ok(())
 }

@@ -24,11 +24,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let clip = files::read_clip(&arguments.clip)?;
     let in_clip = |reason: &dyn Error| format!("{}: {reason}", clip.name);
-    model.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
+    model.body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
         format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
     })?;
-    let trial = clip.prepared(1.0 / model.frame_time)?;
-    let actual = model.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
+    let trial = clip.prepared(1.0 / model.body.frame_time)?;
+    let actual = model.body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
     let request =
         RolloutRequest { frames: actual.nrows(), sequence: arguments.from, ..RolloutRequest::default() };
     files::print_json(&dtw_mse(&model.rollout(&request)?.y, &actual)?)

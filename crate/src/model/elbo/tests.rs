@@ -1,4 +1,5 @@
 use super::*;
+use crate::model::Parameters;
 use crate::model::testing::random_case;
 use approx::assert_relative_eq;
 
@@ -11,7 +12,7 @@ fn gradient_agrees_with_differences_in_every_block() {
         assert_relative_eq!(terms.total(), objective.terms(&params).unwrap().total(), max_relative = 1e-13);
         let analytic = gradient.to_flat_gradient(&params);
         let flat = params.to_flat();
-        let h = 1e-4;
+        let h = 1e-3;
         let scale = 1.0 + analytic.iter().fold(0.0_f64, |m, g| m.max(g.abs()));
         for k in 0..flat.len() {
             let mut value = |step: f64| {

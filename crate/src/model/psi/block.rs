@@ -1,60 +1,33 @@
 //! The sums over rows, block by block: what a block of rows brings to the exponents, and what comes back from them.
 //!
-//! A block stays in the first-level cache. Within it rows go in lanes of eight that stay in registers, so every loop compiles
-//! to vector instructions, native and wasm, and adds in the same order in both. The exponent of psi2 splits into one term for
-//! each of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
+//! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into one term for each
+//! of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
 
 use super::Gaussians;
-use crate::model::exp::exp;
 use crate::model::kernel::{Kernel, KernelAdjoint};
+use crate::model::lanes::{LANES, Lanes};
 use nalgebra::DMatrix;
+use wide::f64x2;
 
-/// Rows that are worked on side by side.
-pub(super) const LANES: usize = 8;
 /// Rows a block.
 pub(super) const BLOCK: usize = 64;
-
-/// One number for each of [`LANES`] rows.
-pub(super) type Lanes = [f64; LANES];
-
-const ZERO: Lanes = [0.0; LANES];
-
-/// y += factor x.
-#[inline(always)]
-fn add_scaled(y: &mut Lanes, factor: f64, x: &Lanes) {
-    for l in 0..LANES {
-        y[l] += factor * x[l];
-    }
-}
-
-/// y += x z.
-#[inline(always)]
-fn add_product(y: &mut Lanes, x: &Lanes, z: &Lanes) {
-    for l in 0..LANES {
-        y[l] += x[l] * z[l];
-    }
-}
-
-#[inline(always)]
-fn sum(x: &Lanes) -> f64 {
-    ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]))
-}
+/// Chunks of lanes a block.
+const CHUNKS: usize = BLOCK / LANES;
 
 /// The lanes `c` of rows `start` to `start + len` of a column; zero past the end.
 #[inline(always)]
 fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usize) -> Lanes {
     let rows = &matrix.as_slice()[column * matrix.nrows() + start..][..len];
-    let rows = &rows[c * LANES..len.min((c + 1) * LANES)];
-    let mut out = ZERO;
-    out[..rows.len()].copy_from_slice(rows);
-    out
+    Lanes::load(&rows[c * LANES..])
 }
 
 /// What one block of rows brings to the exponents. Rows past the end have scale 0, so they count for nothing.
 ///
-/// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`.
+/// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`, what depends on the
+/// inducing input a at `[a * CHUNKS + chunk]`.
 pub(super) struct Block {
     dims: usize,
+    ips: usize,
     chunks: usize,
     /// n in lambda_q + n s_q: 1 for psi1, 2 for psi2.
     n: f64,
@@ -65,85 +38,80 @@ pub(super) struct Block {
     mean: Vec<Lanes>,
     /// m_q / (lambda_q + n s_q).
     pull: Vec<Lanes>,
-    /// - sum_q m_q^2 / (lambda_q + n s_q) [chunks].
+    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) [chunks].
     base: Vec<Lanes>,
     /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 [chunks].
     scale: Vec<Lanes>,
-    /// psi2's exponent of each a alone, at `[a * BLOCK / LANES + chunk]`.
+    /// psi2's exponent of each a alone.
     own: Vec<Lanes>,
+    /// -1/2 z_aq z_bq of the pair at hand [P].
+    products: Vec<f64x2>,
 }
 
 impl Block {
-    pub(super) fn new(z: &DMatrix<f64>) -> Self {
-        let (ips, dims, chunks) = (z.nrows(), z.ncols(), BLOCK / LANES);
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
         Self {
             dims,
-            chunks,
+            ips,
+            chunks: CHUNKS,
             n: 1.0,
-            z: z.transpose().as_slice().to_vec(),
-            inverse: vec![ZERO; chunks * dims],
-            mean: vec![ZERO; chunks * dims],
-            pull: vec![ZERO; chunks * dims],
-            base: vec![ZERO; chunks],
-            scale: vec![ZERO; chunks],
-            own: vec![ZERO; ips * chunks],
+            z: vec![0.0; ips * dims],
+            inverse: vec![Lanes::ZERO; CHUNKS * dims],
+            mean: vec![Lanes::ZERO; CHUNKS * dims],
+            pull: vec![Lanes::ZERO; CHUNKS * dims],
+            base: vec![Lanes::ZERO; CHUNKS],
+            scale: vec![Lanes::ZERO; CHUNKS],
+            own: vec![Lanes::ZERO; ips * CHUNKS],
+            products: vec![f64x2::ZERO; dims],
         }
     }
 
+    #[inline(always)]
     fn z(&self, a: usize) -> &[f64] {
         &self.z[a * self.dims..(a + 1) * self.dims]
     }
 
-    fn ips(&self) -> usize {
-        self.z.len() / self.dims.max(1)
+    /// Takes the inducing inputs [K x P].
+    pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
+        for a in 0..self.ips {
+            for q in 0..self.dims {
+                self.z[a * self.dims + q] = z[(a, q)];
+            }
+        }
     }
 
     pub(super) fn load(&mut self, x: &Gaussians, start: usize, len: usize, kernel: &Kernel, n: f64) {
         self.n = n;
         self.chunks = len.div_ceil(LANES);
         let amplitude = if n == 1.0 { kernel.variance } else { kernel.variance * kernel.variance };
+        let (one, n) = (Lanes::splat(1.0), Lanes::splat(n));
         for c in 0..self.chunks {
-            let (mut base, mut ratio) = (ZERO, [1.0; LANES]);
+            let (mut base, mut ratio) = (Lanes::ZERO, one);
             for q in 0..self.dims {
-                let lambda = kernel.lambda[q];
+                let lambda = Lanes::splat(kernel.lambda[q]);
                 let mean = lanes(&x.mean, q, start, len, c);
-                let variance = lanes(&x.variance, q, start, len, c);
-                let (mut inverse, mut pull) = (ZERO, ZERO);
-                for l in 0..LANES {
-                    inverse[l] = 1.0 / (lambda + n * variance[l]);
-                    pull[l] = mean[l] * inverse[l];
-                    base[l] -= mean[l] * pull[l];
-                    ratio[l] *= lambda * inverse[l];
-                }
+                let inverse = one / (lambda + n * lanes(&x.variance, q, start, len, c));
+                let pull = mean * inverse;
+                base = base - mean * pull;
+                ratio = ratio * (lambda * inverse);
                 let at = c * self.dims + q;
                 (self.inverse[at], self.pull[at], self.mean[at]) = (inverse, pull, mean);
             }
-            self.base[c] = base;
-            for l in 0..LANES {
-                self.scale[c][l] = if c * LANES + l < len { amplitude * ratio[l].sqrt() } else { 0.0 };
-            }
+            self.base[c] = base * Lanes::splat(0.5);
+            let mut inside = [0.0; LANES];
+            inside[..LANES.min(len - c * LANES)].fill(amplitude);
+            self.scale[c] = ratio.map(f64x2::sqrt) * Lanes::load(&inside);
         }
     }
 
-    /// 1/2 base + sum_q ( z_aq m_q - share z_aq^2 ) / (lambda_q + n s_q).
+    /// base + sum_q ( z_aq m_q - share z_aq^2 ) / (lambda_q + n s_q).
     #[inline(always)]
     fn exponent(&self, a: usize, c: usize, share: f64) -> Lanes {
-        let mut e = ZERO;
-        add_scaled(&mut e, 0.5, &self.base[c]);
+        let mut e = self.base[c];
         let at = c * self.dims..(c + 1) * self.dims;
         for ((z, pull), inverse) in self.z(a).iter().zip(&self.pull[at.clone()]).zip(&self.inverse[at]) {
-            add_scaled(&mut e, *z, pull);
-            add_scaled(&mut e, -share * z * z, inverse);
-        }
-        e
-    }
-
-    /// scale exp(e).
-    #[inline(always)]
-    fn finish(&self, mut e: Lanes, c: usize) -> Lanes {
-        let scale = &self.scale[c];
-        for l in 0..LANES {
-            e[l] = scale[l] * exp(e[l]);
+            e.add_product(Lanes::splat(*z), *pull);
+            e.add_product(Lanes::splat(-share * z * z), *inverse);
         }
         e
     }
@@ -151,76 +119,82 @@ impl Block {
     /// psi1 of every row of the block at inducing input `a`.
     pub(super) fn psi1(&self, a: usize, out: &mut [f64]) {
         for (c, out) in out.chunks_mut(LANES).enumerate() {
-            out.copy_from_slice(&self.finish(self.exponent(a, c, 0.5), c)[..out.len()]);
+            (self.exponent(a, c, 0.5).exp() * self.scale[c]).store(out);
         }
     }
 
     /// The terms of psi2's exponent that belong to a or b alone; their sum is the exponent but for the pairs' products.
     pub(super) fn split_exponent(&mut self) {
-        for a in 0..self.ips() {
+        for a in 0..self.ips {
             for c in 0..self.chunks {
-                self.own[a * (BLOCK / LANES) + c] = self.exponent(a, c, 0.25);
+                self.own[a * CHUNKS + c] = self.exponent(a, c, 0.25);
             }
         }
     }
 
-    /// -1/2 z_aq z_bq into `products`.
-    fn pair_products(&self, a: usize, b: usize, products: &mut [f64]) {
-        for ((product, za), zb) in products.iter_mut().zip(self.z(a)).zip(self.z(b)) {
-            *product = -0.5 * za * zb;
-        }
-    }
-
-    /// psi2_ab of one chunk of rows.
-    #[inline(always)]
-    fn psi2(&self, a: usize, b: usize, c: usize, spread: f64, products: &[f64]) -> Lanes {
-        let (own_a, own_b) = (&self.own[a * (BLOCK / LANES) + c], &self.own[b * (BLOCK / LANES) + c]);
-        let mut e = ZERO;
-        for l in 0..LANES {
-            e[l] = own_a[l] + own_b[l] + spread;
-        }
-        for (product, inverse) in products.iter().zip(&self.inverse[c * self.dims..(c + 1) * self.dims]) {
-            add_scaled(&mut e, *product, inverse);
-        }
-        self.finish(e, c)
-    }
-
-    /// The sum over the block's rows of psi2_ab; its summands are added to `kept`.
-    pub(super) fn psi2_sum(&self, a: usize, b: usize, spread: f64, kept: Option<&mut Vec<Lanes>>) -> f64 {
-        let mut products = vec![0.0; self.dims];
-        self.pair_products(a, b, &mut products);
-        let mut total = ZERO;
-        let mut keep = kept;
-        for c in 0..self.chunks {
-            let value = self.psi2(a, b, c, spread, &products);
-            add_scaled(&mut total, 1.0, &value);
-            if let Some(kept) = &mut keep {
-                kept.push(value);
+    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs]; their sums over
+    /// the rows are added to `sums` (b <= a). `spread` are the pairs' own terms of the exponent.
+    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes], mut sums: Option<&mut DMatrix<f64>>) {
+        let pairs = spread.len();
+        let mut pair = 0;
+        for a in 0..self.ips {
+            for b in 0..=a {
+                for q in 0..self.dims {
+                    self.products[q] = f64x2::splat(-0.5 * self.z(a)[q] * self.z(b)[q]);
+                }
+                let own_a = &self.own[a * CHUNKS..][..self.chunks];
+                let own_b = &self.own[b * CHUNKS..][..self.chunks];
+                let own = own_a.iter().zip(own_b).zip(&self.scale);
+                let rows = own.zip(self.inverse.chunks_exact(self.dims));
+                let mut sum = Lanes::ZERO;
+                for ((((own_a, own_b), scale), inverse), values) in rows.zip(values.chunks_exact_mut(pairs)) {
+                    let mut e = *own_a + *own_b + Lanes::splat(spread[pair]);
+                    for (product, inverse) in self.products.iter().zip(inverse) {
+                        e.add_product(Lanes([*product; LANES / 2]), *inverse);
+                    }
+                    let value = e.exp() * *scale;
+                    values[pair] = value;
+                    sum = sum + value;
+                }
+                if let Some(sums) = &mut sums {
+                    sums[(a, b)] += sum.sum();
+                }
+                pair += 1;
             }
         }
-        sum(&total)
     }
 }
 
-/// Sums of h = (dF/dpsi) psi over the inducing inputs, or pairs of them, of one block. With c the centre of an inducing
-/// input (z_a) or of a pair ((z_a + z_b) / 2): `total` = sum h, `first` = sum h c_q, `second` = sum h c_q^2.
+/// Sums of h = (dF/dpsi) psi over the inducing inputs, or ordered pairs of them, of one block. With c the centre of an
+/// inducing input (z_a) or of a pair ((z_a + z_b) / 2): `total` = sum h, `first` = sum h c_q, `second` = sum h c_q^2.
 pub(super) struct PullBack {
     total: Vec<Lanes>,
     first: Vec<Lanes>,
     second: Vec<Lanes>,
-    /// For each inducing input, the sum of h over the pairs it belongs to, at `[a * BLOCK / LANES + chunk]`.
-    share: Vec<Lanes>,
+    /// Sum over b of h and of h c_q, for the a and chunk at hand [1 + P].
+    folded: Vec<Lanes>,
+    /// dF/dpsi2_ab and dF/dpsi2_ab c_q for the a at hand, b after b [K x (1 + P)].
+    coefficients: Vec<f64x2>,
+    /// dF/dz_aq for the a at hand [P].
+    d_z: Vec<Lanes>,
 }
 
 impl PullBack {
-    pub(super) fn new(z: &DMatrix<f64>) -> Self {
-        let chunks = BLOCK / LANES;
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
         Self {
-            total: vec![ZERO; chunks],
-            first: vec![ZERO; chunks * z.ncols()],
-            second: vec![ZERO; chunks * z.ncols()],
-            share: vec![ZERO; chunks * z.nrows()],
+            total: vec![Lanes::ZERO; CHUNKS],
+            first: vec![Lanes::ZERO; CHUNKS * dims],
+            second: vec![Lanes::ZERO; CHUNKS * dims],
+            folded: vec![Lanes::ZERO; 1 + dims],
+            coefficients: vec![f64x2::ZERO; ips * (1 + dims)],
+            d_z: vec![Lanes::ZERO; dims],
         }
+    }
+
+    fn clear(&mut self) {
+        self.total.fill(Lanes::ZERO);
+        self.first.fill(Lanes::ZERO);
+        self.second.fill(Lanes::ZERO);
     }
 
     pub(super) fn psi1(
@@ -230,81 +204,80 @@ impl PullBack {
         df_dpsi1: &DMatrix<f64>,
         start: usize,
         len: usize,
+        into: &mut KernelAdjoint,
     ) {
-        self.second.fill(ZERO);
-        self.share.fill(ZERO);
-        for a in 0..block.ips() {
+        self.clear();
+        for a in 0..block.ips {
+            self.d_z.fill(Lanes::ZERO);
             for c in 0..block.chunks {
-                let h = &mut self.share[a * (BLOCK / LANES) + c];
-                add_product(h, &lanes(psi1, a, start, len, c), &lanes(df_dpsi1, a, start, len, c));
+                let h = lanes(psi1, a, start, len, c) * lanes(df_dpsi1, a, start, len, c);
+                self.folded[0] = h;
+                for (folded, z) in self.folded[1..].iter_mut().zip(block.z(a)) {
+                    *folded = h * Lanes::splat(*z);
+                }
+                self.collect(block, a, c);
             }
+            self.add_d_z(block, a, into);
         }
-        self.gather(block, 1.0);
     }
 
-    /// `kept` holds the block's psi2 when the forward pass kept it.
+    /// `values` are the block's psi2, as [`Block::psi2`] leaves them.
     pub(super) fn psi2(
         &mut self,
         block: &Block,
-        spread: &DMatrix<f64>,
         df_dpsi2: &DMatrix<f64>,
-        kept: Option<&[Lanes]>,
+        values: &[Lanes],
         into: &mut KernelAdjoint,
     ) {
-        self.second.fill(ZERO);
-        self.share.fill(ZERO);
-        let mut products = vec![0.0; block.dims];
-        let mut tied = vec![ZERO; block.dims];
-        let mut kept = kept.map(|kept| kept.chunks_exact(block.chunks));
-        for a in 0..block.ips() {
-            for b in 0..=a {
-                block.pair_products(a, b, &mut products);
-                tied.fill(ZERO);
-                let weight = if a == b { df_dpsi2[(a, a)] } else { 2.0 * df_dpsi2[(a, b)] };
-                let values = kept.as_mut().and_then(Iterator::next);
-                for c in 0..block.chunks {
-                    let mut h = match values {
-                        Some(values) => values[c],
-                        None => block.psi2(a, b, c, spread[(a, b)], &products),
-                    };
-                    for h in &mut h {
-                        *h *= weight;
-                    }
-                    // A pair's centre is half of each end; a pair of an inducing input with itself counts at both ends.
-                    add_scaled(&mut self.share[a * (BLOCK / LANES) + c], 0.5, &h);
-                    add_scaled(&mut self.share[b * (BLOCK / LANES) + c], 0.5, &h);
-                    let at = c * block.dims..(c + 1) * block.dims;
-                    let sums = self.second[at.clone()].iter_mut().zip(&mut tied);
-                    for ((second, tied), (product, inverse)) in
-                        sums.zip(products.iter().zip(&block.inverse[at]))
-                    {
-                        add_scaled(second, -*product, &h);
-                        add_product(tied, &h, inverse);
-                    }
-                }
-                for (q, tied) in tied.iter().enumerate() {
-                    let tied = 0.5 * sum(tied);
-                    into.z[(a, q)] -= block.z(b)[q] * tied;
-                    into.z[(b, q)] -= block.z(a)[q] * tied;
+        self.clear();
+        let width = 1 + block.dims;
+        for a in 0..block.ips {
+            for (b, coefficients) in self.coefficients.chunks_exact_mut(width).enumerate() {
+                let h = df_dpsi2[(b, a)];
+                coefficients[0] = f64x2::splat(h);
+                for q in 0..block.dims {
+                    coefficients[1 + q] = f64x2::splat(0.5 * h * (block.z(a)[q] + block.z(b)[q]));
                 }
             }
+            self.d_z.fill(Lanes::ZERO);
+            let pairs = block.ips * (block.ips + 1) / 2;
+            for (c, values) in values.chunks_exact(pairs).enumerate().take(block.chunks) {
+                let mut from = 0;
+                while from < width {
+                    let (out, coefficients) = (&mut self.folded[from..], &self.coefficients[from..]);
+                    from += match width - from {
+                        1 => fold::<1>(values, a, coefficients, width, out),
+                        2 => fold::<2>(values, a, coefficients, width, out),
+                        3 | 5 | 6 => fold::<3>(values, a, coefficients, width, out),
+                        _ => fold::<4>(values, a, coefficients, width, out),
+                    };
+                }
+                self.collect(block, a, c);
+            }
+            self.add_d_z(block, a, into);
         }
-        self.gather(block, 0.5);
     }
 
-    /// Total and first moments from the shares; `own` is how much of a share's square belongs to the second moment.
-    fn gather(&mut self, block: &Block, own: f64) {
-        self.total.fill(ZERO);
-        self.first.fill(ZERO);
-        for a in 0..block.ips() {
-            for c in 0..block.chunks {
-                let share = self.share[a * (BLOCK / LANES) + c];
-                add_scaled(&mut self.total[c], 1.0, &share);
-                for (q, z) in block.z(a).iter().enumerate() {
-                    add_scaled(&mut self.first[c * block.dims + q], *z, &share);
-                    add_scaled(&mut self.second[c * block.dims + q], own * z * z, &share);
-                }
-            }
+    /// Adds what is folded for inducing input `a` and chunk `c` to the sums.
+    #[inline(always)]
+    fn collect(&mut self, block: &Block, a: usize, c: usize) {
+        let h = self.folded[0];
+        self.total[c] = self.total[c] + h;
+        let at = c * block.dims..(c + 1) * block.dims;
+        let sums = self.first[at.clone()].iter_mut().zip(&mut self.second[at.clone()]).zip(&mut self.d_z);
+        let rows = block.pull[at.clone()].iter().zip(&block.inverse[at]);
+        let own = self.folded[1..].iter().zip(block.z(a));
+        for ((((first, second), d_z), (pull, inverse)), (centre, z)) in sums.zip(rows).zip(own) {
+            *first = *first + *centre;
+            second.add_product(Lanes::splat(*z), *centre);
+            d_z.add_product(*pull, h);
+            *d_z = *d_z - *inverse * *centre;
+        }
+    }
+
+    fn add_d_z(&self, block: &Block, a: usize, into: &mut KernelAdjoint) {
+        for (q, d_z) in self.d_z.iter().enumerate() {
+            into.z[(a, q)] += block.n * d_z.sum();
         }
     }
 
@@ -317,40 +290,77 @@ impl PullBack {
         into_x: &mut Gaussians,
         into: &mut KernelAdjoint,
     ) {
-        let n = block.n;
+        let n = Lanes::splat(block.n);
+        let half_n = Lanes::splat(0.5 * block.n);
         let rows = into_x.mean.nrows();
         for q in 0..block.dims {
-            let mut lambda = ZERO;
+            let mut lambda = Lanes::ZERO;
             for c in 0..block.chunks {
                 let at = c * block.dims + q;
-                let (inverse, mean, total) = (&block.inverse[at], &block.mean[at], &self.total[c]);
-                let (first, second) = (&self.first[at], &self.second[at]);
-                let (mut d_mean, mut d_variance) = (ZERO, ZERO);
-                for l in 0..LANES {
-                    let (i, m) = (inverse[l], mean[l]);
-                    d_mean[l] = -n * i * (m * total[l] - first[l]);
-                    let square = m * m * total[l] - 2.0 * m * first[l] + second[l];
-                    d_variance[l] = 0.5 * n * (n * i * i * square - i * total[l]);
-                }
-                add_scaled(&mut lambda, 1.0 / n, &d_variance);
-                let (from, count) = (q * rows + start + c * LANES, LANES.min(len - c * LANES));
-                let out = &mut into_x.mean.as_mut_slice()[from..from + count];
-                out.iter_mut().zip(&d_mean).for_each(|(out, d)| *out += d);
-                let out = &mut into_x.variance.as_mut_slice()[from..from + count];
-                out.iter_mut().zip(&d_variance).for_each(|(out, d)| *out += d);
+                let (inverse, mean, total) = (block.inverse[at], block.mean[at], self.total[c]);
+                let (first, second) = (self.first[at], self.second[at]);
+                let pulled = mean * total - first;
+                let square = mean * (pulled - first) + second;
+                let d_mean = n * inverse * pulled;
+                let d_variance = half_n * inverse * (n * inverse * square - total);
+                lambda = lambda + d_variance;
+                let part = q * rows + start + c * LANES..q * rows + start + len;
+                let out = &mut into_x.mean.as_mut_slice()[part.clone()];
+                (Lanes::load(out) - d_mean).store(out);
+                let out = &mut into_x.variance.as_mut_slice()[part];
+                (Lanes::load(out) + d_variance).store(out);
             }
-            into.lambda[q] += sum(&lambda);
+            into.lambda[q] += lambda.sum() / block.n;
         }
-        for a in 0..block.ips() {
-            for q in 0..block.dims {
-                let (mut pulled, mut held) = (ZERO, ZERO);
-                for c in 0..block.chunks {
-                    let share = &self.share[a * (BLOCK / LANES) + c];
-                    add_product(&mut pulled, share, &block.pull[c * block.dims + q]);
-                    add_product(&mut held, share, &block.inverse[c * block.dims + q]);
-                }
-                into.z[(a, q)] += n * sum(&pulled) - block.z(a)[q] * sum(&held);
-            }
+    }
+}
+
+/// sum_b coefficient_bf psi2_ab for one chunk of rows, one `a` and `N` columns f of the coefficients, which are `width` apart
+/// from b to b; `values` are psi2 of all pairs. Gives N back.
+#[inline(always)]
+fn fold<const N: usize>(
+    values: &[Lanes],
+    a: usize,
+    coefficients: &[f64x2],
+    width: usize,
+    out: &mut [Lanes],
+) -> usize {
+    // Half of the lanes at a time: the sums then fit the registers.
+    let low = fold_half::<N, 0>(values, a, coefficients, width);
+    let high = fold_half::<N, 2>(values, a, coefficients, width);
+    for ((out, [b, c]), [d, e]) in out.iter_mut().zip(low).zip(high) {
+        *out = Lanes([b, c, d, e]);
+    }
+    N
+}
+
+#[inline(always)]
+fn fold_half<const N: usize, const HALF: usize>(
+    values: &[Lanes],
+    a: usize,
+    coefficients: &[f64x2],
+    width: usize,
+) -> [[f64x2; 2]; N] {
+    let mut sums = [[f64x2::ZERO; 2]; N];
+    let mut rows = coefficients.chunks(width);
+    let first = a * (a + 1) / 2;
+    for (h, row) in values[first..=first + a].iter().zip(&mut rows) {
+        add_row::<N, HALF>(&mut sums, h, row);
+    }
+    let mut pair = first + 2 * a + 1;
+    for (b, row) in (a + 1..).zip(rows) {
+        add_row::<N, HALF>(&mut sums, &values[pair], row);
+        pair += b + 1;
+    }
+    sums
+}
+
+#[inline(always)]
+fn add_row<const N: usize, const HALF: usize>(sums: &mut [[f64x2; 2]; N], h: &Lanes, row: &[f64x2]) {
+    if let Some(row) = row.first_chunk::<N>() {
+        for (sum, factor) in sums.iter_mut().zip(row) {
+            sum[0] += *factor * h.0[HALF];
+            sum[1] += *factor * h.0[HALF + 1];
         }
     }
 }

@@ -14,6 +14,18 @@ fn example(rows: usize, ips: usize, dims: usize, seed: f64) -> (Gaussians, DMatr
     (x, z, kernel)
 }
 
+fn psi_statistics(
+    x: &Gaussians,
+    z: &DMatrix<f64>,
+    kernel: &Kernel,
+    purpose: Purpose,
+) -> (PsiStatistics, PairRoom) {
+    let mut statistics = PsiStatistics::new(x.mean.nrows(), z.nrows(), z.ncols());
+    let mut room = PairRoom::default();
+    statistics.compute(x, z, kernel, purpose, &mut room);
+    (statistics, room)
+}
+
 /// Gauss-Hermite nodes and weights for the standard normal, 24 points, by Newton's method on the Hermite functions.
 fn hermite() -> Vec<(f64, f64)> {
     let n = 24_usize;
@@ -49,7 +61,7 @@ fn hermite() -> Vec<(f64, f64)> {
 #[test]
 fn statistics_agree_with_quadrature() {
     let (x, z, kernel) = example(70, 4, 2, 0.3);
-    let statistics = psi_statistics(&x, &z, &kernel, Purpose::Value);
+    let (statistics, _) = psi_statistics(&x, &z, &kernel, Purpose::Value);
     let nodes = hermite();
     let mut psi2 = DMatrix::zeros(4, 4);
     for t in 0..70 {
@@ -79,7 +91,7 @@ fn statistics_agree_with_quadrature() {
 fn without_variance_they_are_the_kernel() {
     let (mut x, z, kernel) = example(130, 5, 3, 0.7);
     x.variance.fill(0.0);
-    let statistics = psi_statistics(&x, &z, &kernel, Purpose::Value);
+    let (statistics, _) = psi_statistics(&x, &z, &kernel, Purpose::Value);
     let k = kernel.cross_covariance(&x.mean, &z);
     assert_relative_eq!(statistics.psi1, k, epsilon = 1e-13);
     assert_relative_eq!(statistics.psi2, k.tr_mul(&k), epsilon = 1e-11);
@@ -88,18 +100,23 @@ fn without_variance_they_are_the_kernel() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
     #[test]
-    fn adjoints_agree_with_differences(rows in 1usize..140, ips in 1usize..6, dims in 1usize..5, seed in 0.0f64..10.0) {
+    fn adjoints_agree_with_differences(
+        rows in 1usize..140, ips in 1usize..6, dims in 1usize..8, seed in 0.0f64..10.0, keep in any::<bool>(),
+    ) {
         let (x, z, kernel) = example(rows, ips, dims, seed);
         let g1 = DMatrix::from_fn(rows, ips, |t, a| ((t * 5 + a * 3) as f64).sin());
         let g2 = crate::linalg::symmetric(DMatrix::from_fn(ips, ips, |a, b| ((a * 7 + b) as f64 + seed).cos()));
         let f = |x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel| {
-            let s = psi_statistics(x, z, kernel, Purpose::Value);
+            let (s, _) = psi_statistics(x, z, kernel, Purpose::Value);
             0.7 * s.psi0 + s.psi1.dot(&g1) + s.psi2.dot(&g2)
         };
-        let statistics = psi_statistics(&x, &z, &kernel, Purpose::Gradient);
+        // Summands that are kept and summands that are computed again give the same.
+        let purpose = if keep { Purpose::Gradient } else { Purpose::Value };
+        let (mut statistics, mut room) = psi_statistics(&x, &z, &kernel, purpose);
         let mut dx = Gaussians::zeros(rows, dims);
         let mut dk = KernelAdjoint::zeros(ips, dims);
-        psi_adjoint(&x, &z, &kernel, &statistics, &PsiAdjoint { psi0: 0.7, psi1: &g1, psi2: &g2 }, &mut dx, &mut dk);
+        let adjoint = PsiAdjoint { psi0: 0.7, psi1: &g1, psi2: &g2 };
+        statistics.pull_back((&x, &z, &kernel), &adjoint, &mut room, &mut dx, &mut dk);
         let h = 1e-5;
         let close = |analytic: f64, up: f64, down: f64| {
             let difference = (up - down) / (2.0 * h);
@@ -136,9 +153,9 @@ proptest! {
     #[test]
     fn a_row_moved_far_away_counts_for_nothing(shift in 50.0f64..500.0) {
         let (mut x, z, kernel) = example(3, 4, 2, 0.1);
-        let near = psi_statistics(&Gaussians { mean: x.mean.rows(0, 2).into_owned(), variance: x.variance.rows(0, 2).into_owned() }, &z, &kernel, Purpose::Value);
+        let (near, _) = psi_statistics(&Gaussians { mean: x.mean.rows(0, 2).into_owned(), variance: x.variance.rows(0, 2).into_owned() }, &z, &kernel, Purpose::Value);
         x.mean[(2, 0)] += shift;
-        let all = psi_statistics(&x, &z, &kernel, Purpose::Value);
+        let (all, _) = psi_statistics(&x, &z, &kernel, Purpose::Value);
         prop_assert!((all.psi2 - near.psi2).amax() < 1e-12);
     }
 }
@@ -147,7 +164,7 @@ proptest! {
 fn dimensions_can_be_one() {
     let x = Gaussians { mean: DMatrix::from_element(1, 1, 0.2), variance: DMatrix::from_element(1, 1, 0.5) };
     let kernel = Kernel { lambda: dvector![2.0], variance: 1.0 };
-    let s = psi_statistics(&x, &DMatrix::from_element(1, 1, 1.2), &kernel, Purpose::Value);
+    let (s, _) = psi_statistics(&x, &DMatrix::from_element(1, 1, 1.2), &kernel, Purpose::Value);
     assert_relative_eq!(s.psi1[(0, 0)], (2.0f64 / 2.5).sqrt() * (-0.5f64 / 2.5).exp(), epsilon = 1e-14);
     assert_relative_eq!(s.psi2[(0, 0)], (2.0f64 / 3.0).sqrt() * (-1.0f64 / 3.0).exp(), epsilon = 1e-14);
 }
