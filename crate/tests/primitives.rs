@@ -7,7 +7,9 @@
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::baselines::{Canonical, DmpLearner, DmpSettings, PhaseAxis, TmpLearner, TmpSettings};
+use vcgpdm::baselines::{
+    Canonical, DmpLearner, DmpSettings, NoiseSharing, PhaseAxis, TmpLearner, TmpSettings,
+};
 use vcgpdm::evaluation::{Score, dtw_mse};
 use vcgpdm::{Dataset, Learner, MovementModel, Movements, Sequence, Source, bvh, presets};
 
@@ -61,16 +63,20 @@ fn temporal_movement_primitives() {
     let held_out = movements.sequences.len() - 1;
     let counts: Vec<usize> = std::env::var("COUNTS")
         .map_or((2..=10).collect(), |c| c.split(',').map(|v| v.parse().unwrap()).collect());
-    for axis in [PhaseAxis::Cycle, PhaseAxis::Trial] {
+    for (axis, noise) in [
+        (PhaseAxis::Cycle, NoiseSharing::Part),
+        (PhaseAxis::Cycle, NoiseSharing::Column),
+        (PhaseAxis::Trial, NoiseSharing::Part),
+    ] {
         for &count in &counts {
             let settings =
-                TmpSettings { primitives: Some(count), axis: Some(axis), ..TmpSettings::default() };
+                TmpSettings { primitives: Some(count), axis: Some(axis), noise, ..TmpSettings::default() };
             let mut learner = TmpLearner::new(&movements, settings).unwrap();
             let (seconds, sweeps) = learn(&mut learner);
             let model = learner.fitted().unwrap();
             let s = score(&model, held_out, &actual);
             println!(
-                "{axis:?} Q {count}: bound {:.0}, dtw mse {:.6}, mse {:.6} (variance {:.6}), {seconds:.2} s, {sweeps} sweeps, {} numbers, l {:.3}, R {}, noise {:.5}",
+                "{axis:?} {noise:?} Q {count}: bound {:.0}, dtw mse {:.6}, mse {:.6} (variance {:.6}), {seconds:.2} s, {sweeps} sweeps, {} numbers, l {:.3}, R {}, noise {:.5}",
                 model.bound,
                 s.dtw_mse,
                 s.mse,
@@ -96,9 +102,9 @@ fn dynamic_movement_primitives() {
     let held_out = movements.sequences.len() - 1;
     let lengths: Vec<usize> = movements.lengths();
     let mut settings = vec![(Canonical::Rhythmic, 25.0 / 3.0)];
-    settings.extend([25.0 / 3.0, 4.0, 2.0, 1.0].map(|alpha_x| (Canonical::Discrete, alpha_x)));
+    settings.extend([25.0 / 3.0, 2.0].map(|alpha_x| (Canonical::Discrete, alpha_x)));
     for (canonical, alpha_x) in settings {
-        for bases in [5, 10, 15, 20, 30, 40] {
+        for bases in [5, 10, 15, 20, 30, 40, 80] {
             let settings = DmpSettings { bases, alpha_x, ..DmpSettings::new(canonical) };
             let mut learner = DmpLearner::new(&movements, settings).unwrap();
             let (seconds, _) = learn(&mut learner);
@@ -114,5 +120,16 @@ fn dynamic_movement_primitives() {
             );
         }
     }
-    println!("lengths {lengths:?}");
+    // One trial alone, so that nothing but the number of bases stands between the model and the recording.
+    let one = Movements {
+        y: movements.y.iter().map(|y| y.rows(0, lengths[0]).into_owned()).collect(),
+        sequences: vec![movements.sequences[0]],
+    };
+    for canonical in [Canonical::Discrete, Canonical::Rhythmic] {
+        for bases in [20, 40, 80, 120] {
+            let settings = DmpSettings { bases, ..DmpSettings::new(canonical) };
+            let mut learner = DmpLearner::new(&one, settings).unwrap();
+            println!("one trial, {canonical:?} B {bases}: training error {:.7}", -learner.step().best);
+        }
+    }
 }

@@ -8,11 +8,12 @@ mod stored;
 mod tmp;
 
 pub use dmp::{
-    Adaptation, Canonical, DmpDiscrete, DmpLearner, DmpRhythmic, DmpSettings, RhythmicStart, SpringStart,
+    Adaptation, Canonical, DiscreteStart, DmpDiscrete, DmpLearner, DmpRhythmic, DmpSettings, RhythmicStart,
+    SpringStart,
 };
 pub use period::{Period, period};
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-pub use tmp::{Tmp, TmpLearner, TmpSettings, TrialWeights};
+pub use tmp::{NoiseSharing, Tmp, TmpLearner, TmpSettings, TrialWeights};
 
 use crate::learner::Movements;
 use crate::training::TrainingError;

@@ -14,6 +14,10 @@ const ROUNDS: usize = 4;
 /// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut roughly alike.
 const MOST_SHIFT: f64 = 0.25;
 const MOST_STRETCH: f64 = 1.25;
+/// A trial of which only the first frames are known may begin by this part of a movement later than all the others.
+const START_MARGIN: f64 = 0.1;
+/// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which one is best.
+const STRETCHES: i32 = 6;
 /// Steps of the search for a start are halved so often.
 const HALVINGS: usize = 6;
 
@@ -104,11 +108,19 @@ impl Alignment {
             for s in whole().filter(|&s| round > 0 || s != reference) {
                 maps[s] = template.fit(&frames[s], maps[s], round == 0, true);
             }
+            if axis == PhaseAxis::Trial {
+                span(trials, &mut maps);
+            }
             template = Template::new(axis, whole().map(|s| (&frames[s], maps[s])));
         }
         let rate = Self::mean_rate(trials, &maps);
         for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
-            maps[s] = template.fit(&frames[s], PhaseMap { start: 0.0, rate }, true, false);
+            // A trial begins where trials begin.
+            let start = match axis {
+                PhaseAxis::Cycle => 0.0,
+                PhaseAxis::Trial => 0.5 * (whole().map(|s| maps[s].start).fold(0.0, f64::max) + START_MARGIN),
+            };
+            maps[s] = template.fit(&frames[s], PhaseMap { start, rate }, true, false);
         }
         if axis == PhaseAxis::Cycle {
             for map in &mut maps {
@@ -126,6 +138,23 @@ impl Alignment {
             .collect();
         Template::new(self.axis, frames.iter().map(|(y, map)| (y, *map))).mean.transpose()
     }
+}
+
+/// Makes the whole trials reach from 0 to 1 together.
+fn span(trials: &[Trial], maps: &mut [PhaseMap]) {
+    let (first, last) = covered(trials, maps);
+    for map in maps {
+        *map = PhaseMap { start: (map.start - first) / (last - first), rate: map.rate / (last - first) };
+    }
+}
+
+/// The phases between which the whole trials lie.
+pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+    let whole = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole);
+    let first = whole().map(|(_, map)| map.start).fold(f64::INFINITY, f64::min);
+    let last =
+        whole().map(|(t, map)| map.at(t.y.nrows().saturating_sub(1))).fold(f64::NEG_INFINITY, f64::max);
+    (first, last)
 }
 
 /// The period of one trial where it is clear and near the `common` one.
@@ -194,9 +223,9 @@ impl Template {
         let allowed = |m: &PhaseMap| match self.axis {
             PhaseAxis::Cycle => m.rate > 0.5 * map.rate && m.rate < 2.0 * map.rate,
             PhaseAxis::Trial => {
-                let length = m.rate * count.saturating_sub(1).max(1) as f64;
-                m.start.abs() <= MOST_SHIFT
-                    && (!stretch || (1.0 / MOST_STRETCH..=MOST_STRETCH).contains(&length))
+                let most = if stretch { MOST_SHIFT } else { map.start };
+                let ratio = m.rate / map.rate;
+                (m.start - map.start).abs() <= most && ratio <= MOST_STRETCH && ratio * MOST_STRETCH >= 1.0
             }
         };
         let mut best = map;
@@ -212,8 +241,12 @@ impl Template {
         let step = 1.0 / TEMPLATE as f64;
         if anywhere {
             let half = TEMPLATE as i32 / 2;
-            for k in -half..half {
-                consider(PhaseMap { start: map.start + step * f64::from(k), ..map }, &mut best);
+            let looks = if stretch && self.axis == PhaseAxis::Trial { STRETCHES } else { 0 };
+            for stretch in -looks..=looks {
+                let rate = map.rate * MOST_STRETCH.powf(f64::from(stretch) / f64::from(STRETCHES));
+                for k in -half..half {
+                    consider(PhaseMap { start: map.start + step * f64::from(k), rate }, &mut best);
+                }
             }
         }
         let mut step = step;

@@ -1,8 +1,8 @@
 //! Dynamic movement primitives towards a goal.
 
-use super::super::phase::Trial;
+use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use super::super::split;
-use super::spring::{first_velocity, forcing_target, integrate, regress};
+use super::spring::{Curve, integrate, regress};
 use super::{Adaptation, OVERLAP, SpringStart};
 use crate::json::Value;
 use crate::learner::{ModelKind, MovementModel};
@@ -13,14 +13,21 @@ use nalgebra::{DMatrix, DVector};
 /// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial, one way in all.
 const CLEAR_WAY: f64 = 0.25;
 
+/// Where a sequence begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiscreteStart {
+    /// t / tau of the first frame, and how much of it passes from frame to frame.
+    pub map: PhaseMap,
+    /// The springs at the first frame.
+    pub spring: SpringStart,
+}
+
 /// Fitted discrete dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpDiscrete {
     /// g [D]: the mean of the last frames of the whole trials.
     pub goal: DVector<f64>,
-    /// tau, in frames: the mean of T - 1 over the whole trials.
-    pub duration: f64,
-    /// How fast x fades: x = exp(-alpha_x t / tau).
+    /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
     pub alpha_x: f64,
     /// Centres of the bases, in x [B].
     pub centres: Vec<f64>,
@@ -31,13 +38,14 @@ pub struct DmpDiscrete {
     /// Whether the column's force is scaled by g - y(0) [D].
     pub scaled: Vec<bool>,
     /// One for each training sequence.
-    pub starts: Vec<SpringStart>,
+    pub starts: Vec<DiscreteStart>,
     /// D_i of each part, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpDiscrete {
-    /// Learns `bases` weights for each column.
+    /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
+    /// begin at the same place in it, and forces of different places must not be averaged.
     pub fn fit(
         trials: &[Trial],
         columns: &[usize],
@@ -56,29 +64,38 @@ impl DmpDiscrete {
             0.5 / (OVERLAP * if distance > 0.0 { distance } else { 1.0 }).powi(2)
         };
         let widths: Vec<f64> = (0..bases).map(width).collect();
+        let alignment = Alignment::new(trials, Some(PhaseAxis::Trial));
+        let start = |(trial, map): (&Trial, &PhaseMap)| DiscreteStart {
+            map: *map,
+            spring: SpringStart::of(&trial.y),
+        };
         let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
         let d = trials.first().map_or(0, |t| t.y.ncols());
         let count = whole.len().max(1) as f64;
         let end = |y: &DMatrix<f64>| y.row(y.nrows() - 1).transpose();
         let mut model = Self {
             goal: whole.iter().map(|y| end(y)).fold(DVector::zeros(d), |sum, g| sum + g) / count,
-            duration: whole.iter().map(|y| (y.nrows() - 1) as f64).sum::<f64>() / count,
             alpha_x,
             centres,
             widths,
             weights: DMatrix::zeros(bases, d),
             scaled: (0..d).map(|k| clear_way(&whole, k)).collect(),
-            starts: trials.iter().map(|t| SpringStart::of(&t.y)).collect(),
+            starts: trials.iter().zip(&alignment.maps).map(start).collect(),
             columns: columns.to_vec(),
         };
 
         let mut plain = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
         let mut scaled: Vec<_> =
             (0..d).map(|_| (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, 1))).collect();
-        for y in &whole {
-            let (goal, tau) = (end(y), (y.nrows() - 1) as f64);
-            let target = forcing_target(y, &goal, tau);
-            let rows: Vec<_> = (0..y.nrows()).map(|t| model.features(t as f64 / tau).transpose()).collect();
+        for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
+            let y = &trial.y;
+            // Where the way scales the force its own goal counts, elsewhere the one that the rollout will have.
+            let own = end(y);
+            let goal = DVector::from_fn(d, |k, _| if model.scaled[k] { own[k] } else { model.goal[k] });
+            let curve = Curve::new(y);
+            let target = curve.forces(&goal, 1.0 / map.rate);
+            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
+            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
             let features = DMatrix::from_rows(&rows);
             let (gram, moment) = (features.tr_mul(&features), features.tr_mul(&target));
             for k in (0..d).filter(|&k| model.scaled[k]) {
@@ -119,12 +136,18 @@ impl DmpDiscrete {
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
         let goal = change.goal.as_ref().unwrap_or(&self.goal);
-        let tau = self.duration / change.tempo;
-        let way = goal - &start.position;
+        let rate = start.map.rate * change.tempo;
+        let spring = &start.spring;
+        let way = goal - &spring.position;
         let scale = DVector::from_fn(goal.len(), |k, _| if self.scaled[k] { way[k] } else { 1.0 });
-        let velocity = &start.velocity * change.tempo;
-        Ok(integrate(&start.position, &velocity, goal, tau, frames, |t, out| {
-            out.copy_from(&self.weights.tr_mul(&self.features(t / tau)));
+        let velocity = &spring.velocity * change.tempo;
+        Ok(integrate(&spring.position, &velocity, goal, 1.0 / rate, frames, |t, out| {
+            let phase = start.map.start + rate * t;
+            if phase > 1.0 {
+                // No trial tells what the force is behind the end of all of them; the spring alone leads to the goal.
+                return out.fill(0.0);
+            }
+            out.copy_from(&self.weights.tr_mul(&self.features(phase)));
             out.component_mul_assign(&scale);
         }))
     }
@@ -143,7 +166,7 @@ fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
 impl SpringStart {
     /// At the first frame of `y` [T x D].
     pub(super) fn of(y: &DMatrix<f64>) -> Self {
-        Self { position: y.row(0).transpose(), velocity: first_velocity(y) }
+        Self { position: y.row(0).transpose(), velocity: Curve::new(y).first_velocity() }
     }
 }
 
@@ -157,9 +180,9 @@ impl MovementModel for DmpDiscrete {
         Ok(split(&self.adapted(sequence, frames, &Adaptation::default())?, &self.columns))
     }
 
-    /// Weights, goal, y(0) and y'(0) of one sequence, which columns are scaled, tau and alpha_x.
+    /// Weights, goal, y(0), y'(0), start and rate of one sequence, which columns are scaled, and alpha_x.
     fn stored_numbers(&self) -> usize {
-        self.weights.len() + 4 * self.goal.len() + 2
+        self.weights.len() + 4 * self.goal.len() + 3
     }
 
     fn bound(&self) -> Option<f64> {

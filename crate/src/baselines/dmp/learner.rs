@@ -18,7 +18,7 @@ pub struct DmpSettings {
     pub canonical: Canonical,
     /// B, basis functions of each column.
     pub bases: usize,
-    /// How fast the discrete system's x fades.
+    /// How fast the discrete system's x fades, from 0.1 to 100; others are brought there.
     pub alpha_x: f64,
 }
 
@@ -72,9 +72,12 @@ impl DmpLearner {
     fn fit(&self) -> Result<Fitted, NumericsError> {
         let (trials, columns, bases) = (&self.trials, &self.columns, self.settings.bases);
         Ok(match self.settings.canonical {
-            Canonical::Discrete => {
-                Fitted::Discrete(DmpDiscrete::fit(trials, columns, bases, self.settings.alpha_x)?)
-            }
+            Canonical::Discrete => Fitted::Discrete(DmpDiscrete::fit(
+                trials,
+                columns,
+                bases,
+                self.settings.alpha_x.clamp(0.1, 100.0),
+            )?),
             Canonical::Rhythmic => Fitted::Rhythmic(DmpRhythmic::fit(trials, columns, bases)?),
         })
     }

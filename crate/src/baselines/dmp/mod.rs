@@ -10,6 +10,8 @@
 //! - rhythmic: tau phi' = 1; f = r sum_b psi_b(phi) w_b / sum_b psi_b(phi), psi von Mises in phi, g the centre of the cycle, r the
 //!   amplitude, 1 in the training trials. 2 pi tau is the period.
 //!
+//! t / tau is the phase of the trial, phi / 2 pi that of its cycle, both after an [alignment](super::Alignment) of the trials.
+//!
 //! The weights are one ridge regression of the forces that the training trials would have needed, over all frames of all trials.
 //! A new trial gives y(0) and y'(0) by its first frames; the rhythmic system is started in the phase, and with the amplitude,
 //! at which its limit cycle is nearest to them. There is no noise model, hence no bound.
@@ -22,7 +24,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-pub use discrete::DmpDiscrete;
+pub use discrete::{DiscreteStart, DmpDiscrete};
 pub use learner::{DmpLearner, DmpSettings};
 pub use rhythmic::{DmpRhythmic, RhythmicStart};
 

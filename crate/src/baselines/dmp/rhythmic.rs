@@ -2,7 +2,7 @@
 
 use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use super::super::split;
-use super::spring::{forcing_target, integrate, regress};
+use super::spring::{Curve, integrate, regress};
 use super::{Adaptation, OVERLAP, SpringStart};
 use crate::json::Value;
 use crate::learner::{ModelKind, MovementModel};
@@ -62,8 +62,10 @@ impl DmpRhythmic {
         };
         let (mut gram, mut moment) = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
         for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
-            let target = forcing_target(&trial.y, &model.centre, 1.0 / (TAU * map.rate));
-            let rows: Vec<_> = (0..trial.y.nrows()).map(|t| model.features(map.at(t)).transpose()).collect();
+            let curve = Curve::new(&trial.y);
+            let target = curve.forces(&model.centre, 1.0 / (TAU * map.rate));
+            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
+            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
             let features = DMatrix::from_rows(&rows);
             gram += features.tr_mul(&features);
             moment += features.tr_mul(&target);

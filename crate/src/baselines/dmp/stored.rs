@@ -1,7 +1,7 @@
 //! Dynamic movement primitives as they stand in a document.
 
 use super::super::stored::{map_value, phase_map, vector, whole_columns};
-use super::{DmpDiscrete, DmpRhythmic, RhythmicStart, SpringStart};
+use super::{DiscreteStart, DmpDiscrete, DmpRhythmic, RhythmicStart, SpringStart};
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
 use crate::json::{Field, FieldError, Value};
 
@@ -12,13 +12,17 @@ impl DmpDiscrete {
     pub(super) fn value(&self) -> Value {
         Value::object([
             ("goal", Value::numbers(self.goal.as_slice())),
-            ("duration", Value::Number(self.duration)),
             ("alpha_x", Value::Number(self.alpha_x)),
             ("centres", Value::numbers(&self.centres)),
             ("widths", Value::numbers(&self.widths)),
             ("weights", Value::matrix(&self.weights)),
             ("scaled", Value::list(&self.scaled, |scaled| Value::Bool(*scaled))),
-            ("starts", Value::list(&self.starts, spring_value)),
+            (
+                "starts",
+                Value::list(&self.starts, |start| {
+                    Value::object([("phase", map_value(&start.map)), ("spring", spring_value(&start.spring))])
+                }),
+            ),
         ])
     }
 
@@ -27,7 +31,7 @@ impl DmpDiscrete {
         let mut object = field.object()?;
         let d = whole_columns(columns);
         let goal = vector(&object.get("goal")?, d)?;
-        let duration = positive_number(object.get("duration")?)?;
+
         let alpha_x = positive_number(object.get("alpha_x")?)?;
         let field = object.get("centres")?;
         let bases = count(&field, field.numbers()?.len(), 1..=MOST_BASES)?;
@@ -46,11 +50,17 @@ impl DmpDiscrete {
         })?;
         count(&field, scaled.len(), d..=d)?;
         let field = object.get("starts")?;
-        let starts = field.list(|item| spring(item, d))?;
+        let starts = field.list(|item| {
+            let mut object = item.object()?;
+            let map = phase_map(object.get("phase")?)?;
+            let spring = spring(object.get("spring")?, d)?;
+            object.end()?;
+            Ok(DiscreteStart { map, spring })
+        })?;
         count(&field, starts.len(), sequences..=sequences)?;
         object.end()?;
         let columns = columns.to_vec();
-        Ok(Self { goal, duration, alpha_x, centres, widths, weights, scaled, starts, columns })
+        Ok(Self { goal, alpha_x, centres, widths, weights, scaled, starts, columns })
     }
 }
 

@@ -134,7 +134,7 @@ fn learners_learn_in_one_step_and_refuse_in_words() {
         sequences: vec![Sequence { frames: 55, whole: true }, Sequence { frames: 5, whole: false }],
     };
     for (canonical, kind, numbers) in [
-        (Canonical::Discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 2),
+        (Canonical::Discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
         (Canonical::Rhythmic, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
     ] {
         let settings = DmpSettings { bases: 10, ..DmpSettings::new(canonical) };

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// resolves, so that the values between them follow (the bound counts what does not).
 const SPACING: f64 = 0.7;
 /// More would only be slow; it limits the lengthscale from below.
-const MOST_INDUCING: usize = 64;
+const MOST_INDUCING: usize = 48;
 const FEWEST_INDUCING: usize = 5;
 /// On the diagonal of the inducing covariance: inducing values with a little noise are inducing values too.
 const JITTER: f64 = 1e-8;

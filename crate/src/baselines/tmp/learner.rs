@@ -23,6 +23,16 @@ const PLACES: usize = 32;
 const PHASE_STEP: f64 = 1.0 / 64.0;
 const LENGTHSCALE_FACTOR: f64 = 1.4;
 
+/// Which columns share a noise variance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoiseSharing {
+    /// None: sigma_k^2 belongs to the column, as in Endres et al. (2013).
+    Column,
+    /// Those of a part, like beta of the vCGPDM: only then are the bounds of both on the same footing, because the bound of a
+    /// column that hardly moves would otherwise grow without limit.
+    Part,
+}
+
 /// What the learning of temporal movement primitives is asked to do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TmpSettings {
@@ -32,13 +42,15 @@ pub struct TmpSettings {
     pub most_primitives: usize,
     /// Sweeps over all updates for each Q, at most.
     pub max_sweeps: usize,
+    /// Which columns share a noise variance.
+    pub noise: NoiseSharing,
     /// What the phase means; absent: a cycle when the movement repeats itself.
     pub axis: Option<PhaseAxis>,
 }
 
 impl Default for TmpSettings {
     fn default() -> Self {
-        Self { primitives: None, most_primitives: 12, max_sweeps: 150, axis: None }
+        Self { primitives: None, most_primitives: 12, max_sweeps: 150, noise: NoiseSharing::Part, axis: None }
     }
 }
 
@@ -46,6 +58,7 @@ impl Default for TmpSettings {
 pub struct TmpLearner {
     trials: Vec<Trial>,
     columns: Vec<usize>,
+    groups: Vec<usize>,
     alignment: Alignment,
     settings: TmpSettings,
     /// The number of primitives that is being tried.
@@ -80,11 +93,16 @@ impl TmpLearner {
         let (trials, columns) = trials_of(movements)?;
         let alignment = Alignment::new(&trials, settings.axis);
         let count = settings.primitives.unwrap_or(1);
-        let current = Posterior::start(&trials, &alignment, count)?;
+        let groups = match settings.noise {
+            NoiseSharing::Column => vec![1; columns.iter().sum()],
+            NoiseSharing::Part => columns.iter().copied().filter(|&width| width > 0).collect(),
+        };
+        let current = Posterior::start(&trials, &alignment, &groups, count)?;
         let bound = current.bound(&trials)?;
         Ok(Self {
             trials,
             columns,
+            groups,
             alignment,
             settings,
             count,
@@ -127,13 +145,15 @@ impl TmpLearner {
         if look {
             self.before = self.bound;
         }
-        if self.sweeps < self.settings.max_sweeps && !small {
-            return Ok(());
-        }
-        if !self.relocated && self.sweeps < self.settings.max_sweeps {
+        // Late enough for the primitives to be about right, early enough for them to follow.
+        let late = 2 * self.sweeps > self.settings.max_sweeps;
+        if !self.relocated && (small || late) && self.sweeps < self.settings.max_sweeps {
             self.current.relocate(&self.trials, PLACES)?;
             self.bound = self.current.bound(&self.trials)?;
             (self.relocated, self.before) = (true, f64::NEG_INFINITY);
+            return Ok(());
+        }
+        if self.sweeps < self.settings.max_sweeps && !small {
             return Ok(());
         }
         self.bounds.push((self.count, self.bound));
@@ -149,7 +169,7 @@ impl TmpLearner {
             self.reason = Some(format!("the most primitives are tried; {best} are best"));
         } else {
             self.count += 1;
-            self.current = Posterior::start(&self.trials, &self.alignment, self.count)?;
+            self.current = Posterior::start(&self.trials, &self.alignment, &self.groups, self.count)?;
             self.bound = self.current.bound(&self.trials)?;
             (self.sweeps, self.before, self.relocated) = (0, self.bound, false);
             (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);

@@ -2,7 +2,7 @@
 //!
 //! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
 //!
-//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2,
+//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (of the column or of its part: [`NoiseSharing`]),
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
 //!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
@@ -28,7 +28,7 @@ mod stored;
 mod tests;
 mod weights;
 
-pub use learner::{TmpLearner, TmpSettings};
+pub use learner::{NoiseSharing, TmpLearner, TmpSettings};
 
 use super::phase::{PhaseAxis, PhaseMap, Trial};
 use super::split;

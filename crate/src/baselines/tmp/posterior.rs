@@ -1,6 +1,6 @@
 //! The variational posterior of temporal movement primitives: its bound, and the updates that never lower it.
 
-use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
 use super::kernel::PhaseKernel;
 use super::weights::{ColumnWeights, infer};
 use crate::linalg::{Factor, NumericsError, symmetric};
@@ -57,6 +57,8 @@ pub struct Posterior {
     pub spread: DMatrix<f64>,
     /// a_q [Q].
     pub relevance: DVector<f64>,
+    /// Columns that share their noise, one group after the other: the number of columns of each.
+    groups: Vec<usize>,
     range: (f64, f64),
     views: Vec<View>,
     /// The covariance of v, primitive after primitive [RQ x RQ].
@@ -66,8 +68,14 @@ pub struct Posterior {
 }
 
 impl Posterior {
-    /// Starts from the `count` leading principal components over phase of the aligned trials.
-    pub fn start(trials: &[Trial], alignment: &Alignment, count: usize) -> Result<Self, NumericsError> {
+    /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are the numbers of
+    /// neighbouring columns that share their noise.
+    pub fn start(
+        trials: &[Trial],
+        alignment: &Alignment,
+        groups: &[usize],
+        count: usize,
+    ) -> Result<Self, NumericsError> {
         let axis = alignment.axis;
         let range = match axis {
             PhaseAxis::Cycle => (0.0, 1.0),
@@ -93,10 +101,11 @@ impl Posterior {
             maps,
             v,
             weights: Vec::new(),
-            noise: &variance * NOISE_SHARE,
+            noise: shared(&variance, groups) * NOISE_SHARE,
             scale: variance,
             spread: DMatrix::identity(count, count) * SPREAD_SHARE,
             relevance: DVector::from_element(count, 1.0),
+            groups: groups.to_vec(),
             range,
             views,
             v_covariance: DMatrix::identity(r * count, r * count) * 1e-4,
@@ -197,9 +206,8 @@ impl Posterior {
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
         let energies: Vec<DMatrix<f64>> = (0..trials.len()).map(|s| self.energy(s)).collect();
         let (d, count, s) = (self.weights.len(), self.primitives(), trials.len());
-        for k in 0..d {
-            self.noise[k] = (self.squared_error(trials, &energies, k) / frames).max(self.floor);
-        }
+        let errors = DVector::from_fn(d, |k, _| self.squared_error(trials, &energies, k) / frames);
+        self.noise = shared(&errors, &self.groups).map(|n| n.max(self.floor));
         let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
         for k in 0..d {
             let w = &self.weights[k];
@@ -349,12 +357,16 @@ impl Posterior {
     }
 }
 
-fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
-    let whole = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole);
-    let first = whole().map(|(_, map)| map.start).fold(f64::INFINITY, f64::min);
-    let last =
-        whole().map(|(t, map)| map.at(t.y.nrows().saturating_sub(1))).fold(f64::NEG_INFINITY, f64::max);
-    (first, last)
+/// The mean of each group in the place of every member.
+fn shared(values: &DVector<f64>, groups: &[usize]) -> DVector<f64> {
+    let mut out = values.clone();
+    let mut at = 0;
+    for &size in groups {
+        let mean = values.rows(at, size).mean();
+        out.rows_mut(at, size).fill(mean);
+        at += size;
+    }
+    out
 }
 
 /// v of the functions of phase that explain most of the trials' `variance`-scaled columns [R x count].

@@ -49,10 +49,11 @@ fn no_update_ever_lowers_the_bound() {
     for seed in 0..6 {
         let trials = problem(seed, seed % 2 == 0);
         let alignment = Alignment::new(&trials, None);
+        let groups: &[usize] = if seed < 3 { &[1, 1, 1, 1] } else { &[3, 1] };
         let expected = if seed % 2 == 0 { PhaseAxis::Cycle } else { PhaseAxis::Trial };
         assert_eq!(alignment.axis, expected);
         for count in [1, 3] {
-            let mut posterior = Posterior::start(&trials, &alignment, count).unwrap();
+            let mut posterior = Posterior::start(&trials, &alignment, groups, count).unwrap();
             let mut bound = posterior.bound(&trials).unwrap();
             let first = bound;
             for sweep in 0..24 {
@@ -101,7 +102,7 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
     let trials = [Trial { y, whole: true }];
     let maps = vec![PhaseMap { start: 0.05, rate: 0.3 }];
     let alignment = Alignment { axis: PhaseAxis::Trial, maps: maps.clone() };
-    let mut posterior = Posterior::start(&trials, &alignment, 1).unwrap();
+    let mut posterior = Posterior::start(&trials, &alignment, &[1], 1).unwrap();
     for _ in 0..3 {
         posterior.update_primitives().unwrap();
         posterior.update_weights().unwrap();
