@@ -11,10 +11,13 @@ use nalgebra::DMatrix;
 const TEMPLATE: usize = 64;
 /// Times that all trials are fitted and the template is formed anew.
 const ROUNDS: usize = 4;
+/// A cycle that was asked for has the period that is found, unless the movement hardly repeats at all.
+const FAINT: f64 = 0.3;
 /// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut roughly alike.
 const MOST_SHIFT: f64 = 0.25;
 const MOST_STRETCH: f64 = 1.25;
-/// A trial of which only the first frames are known may begin by this part of a movement later than all the others.
+/// A trial of which only the first frames are known begins where trials begin: by at most this part of a movement later than
+/// all the others, and not before them, where no trial tells how it goes on.
 const START_MARGIN: f64 = 0.1;
 /// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which one is best.
 const STRETCHES: i32 = 6;
@@ -88,8 +91,8 @@ impl Alignment {
             Some(p) if p.correlation >= RHYTHMIC => PhaseAxis::Cycle,
             _ => PhaseAxis::Trial,
         });
-        // Without any period, a cycle is as long as the longest trial.
-        let common = found.map_or(longest as f64, |p| p.frames);
+        // Without a period, a cycle is as long as the longest trial.
+        let common = found.filter(|p| p.correlation >= FAINT).map_or(longest as f64, |p| p.frames);
         let frames: Vec<DMatrix<f64>> = trials.iter().map(|t| t.y.transpose()).collect();
         let mut maps: Vec<PhaseMap> = trials
             .iter()
@@ -106,7 +109,7 @@ impl Alignment {
         let whole = || (0..trials.len()).filter(|&s| trials[s].whole);
         for round in 0..ROUNDS {
             for s in whole().filter(|&s| round > 0 || s != reference) {
-                maps[s] = template.fit(&frames[s], maps[s], round == 0, true);
+                maps[s] = template.fit(&frames[s], maps[s], MOST_SHIFT, round == 0, true);
             }
             if axis == PhaseAxis::Trial {
                 span(trials, &mut maps);
@@ -115,12 +118,9 @@ impl Alignment {
         }
         let rate = Self::mean_rate(trials, &maps);
         for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
-            // A trial begins where trials begin.
-            let start = match axis {
-                PhaseAxis::Cycle => 0.0,
-                PhaseAxis::Trial => 0.5 * (whole().map(|s| maps[s].start).fold(0.0, f64::max) + START_MARGIN),
-            };
-            maps[s] = template.fit(&frames[s], PhaseMap { start, rate }, true, false);
+            let (first, last) = beginnings(axis, trials, &maps);
+            let middle = PhaseMap { start: 0.5 * (first + last), rate };
+            maps[s] = template.fit(&frames[s], middle, 0.5 * (last - first), true, false);
         }
         if axis == PhaseAxis::Cycle {
             for map in &mut maps {
@@ -155,6 +155,15 @@ pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     let last =
         whole().map(|(t, map)| map.at(t.y.nrows().saturating_sub(1))).fold(f64::NEG_INFINITY, f64::max);
     (first, last)
+}
+
+/// Between which phases a trial may begin.
+pub fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+    if axis == PhaseAxis::Cycle {
+        return (0.0, 1.0);
+    }
+    let starts = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole).map(|(_, map)| map.start);
+    (starts().fold(f64::INFINITY, f64::min), starts().fold(f64::NEG_INFINITY, f64::max) + START_MARGIN)
 }
 
 /// The period of one trial where it is clear and near the `common` one.
@@ -217,15 +226,22 @@ impl Template {
         sum / frames.ncols().max(1) as f64
     }
 
-    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first.
-    fn fit(&self, frames: &DMatrix<f64>, map: PhaseMap, anywhere: bool, stretch: bool) -> PhaseMap {
+    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first. A start on a movement
+    /// that is no cycle moves by at most `reach`.
+    fn fit(
+        &self,
+        frames: &DMatrix<f64>,
+        map: PhaseMap,
+        reach: f64,
+        anywhere: bool,
+        stretch: bool,
+    ) -> PhaseMap {
         let count = frames.ncols();
         let allowed = |m: &PhaseMap| match self.axis {
             PhaseAxis::Cycle => m.rate > 0.5 * map.rate && m.rate < 2.0 * map.rate,
             PhaseAxis::Trial => {
-                let most = if stretch { MOST_SHIFT } else { map.start };
                 let ratio = m.rate / map.rate;
-                (m.start - map.start).abs() <= most && ratio <= MOST_STRETCH && ratio * MOST_STRETCH >= 1.0
+                (m.start - map.start).abs() <= reach && ratio <= MOST_STRETCH && ratio * MOST_STRETCH >= 1.0
             }
         };
         let mut best = map;

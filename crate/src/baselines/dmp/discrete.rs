@@ -133,6 +133,7 @@ impl DmpDiscrete {
         change: &Adaptation,
     ) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
+        change.check(self.goal.len())?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
         let goal = change.goal.as_ref().unwrap_or(&self.goal);

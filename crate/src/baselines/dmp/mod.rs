@@ -28,6 +28,7 @@ pub use discrete::{DiscreteStart, DmpDiscrete};
 pub use learner::{DmpLearner, DmpSettings};
 pub use rhythmic::{DmpRhythmic, RhythmicStart};
 
+use crate::rollout::RolloutError;
 use nalgebra::DVector;
 
 /// Neighbouring bases overlap: their width is this part of their distance.
@@ -60,6 +61,26 @@ pub struct Adaptation {
     pub tempo: f64,
     /// How many times as large a rhythmic movement is.
     pub amplitude: f64,
+}
+
+impl Adaptation {
+    /// Checks that it fits a model of so many `columns`.
+    fn check(&self, columns: usize) -> Result<(), RolloutError> {
+        let wrong = |found: String| Err(RolloutError::Adaptation { columns, found });
+        if let Some(goal) = &self.goal {
+            if goal.len() != columns {
+                return wrong(format!("{} numbers", goal.len()));
+            }
+            if let Some(value) = goal.iter().find(|value| !value.is_finite()) {
+                return wrong(format!("{value} in the goal"));
+            }
+        }
+        // The ends keep the springs away from infinities.
+        match [self.tempo, self.amplitude].into_iter().find(|v| !(1e-6..=1e6).contains(v)) {
+            Some(value) => wrong(format!("{value:e}")),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Default for Adaptation {

@@ -107,6 +107,7 @@ impl DmpRhythmic {
         change: &Adaptation,
     ) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
+        change.check(self.centre.len())?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
         let rate = start.map.rate * change.tempo;

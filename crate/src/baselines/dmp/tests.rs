@@ -113,6 +113,15 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
     let found = crate::baselines::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
+    let odd = Adaptation { goal: Some(nalgebra::dvector![1.0]), ..Adaptation::default() };
+    let error = model.adapted(0, 10, &odd).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "expected a goal of 3 finite numbers, and tempo and amplitude positive; found 1 numbers"
+    );
+    let odd = Adaptation { tempo: f64::NAN, ..Adaptation::default() };
+    assert!(model.adapted(0, 10, &odd).unwrap_err().to_string().ends_with("found NaN"));
+
     // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same centre.
     model.starts[2].spring.position.add_scalar_mut(3.0);
     let pushed = model.adapted(2, 200, &Adaptation::default()).unwrap();

@@ -1,6 +1,6 @@
 //! The variational posterior of temporal movement primitives: its bound, and the updates that never lower it.
 
-use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
+use super::super::phase::{Alignment, PhaseAxis, PhaseMap, Trial, beginnings, covered};
 use super::kernel::PhaseKernel;
 use super::weights::{ColumnWeights, infer};
 use crate::linalg::{Factor, NumericsError, symmetric};
@@ -286,18 +286,16 @@ impl Posterior {
         }
     }
 
-    /// Looks along the whole axis for the start of every trial that is not whole, with weights that fit each place.
+    /// Looks for the start of every trial that is not whole wherever trials may begin, with weights that fit each place.
     pub fn relocate(&mut self, trials: &[Trial], places: usize) -> Result<(), NumericsError> {
         let rate = Alignment::mean_rate(trials, &self.maps);
+        let (first, last) = beginnings(self.kernel.axis, trials, &self.maps);
         for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
             self.update_weights()?;
             let mut best = self.bound(trials)?;
             for place in 0..places {
                 let part = place as f64 / places as f64;
-                let start = match self.kernel.axis {
-                    PhaseAxis::Cycle => part,
-                    PhaseAxis::Trial => self.range.0 + 0.5 * part * (self.range.1 - self.range.0),
-                };
+                let start = first + part * (last - first);
                 let mut other = self.clone();
                 other.maps[s] = PhaseMap { start, rate };
                 other.views[s] = View::new(&other.kernel, &trials[s], &other.maps[s]);
