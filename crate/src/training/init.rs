@@ -60,8 +60,11 @@ pub fn starting_point(y: &[DMatrix<f64>], sequences: &Sequences, settings: &Trai
 /// Where the data have fewer dimensions than asked for, small noise stands in for the missing ones.
 fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
     let n = y.nrows();
-    let eigen = SymmetricEigen::new(y.tr_mul(y) / n as f64);
-    let mut left: Vec<usize> = (0..y.ncols()).collect();
+    // Frames and columns have the same eigenvalues; the smaller of the two matrices is taken.
+    let wide = y.ncols() > n;
+    let products = if wide { y * y.transpose() } else { y.tr_mul(y) };
+    let eigen = SymmetricEigen::new(products / n as f64);
+    let mut left: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
     let largest = eigen.eigenvalues.max();
     let mut scores = DMatrix::zeros(n, count);
     for q in 0..count {
@@ -69,10 +72,15 @@ fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) ->
             .max_by(|a, b| eigen.eigenvalues[left[*a]].total_cmp(&eigen.eigenvalues[left[*b]]));
         let next = place.map(|place| left.swap_remove(place));
         if let Some(k) = next.filter(|k| eigen.eigenvalues[*k] > 1e-10 * largest && largest > 0.0) {
-            let axis = eigen.eigenvectors.column(k);
+            let vector = eigen.eigenvectors.column(k);
+            let (score, loading) = if wide {
+                (vector * (n as f64).sqrt(), y.tr_mul(&vector))
+            } else {
+                (y * vector / eigen.eigenvalues[k].sqrt(), vector.into_owned())
+            };
             // An eigenvector's sign is arbitrary; the largest loading positive makes it one and the same everywhere.
-            let sign = if axis[axis.iamax()] < 0.0 { -1.0 } else { 1.0 };
-            scores.set_column(q, &(y * axis * (sign / eigen.eigenvalues[k].sqrt())));
+            let sign = if loading[loading.iamax()] < 0.0 { -1.0 } else { 1.0 };
+            scores.set_column(q, &(score * sign));
         } else {
             for t in 0..n {
                 let noise: f64 = StandardNormal.sample(rng);
@@ -130,6 +138,14 @@ mod tests {
         }
         assert_eq!(start, starting_point(&[y.clone(), y.clone()], &sequences, &settings(4)));
         assert_ne!(start, starting_point(&[y.clone(), y], &sequences, &settings(5)));
+    }
+
+    #[test]
+    fn a_body_with_more_columns_than_frames_starts_alike() {
+        let (y, _) = wave();
+        let wide = y.clone().resize_horizontally(60, 0.0);
+        let scores = |y: &DMatrix<f64>| principal_components(y, 2, &mut ChaCha8Rng::seed_from_u64(1));
+        assert_relative_eq!(scores(&wide), scores(&y), epsilon = 1e-9);
     }
 
     #[test]

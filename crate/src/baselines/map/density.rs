@@ -8,7 +8,7 @@
 //! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
 //!
 //! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
-//! (Urtasun, Fleet & Fua 2006, section 3.2) raises the density of the dynamics into part i to the power D_i / Q_i.
+//! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
 
 use super::exact_gp::{log_density, log_density_and_adjoint};
 use super::params::MapParams;
