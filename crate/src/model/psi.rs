@@ -120,7 +120,6 @@ impl PsiStatistics {
         let chunks = if room.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
         room.values.resize(chunks * pairs, Lanes::ZERO);
         self.psi0 = rows as f64 * kernel.variance;
-        self.psi2.fill(0.0);
         for start in (0..rows).step_by(BLOCK) {
             let len = BLOCK.min(rows - start);
             block.load(x, start, len, kernel, 1.0);
@@ -129,13 +128,9 @@ impl PsiStatistics {
             }
             block.load(x, start, len, kernel, 2.0);
             block.split_exponent();
-            block.psi2(&self.spread, room.block_mut(start, pairs), Some(&mut self.psi2));
+            block.psi2(&self.spread, room.block_mut(start, pairs), true);
         }
-        for a in 0..ips {
-            for b in 0..a {
-                self.psi2[(b, a)] = self.psi2[(a, b)];
-            }
-        }
+        block.psi2_sums(&mut self.psi2);
     }
 
     /// Turns the adjoint of [`compute`](Self::compute) into those of its arguments, which must be the same as then, and adds
@@ -159,7 +154,7 @@ impl PsiStatistics {
             block.load(x, start, len, kernel, 2.0);
             if !room.whole {
                 block.split_exponent();
-                block.psi2(&self.spread, room.block_mut(start, pairs), None);
+                block.psi2(&self.spread, room.block_mut(start, pairs), false);
             }
             pull.psi2(block, adjoint.psi2, room.block_mut(start, pairs), into_kernel);
             pull.scatter(block, start, len, into_x, into_kernel);

@@ -13,18 +13,24 @@ fn column(matrix: &DMatrix<f64>, k: usize) -> &[f64] {
     &matrix.as_slice()[k * rows..(k + 1) * rows]
 }
 
+/// Rows of both matrices that are worked on before the next ones: they then stay in the cache for all columns.
+const ROWS: usize = 256;
+
 /// out += a^T b for `a` [N x K], `b` [N x C] and `out` [K x C].
 pub fn add_tr_product(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
     let (left, right) = (a.ncols(), b.ncols());
-    for j in (0..right).step_by(RIGHT) {
-        for i in (0..left).step_by(LEFT) {
-            // Past the last column the last one stands in again, and its sum is dropped.
-            let of_a = std::array::from_fn(|k| column(a, (i + k).min(left - 1)));
-            let of_b = std::array::from_fn(|k| column(b, (j + k).min(right - 1)));
-            let sums = dot_products(of_a, of_b);
-            for (l, sum) in sums.iter().enumerate().take(left - i) {
-                for (r, sum) in sum.iter().enumerate().take(right - j) {
-                    out[(i + l, j + r)] += sum;
+    for t in (0..a.nrows()).step_by(ROWS) {
+        let rows = t..a.nrows().min(t + ROWS);
+        for j in (0..right).step_by(RIGHT) {
+            for i in (0..left).step_by(LEFT) {
+                // Past the last column the last one stands in again, and its sum is dropped.
+                let of_a = std::array::from_fn(|k| &column(a, (i + k).min(left - 1))[rows.clone()]);
+                let of_b = std::array::from_fn(|k| &column(b, (j + k).min(right - 1))[rows.clone()]);
+                let sums = dot_products(of_a, of_b);
+                for (l, sum) in sums.iter().enumerate().take(left - i) {
+                    for (r, sum) in sum.iter().enumerate().take(right - j) {
+                        out[(i + l, j + r)] += sum;
+                    }
                 }
             }
         }

@@ -44,8 +44,10 @@ pub(super) struct Block {
     scale: Vec<Lanes>,
     /// psi2's exponent of each a alone.
     own: Vec<Lanes>,
-    /// -1/2 z_aq z_bq of the pair at hand [P].
+    /// -1/2 z_aq z_bq of every pair b <= a [pairs x P].
     products: Vec<f64x2>,
+    /// Sums over the rows of psi2 of every pair so far.
+    sums: Vec<Lanes>,
 }
 
 impl Block {
@@ -62,7 +64,8 @@ impl Block {
             base: vec![Lanes::ZERO; CHUNKS],
             scale: vec![Lanes::ZERO; CHUNKS],
             own: vec![Lanes::ZERO; ips * CHUNKS],
-            products: vec![f64x2::ZERO; dims],
+            products: vec![f64x2::ZERO; ips * (ips + 1) / 2 * dims],
+            sums: vec![Lanes::ZERO; ips * (ips + 1) / 2],
         }
     }
 
@@ -71,8 +74,17 @@ impl Block {
         &self.z[a * self.dims..(a + 1) * self.dims]
     }
 
-    /// Takes the inducing inputs [K x P].
+    /// Takes the inducing inputs [K x P] and starts the sums anew.
     pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
+        self.sums.fill(Lanes::ZERO);
+        let mut products = self.products.iter_mut();
+        for a in 0..self.ips {
+            for b in 0..=a {
+                for (q, product) in (0..self.dims).zip(&mut products) {
+                    *product = f64x2::splat(-0.5 * z[(a, q)] * z[(b, q)]);
+                }
+            }
+        }
         for a in 0..self.ips {
             for q in 0..self.dims {
                 self.z[a * self.dims + q] = z[(a, q)];
@@ -132,34 +144,39 @@ impl Block {
         }
     }
 
-    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs]; their sums over
-    /// the rows are added to `sums` (b <= a). `spread` are the pairs' own terms of the exponent.
-    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes], mut sums: Option<&mut DMatrix<f64>>) {
+    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs], and into the sums
+    /// if `count`. `spread` are the pairs' own terms of the exponent.
+    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes], count: bool) {
         let pairs = spread.len();
-        let mut pair = 0;
-        for a in 0..self.ips {
-            for b in 0..=a {
-                for q in 0..self.dims {
-                    self.products[q] = f64x2::splat(-0.5 * self.z(a)[q] * self.z(b)[q]);
-                }
-                let own_a = &self.own[a * CHUNKS..][..self.chunks];
-                let own_b = &self.own[b * CHUNKS..][..self.chunks];
-                let own = own_a.iter().zip(own_b).zip(&self.scale);
-                let rows = own.zip(self.inverse.chunks_exact(self.dims));
-                let mut sum = Lanes::ZERO;
-                for ((((own_a, own_b), scale), inverse), values) in rows.zip(values.chunks_exact_mut(pairs)) {
-                    let mut e = *own_a + *own_b + Lanes::splat(spread[pair]);
-                    for (product, inverse) in self.products.iter().zip(inverse) {
+        for (c, values) in values.chunks_exact_mut(pairs).enumerate().take(self.chunks) {
+            let inverse = &self.inverse[c * self.dims..(c + 1) * self.dims];
+            let scale = self.scale[c];
+            let mut terms =
+                spread.iter().zip(self.products.chunks_exact(self.dims)).zip(values).zip(&mut self.sums);
+            for a in 0..self.ips {
+                let own_a = self.own[a * CHUNKS + c];
+                let own = self.own.chunks_exact(CHUNKS);
+                for (own_b, (((spread, products), value), sum)) in own.take(a + 1).zip(&mut terms) {
+                    let mut e = own_a + own_b[c] + Lanes::splat(*spread);
+                    for (product, inverse) in products.iter().zip(inverse) {
                         e.add_product(Lanes([*product; LANES / 2]), *inverse);
                     }
-                    let value = e.exp() * *scale;
-                    values[pair] = value;
-                    sum = sum + value;
+                    *value = e.exp() * scale;
+                    if count {
+                        *sum = *sum + *value;
+                    }
                 }
-                if let Some(sums) = &mut sums {
-                    sums[(a, b)] += sum.sum();
-                }
-                pair += 1;
+            }
+        }
+    }
+
+    /// The sums over all rows of psi2 [K x K].
+    pub(super) fn psi2_sums(&self, psi2: &mut DMatrix<f64>) {
+        let mut sums = self.sums.iter();
+        for a in 0..self.ips {
+            for (b, sum) in (0..=a).zip(&mut sums) {
+                psi2[(a, b)] = sum.sum();
+                psi2[(b, a)] = psi2[(a, b)];
             }
         }
     }
