@@ -149,14 +149,14 @@ impl PsiStatistics {
         for start in (0..rows).step_by(BLOCK) {
             let len = BLOCK.min(rows - start);
             block.load(x, start, len, kernel, 1.0);
-            pull.psi1(block, &self.psi1, adjoint.psi1, start, len, into_kernel);
+            pull.psi1(block, &self.psi1, adjoint.psi1, start, len);
             pull.scatter(block, start, len, into_x, into_kernel);
             block.load(x, start, len, kernel, 2.0);
             if !room.whole {
                 block.split_exponent();
                 block.psi2(&self.spread, room.block_mut(start, pairs), false);
             }
-            pull.psi2(block, adjoint.psi2, room.block_mut(start, pairs), into_kernel);
+            pull.psi2(block, adjoint.psi2, room.block_mut(start, pairs));
             pull.scatter(block, start, len, into_x, into_kernel);
         }
         // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.

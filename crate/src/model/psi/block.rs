@@ -46,6 +46,8 @@ pub(super) struct Block {
     own: Vec<Lanes>,
     /// -1/2 z_aq z_bq of every pair b <= a [pairs x P].
     products: Vec<f64x2>,
+    /// (z_aq + z_bq) / 2, a after a, b after b [K x K x P].
+    centres: Vec<f64x2>,
     /// Sums over the rows of psi2 of every pair so far.
     sums: Vec<Lanes>,
 }
@@ -65,6 +67,7 @@ impl Block {
             scale: vec![Lanes::ZERO; CHUNKS],
             own: vec![Lanes::ZERO; ips * CHUNKS],
             products: vec![f64x2::ZERO; ips * (ips + 1) / 2 * dims],
+            centres: vec![f64x2::ZERO; ips * ips * dims],
             sums: vec![Lanes::ZERO; ips * (ips + 1) / 2],
         }
     }
@@ -78,7 +81,13 @@ impl Block {
     pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
         self.sums.fill(Lanes::ZERO);
         let mut products = self.products.iter_mut();
+        let mut centres = self.centres.iter_mut();
         for a in 0..self.ips {
+            for b in 0..self.ips {
+                for (q, centre) in (0..self.dims).zip(&mut centres) {
+                    *centre = f64x2::splat(0.5 * (z[(a, q)] + z[(b, q)]));
+                }
+            }
             for b in 0..=a {
                 for (q, product) in (0..self.dims).zip(&mut products) {
                     *product = f64x2::splat(-0.5 * z[(a, q)] * z[(b, q)]);
@@ -188,11 +197,11 @@ pub(super) struct PullBack {
     total: Vec<Lanes>,
     first: Vec<Lanes>,
     second: Vec<Lanes>,
-    /// Sum over b of h and of h c_q, for the a and chunk at hand [1 + P].
-    folded: Vec<Lanes>,
-    /// dF/dpsi2_ab and dF/dpsi2_ab c_q for the a at hand, b after b [K x (1 + P)].
-    coefficients: Vec<f64x2>,
-    /// dF/dz_aq for the a at hand [P].
+    /// h of every pair, for the chunk at hand.
+    pairs: Vec<Lanes>,
+    /// Sum over b of h c_q, for the a and chunk at hand [P].
+    centred: Vec<Lanes>,
+    /// dF/dz_aq / n of the block so far [K x P].
     d_z: Vec<Lanes>,
 }
 
@@ -202,9 +211,9 @@ impl PullBack {
             total: vec![Lanes::ZERO; CHUNKS],
             first: vec![Lanes::ZERO; CHUNKS * dims],
             second: vec![Lanes::ZERO; CHUNKS * dims],
-            folded: vec![Lanes::ZERO; 1 + dims],
-            coefficients: vec![f64x2::ZERO; ips * (1 + dims)],
-            d_z: vec![Lanes::ZERO; dims],
+            pairs: vec![Lanes::ZERO; ips * (ips + 1) / 2],
+            centred: vec![Lanes::ZERO; dims],
+            d_z: vec![Lanes::ZERO; ips * dims],
         }
     }
 
@@ -212,6 +221,7 @@ impl PullBack {
         self.total.fill(Lanes::ZERO);
         self.first.fill(Lanes::ZERO);
         self.second.fill(Lanes::ZERO);
+        self.d_z.fill(Lanes::ZERO);
     }
 
     pub(super) fn psi1(
@@ -221,80 +231,74 @@ impl PullBack {
         df_dpsi1: &DMatrix<f64>,
         start: usize,
         len: usize,
-        into: &mut KernelAdjoint,
     ) {
         self.clear();
-        for a in 0..block.ips {
-            self.d_z.fill(Lanes::ZERO);
-            for c in 0..block.chunks {
+        for c in 0..block.chunks {
+            for a in 0..block.ips {
                 let h = lanes(psi1, a, start, len, c) * lanes(df_dpsi1, a, start, len, c);
-                self.folded[0] = h;
-                for (folded, z) in self.folded[1..].iter_mut().zip(block.z(a)) {
-                    *folded = h * Lanes::splat(*z);
+                for (centred, z) in self.centred.iter_mut().zip(block.z(a)) {
+                    *centred = h * Lanes::splat(*z);
                 }
-                self.collect(block, a, c);
+                self.collect(block, a, c, h);
             }
-            self.add_d_z(block, a, into);
         }
     }
 
     /// `values` are the block's psi2, as [`Block::psi2`] leaves them.
-    pub(super) fn psi2(
-        &mut self,
-        block: &Block,
-        df_dpsi2: &DMatrix<f64>,
-        values: &[Lanes],
-        into: &mut KernelAdjoint,
-    ) {
+    pub(super) fn psi2(&mut self, block: &Block, df_dpsi2: &DMatrix<f64>, values: &[Lanes]) {
         self.clear();
-        let width = 1 + block.dims;
-        for a in 0..block.ips {
-            for (b, coefficients) in self.coefficients.chunks_exact_mut(width).enumerate() {
-                let h = df_dpsi2[(b, a)];
-                coefficients[0] = f64x2::splat(h);
-                for q in 0..block.dims {
-                    coefficients[1 + q] = f64x2::splat(0.5 * h * (block.z(a)[q] + block.z(b)[q]));
+        let pairs = self.pairs.len();
+        for (c, values) in values.chunks_exact(pairs).enumerate().take(block.chunks) {
+            // In the order of the memory, which fetches ahead then.
+            let mut both = self.pairs.iter_mut().zip(values);
+            for a in 0..block.ips {
+                let column = &df_dpsi2.as_slice()[a * block.ips..];
+                for (df, (h, value)) in column[..=a].iter().zip(&mut both) {
+                    *h = Lanes::splat(*df) * *value;
                 }
             }
-            self.d_z.fill(Lanes::ZERO);
-            let pairs = block.ips * (block.ips + 1) / 2;
-            for (c, values) in values.chunks_exact(pairs).enumerate().take(block.chunks) {
-                let mut from = 0;
-                while from < width {
-                    let (out, coefficients) = (&mut self.folded[from..], &self.coefficients[from..]);
-                    from += match width - from {
-                        1 => fold::<1>(values, a, coefficients, width, out),
-                        2 => fold::<2>(values, a, coefficients, width, out),
-                        3 | 5 | 6 => fold::<3>(values, a, coefficients, width, out),
-                        _ => fold::<4>(values, a, coefficients, width, out),
-                    };
-                }
-                self.collect(block, a, c);
+            for (a, centres) in block.centres.chunks_exact(block.ips * block.dims).enumerate() {
+                let h = self.fold(block.dims, a, centres);
+                self.collect(block, a, c, h);
             }
-            self.add_d_z(block, a, into);
         }
     }
 
-    /// Adds what is folded for inducing input `a` and chunk `c` to the sums.
+    /// Sums over b: gives that of h, and leaves those of h c_q.
     #[inline(always)]
-    fn collect(&mut self, block: &Block, a: usize, c: usize) {
-        let h = self.folded[0];
+    fn fold(&mut self, dims: usize, a: usize, centres: &[f64x2]) -> Lanes {
+        let mut total = Lanes::ZERO;
+        let mut q = 0;
+        while q < dims {
+            let (out, centres) = (&mut self.centred[q..], &centres[q..]);
+            total = match dims - q {
+                1 => fold::<1>(&self.pairs, a, centres, dims, out),
+                2 | 4 => fold::<2>(&self.pairs, a, centres, dims, out),
+                _ => fold::<3>(&self.pairs, a, centres, dims, out),
+            };
+            q += match dims - q {
+                1 => 1,
+                2 | 4 => 2,
+                _ => 3,
+            };
+        }
+        total
+    }
+
+    /// Adds what belongs to inducing input `a` and chunk `c` to the sums.
+    #[inline(always)]
+    fn collect(&mut self, block: &Block, a: usize, c: usize, h: Lanes) {
         self.total[c] = self.total[c] + h;
         let at = c * block.dims..(c + 1) * block.dims;
-        let sums = self.first[at.clone()].iter_mut().zip(&mut self.second[at.clone()]).zip(&mut self.d_z);
+        let d_z = &mut self.d_z[a * block.dims..(a + 1) * block.dims];
+        let sums = self.first[at.clone()].iter_mut().zip(&mut self.second[at.clone()]).zip(d_z);
         let rows = block.pull[at.clone()].iter().zip(&block.inverse[at]);
-        let own = self.folded[1..].iter().zip(block.z(a));
-        for ((((first, second), d_z), (pull, inverse)), (centre, z)) in sums.zip(rows).zip(own) {
-            *first = *first + *centre;
-            second.add_product(Lanes::splat(*z), *centre);
+        let own = self.centred.iter().zip(block.z(a));
+        for ((((first, second), d_z), (pull, inverse)), (centred, z)) in sums.zip(rows).zip(own) {
+            *first = *first + *centred;
+            second.add_product(Lanes::splat(*z), *centred);
             d_z.add_product(*pull, h);
-            *d_z = *d_z - *inverse * *centre;
-        }
-    }
-
-    fn add_d_z(&self, block: &Block, a: usize, into: &mut KernelAdjoint) {
-        for (q, d_z) in self.d_z.iter().enumerate() {
-            into.z[(a, q)] += block.n * d_z.sum();
+            *d_z = *d_z - *inverse * *centred;
         }
     }
 
@@ -328,56 +332,66 @@ impl PullBack {
                 (Lanes::load(out) + d_variance).store(out);
             }
             into.lambda[q] += lambda.sum() / block.n;
+            for a in 0..block.ips {
+                into.z[(a, q)] += block.n * self.d_z[a * block.dims + q].sum();
+            }
         }
     }
 }
 
-/// sum_b coefficient_bf psi2_ab for one chunk of rows, one `a` and `N` columns f of the coefficients, which are `width` apart
-/// from b to b; `values` are psi2 of all pairs. Gives N back.
+/// For one a: the sum over b of h, and of h c_q for `N` dimensions q into `out`. `pairs` are h of all pairs b <= a; the `centres`
+/// of b and the next are `dims` apart.
 #[inline(always)]
 fn fold<const N: usize>(
-    values: &[Lanes],
+    pairs: &[Lanes],
     a: usize,
-    coefficients: &[f64x2],
-    width: usize,
+    centres: &[f64x2],
+    dims: usize,
     out: &mut [Lanes],
-) -> usize {
+) -> Lanes {
     // Half of the lanes at a time: the sums then fit the registers.
-    let low = fold_half::<N, 0>(values, a, coefficients, width);
-    let high = fold_half::<N, 2>(values, a, coefficients, width);
+    let (low, [h0, h1]) = fold_half::<N, 0>(pairs, a, centres, dims);
+    let (high, [h2, h3]) = fold_half::<N, 2>(pairs, a, centres, dims);
     for ((out, [b, c]), [d, e]) in out.iter_mut().zip(low).zip(high) {
         *out = Lanes([b, c, d, e]);
     }
-    N
+    Lanes([h0, h1, h2, h3])
 }
 
 #[inline(always)]
 fn fold_half<const N: usize, const HALF: usize>(
-    values: &[Lanes],
+    pairs: &[Lanes],
     a: usize,
-    coefficients: &[f64x2],
-    width: usize,
-) -> [[f64x2; 2]; N] {
-    let mut sums = [[f64x2::ZERO; 2]; N];
-    let mut rows = coefficients.chunks(width);
+    centres: &[f64x2],
+    dims: usize,
+) -> ([[f64x2; 2]; N], [f64x2; 2]) {
+    let mut sums = ([[f64x2::ZERO; 2]; N], [f64x2::ZERO; 2]);
+    let mut rows = centres.chunks(dims);
     let first = a * (a + 1) / 2;
-    for (h, row) in values[first..=first + a].iter().zip(&mut rows) {
+    for (h, row) in pairs[first..=first + a].iter().zip(&mut rows) {
         add_row::<N, HALF>(&mut sums, h, row);
     }
     let mut pair = first + 2 * a + 1;
     for (b, row) in (a + 1..).zip(rows) {
-        add_row::<N, HALF>(&mut sums, &values[pair], row);
+        add_row::<N, HALF>(&mut sums, &pairs[pair], row);
         pair += b + 1;
     }
     sums
 }
 
 #[inline(always)]
-fn add_row<const N: usize, const HALF: usize>(sums: &mut [[f64x2; 2]; N], h: &Lanes, row: &[f64x2]) {
+fn add_row<const N: usize, const HALF: usize>(
+    (sums, total): &mut ([[f64x2; 2]; N], [f64x2; 2]),
+    h: &Lanes,
+    row: &[f64x2],
+) {
+    let (low, high) = (h.0[HALF], h.0[HALF + 1]);
+    total[0] += low;
+    total[1] += high;
     if let Some(row) = row.first_chunk::<N>() {
-        for (sum, factor) in sums.iter_mut().zip(row) {
-            sum[0] += *factor * h.0[HALF];
-            sum[1] += *factor * h.0[HALF + 1];
+        for (sum, centre) in sums.iter_mut().zip(row) {
+            sum[0] += *centre * low;
+            sum[1] += *centre * high;
         }
     }
 }
