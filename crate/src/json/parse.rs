@@ -22,7 +22,9 @@ pub struct JsonError {
 
 /// Reads a text that holds one value.
 pub fn parse(text: &str) -> Result<Value, JsonError> {
-    let mut parser = Parser { text, at: 0 };
+    // Some editors write a byte-order mark; it says nothing in UTF-8.
+    let at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+    let mut parser = Parser { text, at };
     let value = parser.value(0)?;
     match parser.peek() {
         None => Ok(value),

@@ -122,6 +122,12 @@ fn refusals_say_where_what_and_what_instead() {
 }
 
 #[test]
+fn a_byte_order_mark_is_passed_over() {
+    assert_eq!(parse("\u{feff} [1]"), parse("[1]"));
+    assert!(parse("[\u{feff}1]").is_err());
+}
+
+#[test]
 fn numbers_are_written_shortly() {
     let text = |v: f64| write(&Value::Number(v)).unwrap();
     let numbers = [0.0, -0.0, 3.0, 0.1, 1e-6, 1e16, -2.5e-300, f64::MAX, 5e-324];
