@@ -45,8 +45,24 @@ impl Factor {
         Ok(factor)
     }
 
+    /// As [`new`](Self::new), quicker for hundreds of rows.
+    pub fn of_large(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
+        let mut factor = Self::default();
+        factor.refactor_by(blocked::factorise, matrix, what)?;
+        Ok(factor)
+    }
+
     /// Becomes the factor of `matrix`, as [`new`](Self::new); allocates nothing when the size stays and no jitter is needed.
     pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
+        self.refactor_by(Cholesky::new, matrix, what)
+    }
+
+    fn refactor_by(
+        &mut self,
+        factorise: fn(DMatrix<f64>) -> Option<Cholesky<f64, Dyn>>,
+        matrix: &DMatrix<f64>,
+        what: &'static str,
+    ) -> Result<(), NumericsError> {
         if matrix.iter().any(|v| !v.is_finite()) {
             return Err(NumericsError::NotFinite { what });
         }
@@ -95,7 +111,8 @@ impl Factor {
 
     /// `x` becomes L^-1 x.
     pub fn solve_lower_mut(&self, x: &mut DMatrix<f64>) {
-        blocked::solve_lower(&self.cholesky.l_dirty().as_view(), &mut x.as_view_mut());
+        // A Cholesky factor has a positive diagonal, so the substitution cannot meet a zero.
+        self.cholesky.l_dirty().solve_lower_triangular_unchecked_mut(x);
     }
 
     /// `x` becomes L^-T x.
@@ -122,7 +139,7 @@ impl Factor {
     /// L^-1 `rhs`.
     pub fn solve_lower(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = rhs.clone();
-        self.solve_lower_mut(&mut x);
+        blocked::solve_lower(&self.cholesky.l_dirty().as_view(), &mut x.as_view_mut());
         x
     }
 
@@ -133,31 +150,17 @@ impl Factor {
         x
     }
 
-    /// matrix^-1.
+    /// matrix^-1, quickly for hundreds of rows too.
     pub fn inverse(&self) -> DMatrix<f64> {
-        let n = self.cholesky.l_dirty().nrows();
-        let mut m = DMatrix::zeros(n, n);
-        self.inverse_into(&mut m);
-        m
+        blocked::inverse(self.cholesky.l_dirty())
     }
 
     /// `m` [n x n] becomes matrix^-1.
     pub fn inverse_into(&self, m: &mut DMatrix<f64>) {
-        if m.nrows() > blocked::LEAF {
-            blocked::inverse(self.cholesky.l_dirty(), m);
-            return;
-        }
         m.fill_with_identity();
         self.solve_mut(m);
         symmetrise(m);
     }
-}
-
-fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
-    if matrix.nrows() <= blocked::LEAF {
-        return Cholesky::new(matrix);
-    }
-    blocked::cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
 }
 
 impl Default for Factor {

@@ -1,13 +1,18 @@
 //! Cholesky factor and inverse of large matrices by halves, so that nearly all of the work is products of matrices.
 
-use nalgebra::{DMatrix, DMatrixView, DMatrixViewMut};
+use nalgebra::{Cholesky, DMatrix, DMatrixView, DMatrixViewMut, Dyn};
 
 /// Up to this size, halving costs more than it saves.
-pub const LEAF: usize = 64;
+const LEAF: usize = 64;
+
+/// The Cholesky factor of a symmetric `matrix` [n x n], when it is positive definite.
+pub fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+    cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
+}
 
 /// Replaces the lower triangle of a symmetric `a` [n x n] by its Cholesky factor; the rest is left as it is. False when `a`
 /// is not positive definite.
-pub fn cholesky(a: &mut DMatrixViewMut<f64>) -> bool {
+fn cholesky(a: &mut DMatrixViewMut<f64>) -> bool {
     let n = a.nrows();
     if n <= LEAF {
         return cholesky_of_leaf(a);
@@ -61,12 +66,14 @@ pub fn solve_lower(l: &DMatrixView<f64>, b: &mut DMatrixViewMut<f64>) {
     solve_lower(&l.view((h, h), (n - h, n - h)), &mut b.view_mut((h, 0), (n - h, m)));
 }
 
-/// `out` becomes (L L^T)^-1; only the lower triangle of `l` [n x n] is read.
-pub fn inverse(l: &DMatrix<f64>, out: &mut DMatrix<f64>) {
+/// (L L^T)^-1; only the lower triangle of `l` [n x n] is read.
+pub fn inverse(l: &DMatrix<f64>) -> DMatrix<f64> {
     let mut w = l.lower_triangle();
     invert_lower(&mut w.as_view_mut());
+    let mut out = DMatrix::zeros(l.nrows(), l.nrows());
     gram(&w.as_view(), &mut out.as_view_mut());
     out.fill_upper_triangle_with_lower_triangle();
+    out
 }
 
 /// Replaces a lower triangular `l`, zeros above its diagonal, by its inverse.
@@ -134,9 +141,7 @@ mod tests {
             assert!(cholesky(&mut l.as_view_mut()));
             let lower = l.lower_triangle();
             assert_relative_eq!(&lower * lower.transpose(), a, epsilon = 1e-12);
-            let mut inverted = a.clone();
-            inverse(&l, &mut inverted);
-            assert_relative_eq!(&a * inverted, DMatrix::identity(n, n), epsilon = 1e-11);
+            assert_relative_eq!(&a * inverse(&l), DMatrix::identity(n, n), epsilon = 1e-11);
         }
     }
 

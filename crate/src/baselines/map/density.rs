@@ -114,7 +114,7 @@ impl LogDensity {
     /// (K^i + beta^i I)^-1 Y^i of every part [N x D_i]: what a pose is a weighted sum of.
     pub(super) fn pose_coefficients(&self, params: &MapParams) -> Result<Vec<DMatrix<f64>>, NumericsError> {
         let solve =
-            |i| crate::linalg::Factor::new(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]));
+            |i| crate::linalg::Factor::of_large(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]));
         (0..params.part_count()).map(solve).collect()
     }
 
@@ -127,7 +127,7 @@ impl LogDensity {
         let solve = |i: usize| {
             let targets = self.sequences.lagged(&params.parts[i].latents, 0);
             let covariance = self.into(params, &histories, i).covariance;
-            Ok(crate::linalg::Factor::new(&covariance, DYNAMICS)?.solve(&targets))
+            Ok(crate::linalg::Factor::of_large(&covariance, DYNAMICS)?.solve(&targets))
         };
         (0..params.part_count()).map(solve).collect()
     }

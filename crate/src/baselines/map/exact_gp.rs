@@ -27,7 +27,7 @@ pub fn log_density(
     targets: &DMatrix<f64>,
     what: &'static str,
 ) -> Result<f64, NumericsError> {
-    Ok(value(&Factor::new(covariance, what)?, targets))
+    Ok(value(&Factor::of_large(covariance, what)?, targets))
 }
 
 /// The same with its adjoint.
@@ -36,7 +36,7 @@ pub fn log_density_and_adjoint(
     targets: &DMatrix<f64>,
     what: &'static str,
 ) -> Result<(f64, DensityAdjoint), NumericsError> {
-    let factor = Factor::new(covariance, what)?;
+    let factor = Factor::of_large(covariance, what)?;
     let mut inverse = factor.inverse();
     let solved = &inverse * targets;
     inverse.gemm(0.5, &solved, &solved.transpose(), -0.5 * targets.ncols() as f64);

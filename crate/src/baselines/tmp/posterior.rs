@@ -167,7 +167,7 @@ impl Posterior {
             }
             information += &view.projected * self.pull(s);
         }
-        let factor = Factor::new(&precision, "precision of the primitives")?;
+        let factor = Factor::of_large(&precision, "precision of the primitives")?;
         let stacked = DMatrix::from_column_slice(r * count, 1, information.as_slice());
         self.v = DMatrix::from_column_slice(r, count, factor.solve(&stacked).as_slice());
         self.v_covariance = factor.inverse();
