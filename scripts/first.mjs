@@ -8,6 +8,8 @@ const SECONDS = 4;
 
 /** Ten digits are a third less to send than all sixteen, and move no joint by more than a hundredth of a millimetre in ten seconds. */
 const DIGITS = 10;
+/** Covariances of the inducing outputs say how sure the model is; no rollout is computed from them. */
+const COVARIANCE_DIGITS = 5;
 
 export function writeFirst() {
   const [model, encoder] = [at("www/first/model.json"), at("www/src/first-motion.js")];
@@ -16,8 +18,12 @@ export function writeFirst() {
   return whenChanged("first", { inputs, outputs: [sent, motion] }, async () => {
     const { Model } = createRequire(import.meta.url)("../crate/pkg/node/vcgpdm.js");
     const { encodeFirstMotion } = await import("../www/src/first-motion.js");
-    const short = (/** @type {string} */ _, /** @type {unknown} */ value) =>
-      typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(DIGITS)) : value;
+    const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
+      typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(digits)) : value;
+    const short = (/** @type {string} */ name, /** @type {unknown} */ value) =>
+      name.endsWith("_covariance") && Array.isArray(value)
+        ? value.map((row) => row.map((/** @type {unknown} */ entry) => rounded(entry, COVARIANCE_DIGITS)))
+        : rounded(value, DIGITS);
     const text = JSON.stringify(JSON.parse(readFileSync(model, "utf8")), short);
 
     const opened = Model.fromJson(text);
