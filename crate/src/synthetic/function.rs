@@ -45,8 +45,7 @@ impl DrawnFunction {
         let Evidence { inputs, values, noise_variance } = evidence;
         let noise = normal(values.nrows(), values.ncols(), random) * noise_variance.sqrt();
         let missing = values - noise - self.at(inputs);
-        let more =
-            factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve(&missing);
+        let more = factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve(&missing);
         let stack = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
             let n = a.nrows();
             DMatrix::from_fn(n + b.nrows(), a.ncols(), |r, c| if r < n { a[(r, c)] } else { b[(r - n, c)] })
