@@ -48,6 +48,7 @@ mod skeleton;
 #[cfg(all(feature = "speed", not(target_arch = "wasm32")))]
 pub mod speed;
 mod stage;
+pub mod synthetic;
 mod t_pose;
 mod training;
 #[cfg(target_arch = "wasm32")]

@@ -1,0 +1,199 @@
+//! The synthetic experiment of Velychko et al. (2018, section 5.1, figure 3): two coupled systems of which one drives the
+//! other weakly. Does training find who drives whom?
+//!
+//! x^1_t = g^1(x^1_{t-1}) (18), x^2_t = 0.1 g^1(x^1_{t-1}) + 0.9 g^2(x^2_{t-1}) (19), 300 frames, both of dimension 2; each
+//! part is seen through 10 functions of its latents. All functions are drawn from GPs with an RBF kernel.
+//!
+//! The paper does not say its lengthscales, starts, noise or what it did with draws that come to rest. Here g^1 and g^2 are
+//! draws given a few noisy transitions that turn about the origin, each at its own rate, so that the movement goes on and the
+//! parts do not fall into step: in step, either one's phase tells the other's, and the data do not say who drives whom.
+
+mod alignment;
+mod function;
+
+pub use alignment::{Alignment, align};
+
+use crate::evaluation::{ScoreError, dtw_mse};
+use crate::linalg::NumericsError;
+use crate::model::{FittedModel, Reading};
+use crate::rollout::{Poser, Roller, RolloutError};
+use crate::training::{Trainer, TrainingError, TrainingSettings};
+use function::{DrawnFunction, Evidence, grid, normal, rbf};
+use nalgebra::DMatrix;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use std::f64::consts::TAU;
+use thiserror::Error;
+
+/// T of the paper.
+const FRAMES: usize = 300;
+/// Observed columns of a part.
+const COLUMNS: usize = 10;
+/// The share of g^1 in the second part, in the paper; the rest is g^2.
+pub const DRIVE: f64 = 0.1;
+/// Frames in which the start is forgotten, before the first that is seen.
+const LEAD: usize = 100;
+/// Frames of one turn of each part, in the evidence for the draws.
+const PERIODS: [f64; 2] = [19.0, 11.0];
+/// Standard deviation of that evidence: what lets the draws differ.
+const LOOSENESS: f64 = 0.05;
+/// A part with a smaller standard deviation, both dimensions together, rests. On the unit circle it would be 1.
+const REST: f64 = 0.3;
+/// A draw in which a part rests is drawn again, so many times at most.
+const DRAWS: usize = 20;
+const DYNAMICS_LENGTHSCALE: f64 = 1.0;
+const POSE_LENGTHSCALE: f64 = 1.5;
+/// Of the observations, whose signal has variance 1.
+const NOISE_VARIANCE: f64 = 0.01;
+/// How many times larger alpha^{21} is than alpha^{11} at least for "much larger".
+const MUCH: f64 = 10.0;
+/// alpha^{12} is at most so many times alpha^{22}, and at least this part of it, when the first part drives the second.
+const ALIKE: f64 = 4.0;
+
+/// Data of two coupled systems, and the truth about them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Synthetic {
+    /// The true latents of each part [N x 2].
+    pub latents: Vec<DMatrix<f64>>,
+    /// The centred observations of each part [N x 10].
+    pub y: Vec<DMatrix<f64>>,
+    /// The share of g^1 in the second part.
+    pub drive: f64,
+}
+
+/// Why the experiment could not be made.
+#[derive(Debug, Error)]
+pub enum SyntheticError {
+    /// The share of the first part in the second is none.
+    #[error("the share of the first part in the second must be from 0 to 1, found {0:?}")]
+    Drive(f64),
+    /// A covariance could not be factorised.
+    #[error(transparent)]
+    Numerics(#[from] NumericsError),
+    /// Training could not start.
+    #[error(transparent)]
+    Training(#[from] TrainingError),
+    /// The model cannot be rolled out.
+    #[error(transparent)]
+    Rollout(#[from] RolloutError),
+    /// The rollout cannot be compared with the data.
+    #[error(transparent)]
+    Score(#[from] ScoreError),
+}
+
+impl Synthetic {
+    /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share of g^1 in the
+    /// second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do with each other.
+    pub fn draw(seed: u32, drive: f64) -> Result<Self, SyntheticError> {
+        if !(0.0..=1.0).contains(&drive) {
+            return Err(SyntheticError::Drive(drive));
+        }
+        let mut random = ChaCha8Rng::seed_from_u64(u64::from(seed));
+        let mut latents = moving(drive, &mut random)?;
+        for _ in 1..DRAWS {
+            if latents.iter().all(|x| x.row_variance().sum() >= REST * REST) {
+                break;
+            }
+            latents = moving(drive, &mut random)?;
+        }
+        let mut y = Vec::new();
+        for x in &latents {
+            let pose = DrawnFunction::prior(rbf(POSE_LENGTHSCALE), grid(7, 3.0), COLUMNS, &mut random)?;
+            let noise = normal(FRAMES, COLUMNS, &mut random) * NOISE_VARIANCE.sqrt();
+            let mut seen = pose.at(x) + noise;
+            let mean = seen.row_mean();
+            seen.row_iter_mut().for_each(|mut row| row -= &mean);
+            y.push(seen);
+        }
+        Ok(Self { latents, y, drive })
+    }
+
+    /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as in the paper, and
+    /// iterations enough for the bound to settle.
+    pub fn settings(seed: u32) -> TrainingSettings {
+        TrainingSettings { latent: 2, dynamics_ips: 10, pose_ips: 10, order: 2, seed, max_iterations: 1500 }
+    }
+
+    /// Ready to train on the observations.
+    pub fn trainer(&self, settings: TrainingSettings) -> Result<Trainer, TrainingError> {
+        Trainer::new(self.y.clone(), vec![FRAMES], settings)
+    }
+
+    /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;
+    /// the mean of the parts. A part has a path of its own because it has a rhythm of its own.
+    pub fn mse(&self, model: &FittedModel) -> Result<f64, SyntheticError> {
+        let roller = Roller::new(model, &model.alpha, Reading::AsLearned)?;
+        let paths = roller.latents(model.start(0)?, FRAMES)?;
+        let poser = Poser::new(model)?;
+        let mut sum = 0.0;
+        for (part, y) in self.y.iter().enumerate() {
+            sum += dtw_mse(&poser.observations(part, &paths[part]), y)?.dtw_mse;
+        }
+        Ok(sum / self.y.len() as f64)
+    }
+}
+
+/// Transitions on two rings about the origin, each by the same angle and half the way to the unit circle.
+fn turn(angle: f64) -> Evidence {
+    const AROUND: usize = 8;
+    let (sin, cos) = angle.sin_cos();
+    let inputs = DMatrix::from_fn(2 * AROUND, 2, |k, c| {
+        let radius = if k < AROUND { 0.6 } else { 1.5 };
+        let (y, x) = (TAU * k as f64 / AROUND as f64).sin_cos();
+        radius * if c == 0 { x } else { y }
+    });
+    let values = DMatrix::from_fn(inputs.nrows(), 2, |k, c| {
+        let (x, y) = (inputs[(k, 0)], inputs[(k, 1)]);
+        let half_way = 0.5 + 0.5 / x.hypot(y);
+        half_way * if c == 0 { cos * x - sin * y } else { sin * x + cos * y }
+    });
+    Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }
+}
+
+/// Latents of freshly drawn g^1 and g^2: equations (18) and (19).
+fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, NumericsError> {
+    let mut dynamics = Vec::new();
+    for period in PERIODS {
+        let draw = DrawnFunction::prior(rbf(DYNAMICS_LENGTHSCALE), grid(9, 3.0), 2, random)?;
+        dynamics.push(draw.given(&turn(TAU / period), random)?);
+    }
+    let start = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
+    let (mut first, mut second) = (start.clone(), start);
+    let mut latents = vec![DMatrix::zeros(FRAMES, 2); 2];
+    for t in 0..LEAD + FRAMES {
+        if t >= LEAD {
+            latents[0].set_row(t - LEAD, &first.row(0));
+            latents[1].set_row(t - LEAD, &second.row(0));
+        }
+        let next = dynamics[0].at(&first);
+        second = &next * drive + dynamics[1].at(&second) * (1.0 - drive);
+        first = next;
+    }
+    Ok(latents)
+}
+
+/// What coupling variances say about who drives whom, `alpha[source][target]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// alpha^{21} / alpha^{11}: how much less the second part says about the first than the first itself.
+    pub back: f64,
+    /// alpha^{12} / alpha^{22}: how much less the first part says about the second than the second itself.
+    pub forth: f64,
+}
+
+impl Verdict {
+    /// Of learned couplings [2 x 2].
+    pub fn new(alpha: &DMatrix<f64>) -> Self {
+        Self { back: alpha[(1, 0)] / alpha[(0, 0)], forth: alpha[(0, 1)] / alpha[(1, 1)] }
+    }
+
+    /// Whether it says the truth: the second part does not drive the first, and the first drives the second if the share
+    /// `drive` of it is not 0.
+    pub fn right(&self, drive: f64) -> bool {
+        let driven = (1.0 / ALIKE..=ALIKE).contains(&self.forth);
+        self.back >= MUCH && if drive > 0.0 { driven } else { self.forth >= MUCH }
+    }
+}
+
+#[cfg(test)]
+mod tests;
