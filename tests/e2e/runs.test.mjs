@@ -101,7 +101,7 @@ describe("several trainings", () => {
   });
 
   it("keep what is done, and the best so far of the rest, when they are cancelled", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=4&iterations=300&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=4&iterations=2000&fps=15");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
     await page.locator("[data-testid=run][data-state=running]").first().waitFor({ timeout: 30_000 });
@@ -120,7 +120,7 @@ describe("several trainings", () => {
   });
 
   it("go on when the worker of one of them dies, and nothing else is lost", async () => {
-    const { page, leave } = await visit(2, "trainings=3&iterations=400&fps=15");
+    const { page, leave } = await visit(2, "trainings=3&iterations=2000&fps=15");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
     page.on("worker", (worker) => workers.push(worker));
