@@ -12,6 +12,7 @@
 use nalgebra::DMatrix;
 use std::process::Command;
 use std::time::Instant;
+use vcgpdm::evaluation::stats::exponent;
 use vcgpdm::{Dataset, Source, Trainer, TrainingSettings, presets, samples};
 
 /// Iterations enough for the optimiser to have filled its memory.
@@ -111,16 +112,6 @@ fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f
     points
 }
 
-/// The slope of a straight line through the logarithms.
-fn exponent(points: &[(f64, f64)]) -> f64 {
-    let n = points.len() as f64;
-    let logarithms: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let (mx, my) =
-        (logarithms.iter().map(|p| p.0).sum::<f64>() / n, logarithms.iter().map(|p| p.1).sum::<f64>() / n);
-    let covariance: f64 = logarithms.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
-    covariance / logarithms.iter().map(|p| (p.0 - mx).powi(2)).sum::<f64>()
-}
-
 fn main() {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().unwrap()).collect();
     if let [frames, parts, ips] = numbers[..] {
@@ -131,7 +122,7 @@ fn main() {
     println!("{} parts, {} + {} inducing points:\n", BASE.parts, BASE.ips, BASE.ips);
     let frames = [250, 500, 1000, 2000, 4000, 8000, 16_000];
     let points = table("frames", frames.map(|frames| (frames, Size { frames, ..BASE })).into_iter());
-    println!("Exponent in frames: {:.3}.\n", exponent(&points));
+    println!("Exponent in frames: {:.3}.\n", exponent(&points).unwrap());
     println!("{} frames, {} + {} inducing points:\n", BASE.frames, BASE.ips, BASE.ips);
     table("parts", (1..=5).map(|parts| (parts, Size { parts, ..BASE })));
     println!("{} frames, {} parts:\n", BASE.frames, BASE.parts);

@@ -1,5 +1,6 @@
 //! Learned latents beside true ones: latents are found up to a change of coordinates only.
 
+use super::centre;
 use crate::linalg::{Factor, NumericsError};
 use nalgebra::DMatrix;
 
@@ -14,15 +15,18 @@ pub struct Alignment {
 
 /// The affine map of the `learned` latents [N x Q] that comes nearest the `actual` ones [N x Q_true], by least squares.
 pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment, NumericsError> {
-    let (centre, target) = (learned.row_mean(), actual.row_mean());
-    let centred = |x: &DMatrix<f64>, mean: &nalgebra::RowDVector<f64>| {
-        DMatrix::from_fn(x.nrows(), x.ncols(), |t, q| x[(t, q)] - mean[q])
-    };
-    let (x, y) = (centred(learned, &centre), centred(actual, &target));
-    let map = Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve(&x.tr_mul(&y));
-    let found = x * map;
-    let explained = 1.0 - (&found - &y).norm_squared() / y.norm_squared().max(f64::MIN_POSITIVE);
-    let latents = DMatrix::from_fn(found.nrows(), found.ncols(), |t, q| found[(t, q)] + target[q]);
+    let (mut x, mut y) = (learned.clone(), actual.clone());
+    centre(&mut x);
+    let means = centre(&mut y);
+    let mut map = x.tr_mul(&y);
+    Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve_mut(&mut map);
+    let mut latents = x * map;
+    let all = y.norm_squared().max(f64::MIN_POSITIVE);
+    y -= &latents;
+    let explained = 1.0 - y.norm_squared() / all;
+    for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
+        column.iter_mut().for_each(|value| *value += mean);
+    }
     Ok(Alignment { latents, explained })
 }
 

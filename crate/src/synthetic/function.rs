@@ -34,7 +34,7 @@ impl DrawnFunction {
     ) -> Result<Self, NumericsError> {
         let factor = factor(&kernel, &points, JITTER)?;
         // u = L e is a draw at the points, and K^-1 u = L^-T e.
-        let mut coefficients = normal(points.nrows(), outputs, random);
+        let mut coefficients = normal(points.nrows(), outputs, 1.0, random);
         factor.solve_upper_mut(&mut coefficients);
         Ok(Self { kernel, points, coefficients })
     }
@@ -43,12 +43,15 @@ impl DrawnFunction {
     /// and added (Matheron's rule).
     pub fn given(self, evidence: &Evidence, random: &mut ChaCha8Rng) -> Result<Self, NumericsError> {
         let Evidence { inputs, values, noise_variance } = evidence;
-        let noise = normal(values.nrows(), values.ncols(), random) * noise_variance.sqrt();
-        let missing = values - noise - self.at(inputs);
-        let more = factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve(&missing);
-        let stack = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
-            let n = a.nrows();
-            DMatrix::from_fn(n + b.nrows(), a.ncols(), |r, c| if r < n { a[(r, c)] } else { b[(r - n, c)] })
+        let mut more = values - self.at(inputs);
+        more -= normal(values.nrows(), values.ncols(), noise_variance.sqrt(), random);
+        factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve_mut(&mut more);
+        let stack = |above: &DMatrix<f64>, below: &DMatrix<f64>| {
+            let n = above.nrows();
+            let mut all = DMatrix::zeros(n + below.nrows(), above.ncols());
+            all.rows_mut(0, n).copy_from(above);
+            all.rows_mut(n, below.nrows()).copy_from(below);
+            all
         };
         Ok(Self {
             points: stack(&self.points, inputs),
@@ -78,11 +81,12 @@ pub(super) fn grid(side: usize, reach: f64) -> DMatrix<f64> {
     DMatrix::from_fn(side * side, 2, |k, c| place(if c == 0 { k % side } else { k / side }))
 }
 
-/// Independent standard normal numbers.
-pub(super) fn normal(rows: usize, columns: usize, random: &mut ChaCha8Rng) -> DMatrix<f64> {
+/// Independent normal numbers of mean 0 and this standard deviation.
+pub(super) fn normal(rows: usize, columns: usize, deviation: f64, random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let mut numbers = DMatrix::zeros(rows, columns);
-    for number in numbers.iter_mut() {
-        *number = StandardNormal.sample(random);
+    for number in numbers.as_mut_slice() {
+        let standard: f64 = StandardNormal.sample(random);
+        *number = deviation * standard;
     }
     numbers
 }

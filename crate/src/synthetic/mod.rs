@@ -13,7 +13,7 @@ mod function;
 
 pub use alignment::{Alignment, align};
 
-use crate::evaluation::{ScoreError, dtw_mse};
+use crate::evaluation::dtw_mse;
 use crate::linalg::NumericsError;
 use crate::model::{FittedModel, Reading};
 use crate::rollout::{Poser, Roller, RolloutError};
@@ -76,9 +76,6 @@ pub enum SyntheticError {
     /// The model cannot be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
-    /// The rollout cannot be compared with the data.
-    #[error(transparent)]
-    Score(#[from] ScoreError),
 }
 
 impl Synthetic {
@@ -91,7 +88,7 @@ impl Synthetic {
         let mut random = ChaCha8Rng::seed_from_u64(u64::from(seed));
         let mut latents = moving(drive, &mut random)?;
         for _ in 1..DRAWS {
-            if latents.iter().all(|x| x.row_variance().sum() >= REST * REST) {
+            if latents.iter().all(|x| spread(x) >= REST) {
                 break;
             }
             latents = moving(drive, &mut random)?;
@@ -99,10 +96,9 @@ impl Synthetic {
         let mut y = Vec::new();
         for x in &latents {
             let pose = DrawnFunction::prior(rbf(POSE_LENGTHSCALE), grid(7, 3.0), COLUMNS, &mut random)?;
-            let noise = normal(FRAMES, COLUMNS, &mut random) * NOISE_VARIANCE.sqrt();
-            let mut seen = pose.at(x) + noise;
-            let mean = seen.row_mean();
-            seen.row_iter_mut().for_each(|mut row| row -= &mean);
+            let mut seen = pose.at(x);
+            seen += normal(FRAMES, COLUMNS, NOISE_VARIANCE.sqrt(), &mut random);
+            centre(&mut seen);
             y.push(seen);
         }
         Ok(Self { latents, y, drive })
@@ -127,7 +123,9 @@ impl Synthetic {
         let poser = Poser::new(model)?;
         let mut sum = 0.0;
         for (part, y) in self.y.iter().enumerate() {
-            sum += dtw_mse(&poser.observations(part, &paths[part]), y)?.dtw_mse;
+            // The shapes fit each other; only numbers that are none can be in the way.
+            let score = dtw_mse(&poser.observations(part, &paths[part]), y);
+            sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
         }
         Ok(sum / self.y.len() as f64)
     }
@@ -150,6 +148,24 @@ fn turn(angle: f64) -> Evidence {
     Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }
 }
 
+/// Takes its mean off each column; answers with the means.
+fn centre(x: &mut DMatrix<f64>) -> Vec<f64> {
+    let frames = x.nrows().max(1) as f64;
+    let take_off = |column: &mut [f64]| {
+        let mean = column.iter().sum::<f64>() / frames;
+        column.iter_mut().for_each(|value| *value -= mean);
+        mean
+    };
+    x.as_mut_slice().chunks_exact_mut(frames as usize).map(take_off).collect()
+}
+
+/// Standard deviation, all dimensions together.
+fn spread(x: &DMatrix<f64>) -> f64 {
+    let mut centred = x.clone();
+    centre(&mut centred);
+    (centred.norm_squared() / x.nrows() as f64).sqrt()
+}
+
 /// Latents of freshly drawn g^1 and g^2: equations (18) and (19).
 fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, NumericsError> {
     let mut dynamics = Vec::new();
@@ -157,17 +173,19 @@ fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, Nume
         let draw = DrawnFunction::prior(rbf(DYNAMICS_LENGTHSCALE), grid(9, 3.0), 2, random)?;
         dynamics.push(draw.given(&turn(TAU / period), random)?);
     }
-    let start = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
-    let (mut first, mut second) = (start.clone(), start);
     let mut latents = vec![DMatrix::zeros(FRAMES, 2); 2];
+    let start = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
+    let mut now = [start.clone(), start];
     for t in 0..LEAD + FRAMES {
-        if t >= LEAD {
-            latents[0].set_row(t - LEAD, &first.row(0));
-            latents[1].set_row(t - LEAD, &second.row(0));
+        let next = [dynamics[0].at(&now[0]), dynamics[1].at(&now[1])];
+        for q in 0..2 {
+            if t >= LEAD {
+                latents[0][(t - LEAD, q)] = now[0][(0, q)];
+                latents[1][(t - LEAD, q)] = now[1][(0, q)];
+            }
+            now[0][(0, q)] = next[0][(0, q)];
+            now[1][(0, q)] = drive * next[0][(0, q)] + (1.0 - drive) * next[1][(0, q)];
         }
-        let next = dynamics[0].at(&first);
-        second = &next * drive + dynamics[1].at(&second) * (1.0 - drive);
-        first = next;
     }
     Ok(latents)
 }

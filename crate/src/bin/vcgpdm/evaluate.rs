@@ -1,8 +1,8 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
-use crate::files;
 use crate::results::{Finished, Job, Part, Setting, Store, Trial};
 use crate::train::parts;
+use crate::{files, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::collections::HashMap;
@@ -143,14 +143,7 @@ const FINE: f64 = 100.0;
 
 impl Work {
     fn new(jobs: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
-        let stopped = Arc::new(AtomicBool::new(false));
-        let signal = Arc::clone(&stopped);
-        ctrlc::set_handler(move || {
-            // A second Ctrl-C ends the program as usual.
-            if signal.swap(true, Ordering::Relaxed) {
-                std::process::exit(1);
-            }
-        })?;
+        let stopped = interrupt::flag()?;
         let bar = ProgressBar::new(jobs.len() as u64 * FINE as u64);
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (about {eta} left)") {
             bar.set_style(style);

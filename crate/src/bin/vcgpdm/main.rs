@@ -7,6 +7,7 @@ mod bound;
 mod clip;
 mod evaluate;
 mod files;
+mod interrupt;
 mod report;
 mod results;
 mod rollout;

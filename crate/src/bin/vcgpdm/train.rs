@@ -1,12 +1,11 @@
 //! `vcgpdm train`: clips to a model.
 
-use crate::files;
+use crate::{files, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 use vcgpdm::{
     Case, Clip, Dataset, MotionModel, PartSpec, Skeleton, Source, Trainer, TrainingProgress,
@@ -108,14 +107,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Trains to the end, or until Ctrl-C: then the best so far is kept. The bar is drawn on stderr, and only when that is a terminal.
 fn train(trainer: &mut Trainer) -> Result<TrainingProgress, Box<dyn Error>> {
-    let stopped = Arc::new(AtomicBool::new(false));
-    let signal = Arc::clone(&stopped);
-    ctrlc::set_handler(move || {
-        // A second Ctrl-C ends the program as usual.
-        if signal.swap(true, Ordering::Relaxed) {
-            std::process::exit(1);
-        }
-    })?;
+    let stopped = interrupt::flag()?;
     let bar = ProgressBar::new(trainer.settings().max_iterations as u64);
     if let Ok(style) =
         ProgressStyle::with_template("{bar:30} {pos}/{len}  {msg}  {elapsed} (at most {eta} left)")
