@@ -138,6 +138,26 @@ describe("several trainings", () => {
     await leave();
   });
 
+  it("run side by side under different settings", async () => {
+    const { page, problems, leave } = await visit(2, "iterations=4000&fps=15");
+    const most = await watchRunning(page);
+    await page.getByTestId("train").click();
+    await page.getByTestId("setting-dynamicsIps").fill("8");
+    await page.getByTestId("setting-dynamicsIps").press("Enter");
+    await page.getByTestId("add").click();
+    await page.waitForFunction(() => document.querySelectorAll("[data-testid=run][data-state=running]").length === 2);
+    await page.getByTestId("cancel").click();
+    await trainIsBack(page);
+    assert.equal(await most(), 2);
+    const rows = await table(page);
+    assert.deepEqual(rows.map(({ state }) => state), ["cancelled", "cancelled"], JSON.stringify(rows));
+    assert.deepEqual(rows.map(({ cells }) => cells.includes("12")), [true, false], JSON.stringify(rows));
+    assert.deepEqual(rows.map(({ cells }) => cells.includes("8")), [false, true], JSON.stringify(rows));
+    assert.equal(rows.filter(({ best }) => best).length, 1);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("let the sliders answer meanwhile", async () => {
     const { page, problems, leave } = await visit(2, "trainings=2&iterations=5000&dynamics=24&poses=24");
     await page.getByTestId("train").click();

@@ -73,6 +73,8 @@ export interface Training {
   runs: Run[];
   /** Stops the runs; each keeps its best so far. */
   stop: AbortController;
+  /** Kept when each of the runs is over. */
+  work: Promise<void>[];
   /** The visitor has chosen a run to look at since it began. */
   picked: boolean;
   /** How it ended, or why it could not start. */
@@ -99,7 +101,7 @@ export class App {
   clips: ClipEntry[] = [];
   /** Why the ticked clips cannot be trained on together; empty when they can. */
   clash = "";
-  training: Training = { status: "idle", runs: [], stop: new AbortController(), picked: false, ending: "", failed: false };
+  training: Training = { status: "idle", runs: [], stop: new AbortController(), work: [], picked: false, ending: "", failed: false };
   /** The trainings of this visit, until they are cleared. */
   runs: Run[] = [];
   /** The run whose model is on the stage, or will be; null: a model from elsewhere. */

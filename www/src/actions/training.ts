@@ -75,17 +75,29 @@ async function carryOut(app: App, run: Run, signal: AbortSignal): Promise<void> 
   app.tell("training");
 }
 
-/** Trains from as many seeds as the settings ask for, and takes the best up. */
+/** Trains from as many seeds as the settings ask for, and takes the best up. While others train, these are added to them. */
 export async function train(app: App): Promise<void> {
   const settings = trainingSettings(app);
-  if (!app.pool || !settings || app.busy || whyNotTrain(app)) return;
-  const runs = runsFor(app, settings);
-  const stop = new AbortController();
-  app.training = { status: "running", runs, stop, picked: false, ending: "", failed: false };
-  app.runs = [...app.runs, ...runs];
+  if (!app.pool || !settings || app.training.status === "cancelling" || whyNotTrain(app)) return;
+  const asked = runsFor(app, settings);
+  app.runs = [...app.runs, ...asked];
+  if (app.busy) {
+    const { runs, stop, work } = app.training;
+    runs.push(...asked);
+    work.push(...asked.map((run) => carryOut(app, run, stop.signal)));
+    app.tell("training");
+    return;
+  }
+  const [runs, stop] = [[...asked], new AbortController()];
+  app.training = { status: "running", runs, stop, work: [], picked: false, ending: "", failed: false };
   app.chosen = runs[0]!;
   app.tell("training");
-  await Promise.all(runs.map((run) => carryOut(app, run, stop.signal)));
+  const { work } = app.training;
+  work.push(...asked.map((run) => carryOut(app, run, stop.signal)));
+  for (let awaited = 0; awaited < work.length; ) {
+    awaited = work.length;
+    await Promise.all(work);
+  }
   const kept = runs.filter(({ model }) => model !== null);
   const best = bestRun(kept.filter(({ state }) => state !== "failed")) ?? bestRun(kept);
   const { picked } = app.training;

@@ -21,10 +21,12 @@ export class TrainingView extends View {
   private count(name: Count, label: string, hint: string) {
     const { min, max, step } = SETTINGS[name] as NumberSetting;
     const { settings, busy } = this.app;
+    // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
+    const held = busy && name === "framesPerSecond";
     return html`
       <label class="field" title=${hint}>
         <span>${label}</span>
-        <input type="number" data-testid="setting-${name}" min=${min} max=${max} step=${step} .value=${String(settings[name])} ?disabled=${busy}
+        <input type="number" data-testid="setting-${name}" min=${min} max=${max} step=${step} .value=${String(settings[name])} ?disabled=${held}
           @change=${(event: Event) => {
             const input = event.target as HTMLInputElement;
             changeSettings(this.app, { [name]: input.valueAsNumber });
@@ -100,7 +102,9 @@ export class TrainingView extends View {
       <div class="train-row">
         ${app.busy
           ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
-              title="Stops here and keeps what was learned so far" @click=${() => cancelTraining(app)}>Cancel</button>`
+              title="Stops here and keeps what was learned so far" @click=${() => cancelTraining(app)}>Cancel</button>
+              <button data-testid="add" ?disabled=${app.training.status === "cancelling"}
+              title="Trains with the settings below too, beside the others" @click=${() => void train(app)}>Add</button>`
           : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
               @click=${() => void train(app)}>Train</button>`}
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
@@ -120,13 +124,13 @@ export class TrainingView extends View {
         <div class="fields">
           <div class="field seed">
             <label for="seed-input">Seed</label>
-            <input id="seed-input" type="number" data-testid="setting-seed" min="0" max=${SETTINGS.seed.max} .value=${String(app.settings.seed)} ?disabled=${app.busy}
+            <input id="seed-input" type="number" data-testid="setting-seed" min="0" max=${SETTINGS.seed.max} .value=${String(app.settings.seed)}
               @change=${(event: Event) => {
                 const input = event.target as HTMLInputElement;
                 changeSettings(app, { seed: input.valueAsNumber });
                 input.value = String(app.settings.seed);
               }} />
-            <button class="round" aria-label="New seed" title="New seed" ?disabled=${app.busy || !app.engine} @click=${() => void newSeed(app)}>${icon("dice")}</button>
+            <button class="round" aria-label="New seed" title="New seed" ?disabled=${!app.engine} @click=${() => void newSeed(app)}>${icon("dice")}</button>
           </div>
           ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores")}
           ${this.count("order", "Frames of history", "The order p of the dynamics")}
