@@ -81,19 +81,16 @@ export async function train(app: App): Promise<void> {
   if (!app.pool || !settings || app.training.status === "cancelling" || whyNotTrain(app)) return;
   const asked = runsFor(app, settings);
   app.runs = [...app.runs, ...asked];
-  if (app.busy) {
-    const { runs, stop, work } = app.training;
-    runs.push(...asked);
-    work.push(...asked.map((run) => carryOut(app, run, stop.signal)));
-    app.tell("training");
-    return;
+  const begins = !app.busy;
+  if (begins) {
+    app.training = { status: "running", runs: [], stop: new AbortController(), work: [], picked: false, ending: "", failed: false };
+    app.chosen = asked[0]!;
   }
-  const [runs, stop] = [[...asked], new AbortController()];
-  app.training = { status: "running", runs, stop, work: [], picked: false, ending: "", failed: false };
-  app.chosen = runs[0]!;
+  const { runs, stop, work } = app.training;
+  runs.push(...asked);
   app.tell("training");
-  const { work } = app.training;
   work.push(...asked.map((run) => carryOut(app, run, stop.signal)));
+  if (!begins) return; // Whoever began awaits these too.
   for (let awaited = 0; awaited < work.length; ) {
     awaited = work.length;
     await Promise.all(work);
