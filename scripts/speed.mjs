@@ -54,7 +54,7 @@ await main(async () => {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: { peer: { type: "string" } } });
   await installTools();
   await run("cargo", "build", "--release", "--features", "cli,speed", "--example", "speed", "--bin", "vcgpdm");
-  await buildPackage(folder, ["--features", "speed"]);
+  await buildPackage(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
   writeFileSync(join(folder, "index.html"), "<!doctype html><title>speed</title>");

@@ -12,7 +12,7 @@ const nodeTests = (/** @type {string} */ folder) =>
 const STEPS = [
   { name: "format", what: "rustfmt", work: () => run("cargo", "fmt", "--all", "--check") },
   { name: "clippy", what: "clippy, native", work: () => run("cargo", "clippy", "--all-targets", "--all-features", ...deny) },
-  { name: "clippy-wasm", what: "clippy, wasm32", work: () => run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", ...deny) },
+  { name: "clippy-wasm", what: "clippy, wasm32", work: () => run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", "--features", "comparison,speed", ...deny) },
   { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", "--all-features") },
   { name: "rust-wasm", what: "Rust tests in wasm, in Node", work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate")) },
   { name: "build", what: "wasm package and page", work: build },

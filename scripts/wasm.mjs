@@ -1,12 +1,17 @@
-// The npm package `vcgpdm` in crate/pkg: the same wasm for the browser (web/) and for Node (node/).
+// The npm package `vcgpdm` in crate/pkg: the same wasm for the browser (web/) and for Node (node/), and a smaller one for a
+// first visit to the page (playground/), without what only comparisons need.
 import { copyFileSync, existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
-const TARGETS = /** @type {const} */ ([
-  { folder: "web", target: "web", type: "module" },
-  { folder: "node", target: "nodejs", type: "commonjs" },
-]);
+/** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
+
+/** @type {Target[]} */
+const TARGETS = [
+  { folder: "web", target: "web", type: "module", features: ["comparison"] },
+  { folder: "node", target: "nodejs", type: "commonjs", features: ["comparison"] },
+  { folder: "playground", target: "web", type: "module", features: [] },
+];
 
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
 const FEATURES = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue"];
@@ -23,11 +28,12 @@ export async function buildWasm() {
   return note;
 }
 
-/** The wasm with its JavaScript for each target in a folder below `place`; `more` goes to cargo. */
+/** The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. */
 export async function buildPackage(/** @type {string} */ place, /** @type {string[]} */ more = []) {
-  for (const { folder, target, type } of TARGETS) {
+  for (const { folder, target, type, features } of TARGETS) {
     // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
-    await run("wasm-pack", "build", at("crate"), "--mode", "no-install", "--target", target, "--out-dir", join(place, folder), "--no-pack", "--", ...more);
+    const build = ["--mode", "no-install", "--target", target, "--out-dir", join(place, folder), "--no-pack"];
+    await run("wasm-pack", "build", at("crate"), ...build, "--", "--features", [...features, ...more].join(","));
     rmSync(join(place, folder, ".gitignore"), { force: true }); // npm would leave out what it names
     writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
   }
@@ -59,9 +65,9 @@ function describe() {
     version: crate.version,
     description: crate.description,
     license: crate.license,
-    exports: { ".": { node: entry("node"), default: entry("web") } },
+    exports: { ".": { node: entry("node"), default: entry("web") }, "./playground": entry("playground") },
     types: "./web/vcgpdm.d.ts",
-    files: ["node", "web"],
+    files: TARGETS.map(({ folder }) => folder),
     sideEffects: false,
     engines: { node: ">=20" },
   };

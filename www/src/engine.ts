@@ -10,23 +10,31 @@ export interface TrainingWorker {
   train(job: TrainingJob, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
 }
 
-/** Compiles the program, once for all workers. */
-async function compile(): Promise<WebAssembly.Module> {
-  const answer = await fetch(new URL("../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url));
+/** Compiles a program, once for all its workers. */
+export async function compile(place: URL): Promise<WebAssembly.Module> {
+  const answer = await fetch(place);
   if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
   // Not every host knows what a .wasm file is.
   const named = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
-function open(name: string) {
-  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name });
+/** A worker, with a promise that fails when it dies. */
+export function watched(worker: Worker) {
   const broken = new Promise<never>((_, fail) => {
     worker.addEventListener("error", (event) => {
       fail(new Error(`the worker that computed it stopped${event.message ? ` (${event.message})` : ""}`));
     });
   });
   return { worker, broken };
+}
+
+const open = (name: string) => watched(new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name }));
+
+/** A trap of the wasm names an instruction, which is no news to a person. */
+export function inWords(problem: unknown): unknown {
+  if (!(problem instanceof Error) || problem.name !== "RuntimeError") return problem;
+  return new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
 }
 
 function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
@@ -41,9 +49,7 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
         try {
           return await remote.train(job, Comlink.proxy(report));
         } catch (problem) {
-          // A trap of the wasm names an instruction, which is no news to a person.
-          if (!(problem instanceof Error) || problem.name !== "RuntimeError") throw problem;
-          throw new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
+          throw inWords(problem);
         } finally {
           signal.removeEventListener("abort", cancel);
         }
@@ -65,7 +71,7 @@ export async function startEngine(): Promise<{
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
-  const program = compile();
+  const program = compile(new URL("../../crate/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
   const { worker, broken } = open("model");
   const engine = Comlink.wrap<Workbench>(worker);
   const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));

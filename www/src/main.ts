@@ -25,8 +25,8 @@ render(html`<pg-page .app=${app}></pg-page>`, document.body);
 const page = document.querySelector("pg-page") as PageView;
 
 listenToKeys({
-  togglePlay: () => page.timeline.togglePlay(),
-  step: (direction) => page.timeline.step(direction),
+  togglePlay: () => page.clock?.togglePlay(),
+  step: (direction) => page.clock?.step(direction),
   resetCouplings: () => resetCouplings(app),
   help: () => page.help.open(),
   projector: () => root.toggleAttribute("data-large"),
@@ -44,8 +44,10 @@ let before = performance.now();
 function frame(now: number): void {
   const seconds = Math.min(0.25, (now - before) / 1000);
   before = now;
-  app.advance(seconds);
-  page.stage?.draw(seconds);
+  if (app.settings.view === "play" || app.embedded) {
+    app.advance(seconds);
+    page.stage.draw(seconds);
+  }
   requestAnimationFrame(frame);
 }
 requestAnimationFrame(frame);

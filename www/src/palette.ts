@@ -45,6 +45,8 @@ export function partColour(part: number): string {
   return darkScheme?.matches ? shades.dark : shades.light;
 }
 
-export function onThemeChange(listener: () => void): void {
+/** Calls back when the page turns dark or light; answers how to stop that. */
+export function onThemeChange(listener: () => void): () => void {
   darkScheme?.addEventListener("change", listener);
+  return () => darkScheme?.removeEventListener("change", listener);
 }

@@ -1,22 +1,39 @@
 // What the page and its worker say to each other. Types only.
 import type {
+  Candidate,
   ClipInfo,
+  Comparison,
+  ComparisonSettings,
   ModelInfo,
+  Outcome,
+  Results,
   SampleInfo,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
 
 export type {
+  Candidate,
+  Claim,
   ClipInfo,
+  Comparison,
+  ComparisonSettings,
+  Correlation,
   Figure,
   FigureNode,
+  Finished,
+  Growth,
+  Job,
   JointInfo,
   ModelInfo,
+  ModelSummary,
+  Outcome,
   PartSpec,
   PartsPreset,
   Provenance,
+  Results,
   SampleInfo,
+  Spread,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
@@ -153,6 +170,40 @@ export interface Trainee {
   start(wasm: WebAssembly.Module): Promise<unknown>;
   train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
   cancelTraining(): void;
+}
+
+/** One model in one fold: what is trained, and on what. */
+export interface EvaluationJob {
+  /** All trials. */
+  clips: TrainingClip[];
+  settings: ComparisonSettings;
+  candidate: Candidate;
+  /** The trial held out, counted from 1. */
+  heldOut: number;
+  trainingTrials: number;
+  seed: number;
+}
+
+/** What came of one model in one fold. */
+export interface Evaluated {
+  outcome: Outcome;
+  /** World positions of the prediction and of the trial held out [frames x nodes x 3]. */
+  predicted: Float32Array;
+  actual: Float32Array;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+/** The face of a worker of the whole program, which is loaded when models are compared. */
+export interface Comparer {
+  start(wasm: WebAssembly.Module): Promise<unknown>;
+  /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
+  evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;
+  cancelEvaluation(): void;
+  /** Throws with the reason when these clips cannot be compared on. */
+  emptyResults(clips: TrainingClip[], settings: ComparisonSettings): Promise<Results>;
+  /** Throws with the reason when these are no results. */
+  compare(results: Results): Comparison;
 }
 
 /** The face of the worker that shows; every call answers with a promise on the page's side. */

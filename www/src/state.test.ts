@@ -15,6 +15,8 @@ describe("settings in the URL", () => {
       latent: 2, dynamicsIps: 8, poseIps: 25, order: 1, framesPerSecond: 24, seed: 4294967295, maxIterations: 1000, trainings: 5,
       frames: 600, start: 3, reading: "re-inferred" as const, alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const, speed: 0.25 as const, loop: false,
+      view: "compare" as const, models: ["vgpdm", "tmp"] as const, ips: [4, 20], bases: [5], balanced: true, heldOut: 2, seeds: 3,
+      comparedIterations: 20, growth: true,
     };
     const untouched = Object.entries(settings).filter(
       ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial));
@@ -34,6 +36,14 @@ describe("settings in the URL", () => {
   it("drops what is no value", () => {
     const text = "#latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
     expect(readSettings(text)).toEqual(initialSettings());
+  });
+
+  it("reads lists in any order, once each and within their limits", () => {
+    const settings = readSettings("#models=tmp,vcgpdm&ips=16,4,16,900&bases=,");
+    expect(settings.models).toEqual(["vcgpdm", "tmp"]);
+    expect(settings.ips).toEqual([4, 16, 40]);
+    expect(settings.bases).toEqual(initialSettings().bases);
+    expect(readSettings("#models=gplvm").models).toEqual(initialSettings().models);
   });
 
   it("refuses a joint in two parts", () => {

@@ -132,10 +132,43 @@ const reading: Setting<Reading> = {
   write: (value) => (value === "as learned" ? "learned" : "inferred"),
 };
 
+/** Several of some words, in the order of the words. */
+function several<T extends string>(key: string, initial: readonly T[], values: readonly T[]): Setting<readonly T[]> & { values: readonly T[] } {
+  return {
+    key, initial, values,
+    read(text) {
+      const words = text.split(",").filter(Boolean);
+      return words.every((word) => values.includes(word as T)) ? values.filter((value) => words.includes(value)) : null;
+    },
+    write: (chosen) => chosen.join(","),
+  };
+}
+
+/** Several whole numbers, each once, rising. */
+function counts(key: string, initial: readonly number[], min: number, max: number, most: number): Setting<readonly number[]> {
+  return {
+    key, initial,
+    read(text) {
+      const words = text.split(/[\s,]+/).filter(Boolean);
+      if (words.length === 0 || !words.every((word) => /^\d{1,6}$/.test(word))) return null;
+      const within = words.map((word) => Math.min(max, Math.max(min, Number(word))));
+      return [...new Set(within)].sort((a, b) => a - b).slice(0, most);
+    },
+    write: (numbers) => numbers.join(","),
+  };
+}
+
+/** What the page is about now: playing with one model, or comparing several. */
+export const VIEWS = ["play", "compare"] as const;
+
+/** All kinds of models, in the order of tables. */
+export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;
+
 /** The id of the parts setting that means: as assigned by hand. */
 export const BY_HAND = "hand";
 
 export const SETTINGS = {
+  view: choice("view", "play", VIEWS),
   parts: preset,
   split,
   latent: whole("latent", 3, 1, 6),
@@ -153,6 +186,17 @@ export const SETTINGS = {
   plot: choice("plot", "2d", ["2d", "3d"] as const),
   speed: choice("speed", 1, [0.25, 0.5, 1, 2] as const),
   loop: flag("loop", true),
+  // Of a comparison
+  models: several("models", ["vcgpdm", "vgpdm", "tmp", "dmp-rhythmic"], MODELS),
+  ips: counts("ips", [8, 12, 16], 2, 40, 8),
+  bases: counts("bases", [20], 2, 200, 8),
+  balanced: flag("balanced", false),
+  /** The trial held out, counted from 1; 0: each in turn. */
+  heldOut: whole("heldout", 0, 0, 99),
+  seeds: whole("seeds", 1, 1, 10),
+  comparedIterations: whole("steps", 150, 5, 5000),
+  /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, to see how time grows. */
+  growth: flag("growth", false),
 };
 
 export type Settings = {

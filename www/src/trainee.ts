@@ -1,50 +1,16 @@
 // What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
-import { Clip, Trainer, TrainingSet } from "vcgpdm";
-import type { Report, TrainedModel, Trainee, TrainingClip, TrainingJob, TrainingOutcome, TrainingProgress } from "./protocol";
+import { Clip, Trainer, TrainingSet } from "vcgpdm/playground";
+import { breathe, ClipReader } from "./clip-reader";
+import type { Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome, TrainingProgress } from "./protocol";
 
 /** Milliseconds of training before a report, and before messages (a cancel) get their turn. */
 const SLICE = 100;
 
 let training: { cancelled: boolean } | null = null;
-/** The clips of the last job: the next one mostly has the same. */
-const read = new Map<number, Clip>();
-
-async function clipOf({ id, source }: TrainingClip): Promise<Clip> {
-  let clip = read.get(id);
-  if (!clip) {
-    clip = "sample" in source ? Clip.sample(source.sample) : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
-    read.set(id, clip);
-  }
-  return clip;
-}
-
-async function trainingSet(chosen: readonly TrainingClip[]): Promise<TrainingSet> {
-  for (const [id, clip] of read) {
-    if (chosen.some((one) => one.id === id)) continue;
-    read.delete(id);
-    clip.free();
-  }
-  const set = new TrainingSet();
-  try {
-    for (const one of chosen) {
-      const clip = await clipOf(one);
-      if (one.first <= 0 && one.end >= clip.info().frames) {
-        set.add(clip);
-      } else {
-        const piece = clip.cut(one.first, one.end);
-        set.add(piece);
-        piece.free();
-      }
-    }
-    return set;
-  } catch (problem) {
-    set.free();
-    throw problem;
-  }
-}
+const clips = new ClipReader({ Clip, TrainingSet });
 
 async function prepare(job: TrainingJob): Promise<Trainer> {
-  const set = await trainingSet(job.clips);
+  const set = await clips.set(job.clips);
   try {
     return new Trainer(set, job.settings);
   } finally {
@@ -59,11 +25,6 @@ function bestSoFar(trainer: Trainer, parts: number): TrainedModel {
   } finally {
     model.free();
   }
-}
-
-/** Lets waiting messages in. */
-function breathe(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, 0));
 }
 
 async function train(job: TrainingJob, report: Report): Promise<TrainingOutcome> {

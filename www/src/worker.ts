@@ -1,6 +1,6 @@
 // Owns the wasm: the clips and the current model; and what workers of the pool do. No DOM.
 import * as Comlink from "comlink";
-import init, { Clip, freshSeed, Model, TrainingSet, version } from "vcgpdm";
+import init, { Clip, freshSeed, Model, TrainingSet, version } from "vcgpdm/playground";
 import type {
   DynamicsInducing,
   InducingPoint,

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// A model with all of its settings but the seed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Candidate {
     /// The variational coupled GPDM.
@@ -37,6 +38,7 @@ pub enum Candidate {
 
 /// Settings of the variational models.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
 #[serde(deny_unknown_fields)]
 pub struct GpdmSettings {
     /// Q of every part.
@@ -53,6 +55,7 @@ pub struct GpdmSettings {
 
 /// Settings of the models with point latents.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
 #[serde(deny_unknown_fields)]
 pub struct PointSettings {
     /// Q of every part.

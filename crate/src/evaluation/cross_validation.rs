@@ -66,6 +66,7 @@ pub struct Fold {
 
 /// What came of one model in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(deny_unknown_fields)]
 pub struct Outcome {
     /// How far the prediction is from the trial.
@@ -153,27 +154,35 @@ impl Fold {
     ) -> Result<Option<Outcome>, EvaluationError> {
         let begin = seconds();
         let mut learner = candidate.learner(&self.movements, seed)?;
-        let last = loop {
+        while {
             let progress = learner.step();
             if !watch(&progress) {
                 return Ok(None);
             }
-            if progress.done {
-                break progress;
-            }
-        };
+            !progress.done
+        } {}
         let model = learner.model()?;
         let trained = seconds() - begin;
-        Ok(Some(Outcome {
-            score: dtw_mse(&self.predict(&*model)?, &self.actual)?,
+        self.outcome(&*model, &learner.progress(), trained).map(Some)
+    }
+
+    /// What a model is worth, whose training ended so and took so many seconds.
+    pub fn outcome(
+        &self,
+        model: &dyn MovementModel,
+        training: &LearningProgress,
+        seconds: f64,
+    ) -> Result<Outcome, EvaluationError> {
+        Ok(Outcome {
+            score: dtw_mse(&self.predict(model)?, &self.actual)?,
             bound: model.bound(),
-            objective: last.best,
-            iterations: last.iteration,
-            seconds: trained,
+            objective: training.best,
+            iterations: training.iteration,
+            seconds,
             frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
-            reason: last.reason,
-        }))
+            reason: training.reason.clone(),
+        })
     }
 }
 

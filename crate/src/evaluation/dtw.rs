@@ -9,6 +9,7 @@ const PENALTY_PER_COLUMN: f64 = 1e-4;
 
 /// How far a prediction is from a whole trial, in the squared units of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
 pub struct Score {
     /// Mean squared difference along the warping path.
     pub dtw_mse: f64,

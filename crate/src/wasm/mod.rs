@@ -3,6 +3,8 @@
 #[cfg(feature = "speed")]
 mod case;
 mod clip;
+#[cfg(feature = "comparison")]
+mod comparison;
 mod model;
 mod rollout;
 mod training;

@@ -61,7 +61,7 @@ pub struct TrainingProgress {
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct TrainingSet {
-    clips: Vec<MotionClip>,
+    pub(super) clips: Vec<MotionClip>,
 }
 
 #[wasm_bindgen]

@@ -4,6 +4,7 @@ import {
   Color,
   DoubleSide,
   Group,
+  type Material,
   Mesh,
   PlaneGeometry,
   ShaderMaterial,
@@ -125,5 +126,12 @@ export class Ground {
       mesh.scale.setScalar(0.1 + 0.25 * height);
       mesh.material.uniforms["strength"]!.value = most * Math.max(0, 1 - height / 0.22);
     });
+  }
+
+  dispose(): void {
+    for (const mesh of [this.plane, this.shadow, ...this.contacts]) {
+      mesh.geometry.dispose();
+      (mesh.material as Material).dispose();
+    }
   }
 }

@@ -2,11 +2,30 @@
 import { html } from "lit";
 import { openFiles } from "../actions/clips";
 import { saveModel, saveMotion } from "../actions/saving";
+import { changeSettings } from "../actions/settings";
+import type { Settings } from "../state";
 import { icon } from "./icons";
 import { View } from "./view";
 
+const VIEWS: [Settings["view"], string][] = [["play", "Play"], ["compare", "Compare models"]];
+
 export class HeaderView extends View {
-  static override topics = ["model", "engine"] as const;
+  static override topics = ["model", "engine", "settings"] as const;
+
+  /** Links, so that they can be opened elsewhere and shared. */
+  private views() {
+    const { app } = this;
+    return html`
+      <nav class="segments" aria-label="Views">
+        ${VIEWS.map(([view, title]) => html`
+          <a href="#view=${view}" data-testid="view-${view}" aria-current=${app.settings.view === view ? "page" : "false"}
+            @click=${(event: MouseEvent) => {
+              if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+              event.preventDefault();
+              changeSettings(app, { view });
+            }}>${title}</a>`)}
+      </nav>`;
+  }
 
   protected override render() {
     const { app } = this;
@@ -25,6 +44,7 @@ export class HeaderView extends View {
           this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));
         }}>Drag a slider</a> and watch its parts fall out of step.</p>
       </div>
+      ${this.views()}
       <div class="actions" role="group" aria-label="Files">
         <label class="small file-button">${icon("open")} Open
           <input type="file" class="visually-hidden" data-testid="open-model" multiple accept=".json,.bvh,application/json" aria-label="Open a model (.json) or clips (.bvh)" @change=${open} /></label>

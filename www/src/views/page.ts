@@ -1,5 +1,6 @@
 // The page: where each view goes. On narrow screens the panels beside the stage become tabs.
 import { html, nothing } from "lit";
+import type { App } from "../app";
 import "./clips";
 import "./couplings";
 import "./header";
@@ -21,14 +22,44 @@ const TABS = [
 ] as const;
 type Tab = (typeof TABS)[number][0];
 
+interface Clock {
+  togglePlay(): void;
+  step(direction: 1 | -1): void;
+}
+
+/** What is loaded only when it is asked for. */
+const ON_DEMAND = {
+  compare: { load: () => import("./comparison/page"), draw: (app: App) => html`<pg-comparison .app=${app}></pg-comparison>` },
+};
+
 export class PageView extends View {
-  static override topics = ["engine"] as const;
+  static override topics = ["engine", "settings"] as const;
   static override properties = { tab: { state: true } };
   declare tab: Tab;
+  private readonly loaded = new Map<string, "loading" | "there" | "failed">();
 
   constructor() {
     super();
     this.tab = "couplings";
+  }
+
+  private onDemand(view: keyof typeof ON_DEMAND) {
+    const state = this.loaded.get(view);
+    if (!state) {
+      this.loaded.set(view, "loading");
+      const arrived = (state: "there" | "failed") => {
+        this.loaded.set(view, state);
+        this.requestUpdate();
+      };
+      ON_DEMAND[view].load().then(() => arrived("there"), () => arrived("failed"));
+    }
+    if (state === "there") return ON_DEMAND[view].draw(this.app);
+    if (state !== "failed") return html`<p class="empty" role="status">Loading</p>`;
+    const again = () => {
+      this.loaded.delete(view);
+      this.requestUpdate();
+    };
+    return html`<p class="empty" role="alert">This part of the page could not be loaded. <button class="small" @click=${again}>Try again</button></p>`;
   }
 
   get stage(): StageView {
@@ -37,6 +68,11 @@ export class PageView extends View {
 
   get timeline(): TimelineView {
     return this.querySelector("pg-timeline")!;
+  }
+
+  /** What the keys for play and step work on. */
+  get clock(): Clock | null {
+    return this.app.settings.view === "compare" ? this.querySelector<HTMLElement & Clock>("pg-side-by-side") : this.timeline;
   }
 
   get help(): HelpView {
@@ -72,7 +108,8 @@ export class PageView extends View {
         ${app.engineState === "failed"
           ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout; sliders and training need the model.</p>`
           : nothing}
-        <main>
+        ${app.settings.view === "play" || app.embedded ? nothing : html`<main class="on-demand">${this.onDemand(app.settings.view)}</main>`}
+        <main ?hidden=${app.settings.view !== "play" && !app.embedded}>
           <section class="stage-area" aria-label="Stage">
             <pg-stage .app=${app}></pg-stage>
             <pg-timeline .app=${app}></pg-timeline>

@@ -17,12 +17,11 @@ import type { Motion } from "../protocol";
 import { type FigureStyle, FigureView } from "./figure";
 import { Ground } from "./ground";
 import { type Fineness, Pace } from "./pace";
+import { feetOf, floorOf, SOLE } from "./standing";
 
 const LOOK_AT_HEIGHT = 0.88;
 /** Pixels drawn for each of the page's, at most. */
 const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
-/** From the lowest node, inside a foot, to the ground. */
-const SOLE = 0.03;
 
 export class Stage {
   private readonly renderer: WebGLRenderer;
@@ -263,26 +262,4 @@ export class Stage {
 function placed(marked: Float32Array, pose: Float32Array): Float32Array {
   const motion: Motion = { positions: marked, frames: 1, nodes: marked.length / 3, frameTime: 1 };
   return poseAt(motion, 0, placeOnto(marked, pose), new Float32Array(marked.length));
-}
-
-/** The height on which the figure stands: of the lowest node of each frame, the middle one. */
-function floorOf({ positions, frames, nodes }: Motion): number {
-  const lowest = new Float32Array(frames).fill(Infinity);
-  for (let i = 0; i < frames * nodes; i++) {
-    const frame = Math.floor(i / nodes);
-    lowest[frame] = Math.min(lowest[frame]!, positions[3 * i + 1]!);
-  }
-  const middle = lowest.sort()[frames >> 1] ?? 0;
-  return Number.isFinite(middle) ? middle : 0;
-}
-
-/** Nodes that come down to the ground. */
-function feetOf({ positions, frames, nodes }: Motion, floor: number): number[] {
-  const lowest = new Float32Array(nodes).fill(Infinity);
-  for (let t = 0; t < frames; t++) {
-    for (let node = 0; node < nodes; node++) {
-      lowest[node] = Math.min(lowest[node]!, positions[(t * nodes + node) * 3 + 1]!);
-    }
-  }
-  return [...lowest.keys()].filter((node) => lowest[node]! < floor + 0.12).slice(0, 8);
 }

@@ -1,6 +1,6 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
-use crate::results::{Finished, Job, Part, Setting, Store, Trial};
+use crate::results::Store;
 use crate::train::parts;
 use crate::{files, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -11,8 +11,8 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Candidate, Fold, GpdmSettings, PointSettings, START_FRAMES};
-use vcgpdm::{Clip, ModelKind, PartSpec, TrainingSettings};
+use vcgpdm::evaluation::{Candidate, Finished, Fold, GpdmSettings, Job, PointSettings, Setting};
+use vcgpdm::{Clip, ModelKind, TrainingSettings};
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
 #[derive(clap::Args)]
@@ -74,14 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
-    let trial = |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone() };
-    let part = |part: &PartSpec| Part { name: part.name.clone(), joints: part.joints.clone() };
-    let setting = Setting {
-        trials: clips.iter().map(trial).collect(),
-        parts: parts.iter().map(part).collect(),
-        frames_per_second: arguments.fps,
-        start_frames: START_FRAMES,
-    };
+    let setting = Setting::new(&clips, &parts, arguments.fps);
     let all = jobs(arguments, clips.len())?;
     // Whatever cannot be used is found before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();

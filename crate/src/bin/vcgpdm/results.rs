@@ -1,121 +1,21 @@
-//! The file of an evaluation: what was compared and what came of it. Finished jobs are added one by one, so that a stopped
-//! evaluation goes on where it was, and so that several processes can work on one file.
+//! The file of an evaluation. Finished jobs are added one by one, so that a stopped evaluation goes on where it was, and so
+//! that several processes can work on one file.
 
 use crate::files;
-use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use vcgpdm::evaluation::{Candidate, Outcome};
+use vcgpdm::evaluation::{Finished, Results, Setting};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-const FORMAT: &str = "vcgpdm-evaluation";
-const VERSION: u32 = 1;
-
-/// A trial, by its content.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Trial {
-    pub name: String,
-    pub sha256: String,
-}
-
-/// A group of joints.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Part {
-    pub name: String,
-    pub joints: Vec<usize>,
-}
-
-/// What all results of a file have in common.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Setting {
-    pub trials: Vec<Trial>,
-    pub parts: Vec<Part>,
-    pub frames_per_second: f64,
-    pub start_frames: usize,
-}
-
-/// One model in one fold with one seed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Job {
-    pub candidate: Candidate,
-    /// The trial held out, counted from 1.
-    pub held_out: usize,
-    /// How many of the others are trained on.
-    pub training_trials: usize,
-    pub seed: u32,
-}
-
-/// What came of a job: an outcome, or why there is none.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Finished {
-    pub job: Job,
-    /// The program and its version that computed it.
-    pub engine: String,
-    pub outcome: Option<Outcome>,
-    pub failure: Option<String>,
-}
-
-/// The whole file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Results {
-    format: String,
-    version: u32,
-    pub setting: Setting,
-    pub finished: Vec<Finished>,
-}
-
-impl Results {
-    /// Nothing finished yet.
-    pub fn new(setting: Setting) -> Self {
-        Self { format: FORMAT.to_owned(), version: VERSION, setting, finished: Vec::new() }
-    }
-
-    /// Reads a file.
-    pub fn read(path: &Path) -> Result<Self> {
-        let text = files::read_text(path)?;
-        let results: Results = serde_json::from_str(&text)
-            .map_err(|error| format!("{}: expected the results of an evaluation: {error}", path.display()))?;
-        if results.format != FORMAT || results.version != VERSION {
-            let found = format!("{:?} version {}", results.format, results.version);
-            return Err(
-                format!("{}: expected {FORMAT} version {VERSION}, found {found}", path.display()).into()
-            );
-        }
-        Ok(results)
-    }
-
-    /// What is known of a job.
-    pub fn find(&self, job: &Job) -> Option<&Finished> {
-        self.finished.iter().find(|finished| finished.job == *job)
-    }
-
-    /// Takes over what the other knows and this one does not; both must be of the same setting.
-    pub fn merge(&mut self, other: Results, path: &Path) -> Result<()> {
-        if other.setting != self.setting {
-            let differs = if other.setting.trials != self.setting.trials {
-                "other trials"
-            } else if other.setting.parts != self.setting.parts {
-                "other parts"
-            } else {
-                "another frame rate"
-            };
-            return Err(format!("{}: these results are of {differs}", path.display()).into());
-        }
-        for finished in other.finished {
-            if self.find(&finished.job).is_none() {
-                self.finished.push(finished);
-            }
-        }
-        Ok(())
-    }
+/// Reads a file.
+pub fn read(path: &Path) -> Result<Results> {
+    let text = files::read_text(path)?;
+    let results: Results = serde_json::from_str(&text)
+        .map_err(|error| format!("{}: expected the results of an evaluation: {error}", path.display()))?;
+    results.check().map_err(|error| files::about(path, &error))?;
+    Ok(results)
 }
 
 /// The file, to which finished jobs are added.
@@ -139,7 +39,7 @@ impl Store {
 
     fn take_over(&mut self) -> Result<()> {
         if self.path.exists() {
-            self.results.merge(Results::read(&self.path)?, &self.path)?;
+            self.results.merge(read(&self.path)?).map_err(|error| files::about(&self.path, &error))?;
         }
         Ok(())
     }

@@ -1,0 +1,428 @@
+//! What the results of an evaluation say: the table of models, bound against error, time against frames, and the claims of
+//! Velychko et al. (2017, 2018).
+
+use super::candidate::Candidate;
+use super::cross_validation::Outcome;
+use super::results::{Finished, Results};
+use super::stats::{exponent, mean, rank_correlation, standard_error};
+use crate::learner::ModelKind;
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// A mean over folds; seeds of the same fold are averaged first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
+#[serde(rename_all = "camelCase")]
+pub struct Spread {
+    /// The mean.
+    pub mean: f64,
+    /// Its standard error; absent for a single fold.
+    pub standard_error: Option<f64>,
+    /// Folds.
+    pub count: usize,
+}
+
+/// One model with its settings: a row of figure 4 of Velychko et al. (2018).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
+#[serde(rename_all = "camelCase")]
+pub struct ModelSummary {
+    /// The kind's id.
+    pub model: String,
+    /// Its settings, in a few words.
+    pub label: String,
+    /// Mean squared error after dynamic time warping, in the squared units of the columns.
+    pub mse: Spread,
+    /// The error of a prediction that does not move.
+    pub variance: f64,
+    /// The bound on the log evidence, in nats, where the model has one.
+    pub bound: Option<Spread>,
+    /// Seconds of a training.
+    pub seconds: Spread,
+    /// Numbers that must be kept to roll out.
+    pub stored_numbers: Spread,
+    /// Trials held out.
+    pub folds: usize,
+    /// Trainings.
+    pub runs: usize,
+}
+
+/// One setting in figure 6B of Velychko et al. (2018).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+pub struct BoundAndError {
+    /// The setting, in a few words.
+    pub label: String,
+    /// Mean bound, in nats.
+    pub bound: f64,
+    /// Mean error.
+    pub mse: f64,
+}
+
+/// Bound and error of one kind of model over its settings: figure 6B of Velychko et al. (2018).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+pub struct Correlation {
+    /// The kind's id.
+    pub model: String,
+    /// How many settings.
+    pub settings: usize,
+    /// Spearman's rank correlation of bound and error.
+    pub rank: f64,
+    /// The settings.
+    pub points: Vec<BoundAndError>,
+}
+
+/// Frames trained on, and how long that took.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+pub struct FramesAndTime {
+    /// Frames trained on.
+    pub frames: f64,
+    /// Seconds an iteration.
+    pub seconds: f64,
+}
+
+/// Learning time of one model over the frames trained on: figure 2 of the supplement of Velychko et al. (2017).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Growth {
+    /// The kind's id.
+    pub model: String,
+    /// Its settings, in a few words.
+    pub label: String,
+    /// Fewer and more frames.
+    pub points: Vec<FramesAndTime>,
+    /// k where time grows as frames to the power k.
+    pub exponent: Option<f64>,
+}
+
+/// What the papers say, and what these results say to it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+pub struct Claim {
+    /// The claim and its year.
+    pub claim: String,
+    /// What was found.
+    pub found: String,
+    /// Whether that agrees.
+    pub holds: bool,
+}
+
+/// What the results of an evaluation say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+pub struct Comparison {
+    /// Every model with every setting.
+    pub models: Vec<ModelSummary>,
+    /// For every kind of model with a bound and at least three settings.
+    pub correlations: Vec<Correlation>,
+    /// For every kind of model that was trained on at least three numbers of trials.
+    pub growth: Vec<Growth>,
+    /// Those about which there are results.
+    pub claims: Vec<Claim>,
+}
+
+impl Comparison {
+    /// Of these results.
+    pub fn of(results: &Results) -> Self {
+        let rows = rows(results);
+        let (correlations, growth) = (correlations(&rows), growth(results));
+        let claims = claims(&rows, &correlations, &growth);
+        Self { models: rows.into_iter().map(|(_, summary)| summary).collect(), correlations, growth, claims }
+    }
+}
+
+type Row<'a> = (&'a Candidate, ModelSummary);
+
+fn place(kind: ModelKind) -> Option<usize> {
+    ModelKind::ALL.iter().position(|other| *other == kind)
+}
+
+/// Candidates that were trained on all other trials, in the order of tables.
+fn rows(results: &Results) -> Vec<Row<'_>> {
+    let all = results.setting.trials.len().saturating_sub(1);
+    let whole: Vec<&Finished> = results.finished.iter().filter(|f| f.job.training_trials == all).collect();
+    let mut candidates: Vec<&Candidate> = Vec::new();
+    for finished in &whole {
+        if !candidates.contains(&&finished.job.candidate) {
+            candidates.push(&finished.job.candidate);
+        }
+    }
+    candidates.sort_by_key(|c| place(c.kind()));
+    let row = |candidate: &'_ &Candidate| summary(candidate, &whole);
+    candidates.iter().filter_map(|c| row(c).map(|summary| (*c, summary))).collect()
+}
+
+fn summary(candidate: &Candidate, whole: &[&Finished]) -> Option<ModelSummary> {
+    let of: Vec<(usize, &Outcome)> = whole
+        .iter()
+        .filter(|f| f.job.candidate == *candidate)
+        .filter_map(|f| Some((f.job.held_out, f.outcome.as_ref()?)))
+        .collect();
+    let folds: BTreeSet<usize> = of.iter().map(|(fold, _)| *fold).collect();
+    let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
+        let fold = |fold: &usize| {
+            let values: Vec<f64> =
+                of.iter().filter(|(other, _)| other == fold).filter_map(|(_, o)| value(o)).collect();
+            (!values.is_empty()).then(|| mean(&values))
+        };
+        let means: Vec<f64> = folds.iter().filter_map(fold).collect();
+        (!means.is_empty()).then(|| Spread {
+            mean: mean(&means),
+            standard_error: standard_error(&means),
+            count: means.len(),
+        })
+    };
+    Some(ModelSummary {
+        model: candidate.kind().id().to_owned(),
+        label: candidate.label(),
+        mse: spread(&|o| Some(o.score.dtw_mse))?,
+        variance: spread(&|o| Some(o.score.variance))?.mean,
+        bound: spread(&|o| o.bound),
+        seconds: spread(&|o| Some(o.seconds))?,
+        stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
+        folds: folds.len(),
+        runs: of.len(),
+    })
+}
+
+fn correlations(rows: &[Row]) -> Vec<Correlation> {
+    let of = |kind: ModelKind| {
+        let rows = rows.iter().filter(|(candidate, _)| candidate.kind() == kind);
+        let point = |(_, s): &Row| {
+            Some(BoundAndError { label: s.label.clone(), bound: s.bound.as_ref()?.mean, mse: s.mse.mean })
+        };
+        let points: Vec<BoundAndError> = rows.filter_map(point).collect();
+        let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
+        let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
+        Some(Correlation { model: kind.id().to_owned(), settings: points.len(), rank, points })
+    };
+    ModelKind::ALL.into_iter().filter_map(of).collect()
+}
+
+/// Of each kind the candidate that was trained on most numbers of trials; only folds that all of these have are compared.
+fn growth(results: &Results) -> Vec<Growth> {
+    let counts = |candidate: &Candidate| -> BTreeSet<usize> {
+        let of = results.finished.iter().filter(|f| f.job.candidate == *candidate && f.outcome.is_some());
+        of.map(|f| f.job.training_trials).collect()
+    };
+    let of = |kind: ModelKind| {
+        let candidates =
+            results.finished.iter().map(|f| &f.job.candidate).filter(|candidate| candidate.kind() == kind);
+        let candidate = candidates.max_by_key(|candidate| counts(candidate).len())?;
+        let counts = counts(candidate);
+        let times = |count: usize| {
+            let of = results.finished.iter();
+            of.filter(|f| f.job.candidate == *candidate && f.job.training_trials == count)
+                .filter_map(|f| f.outcome.as_ref().map(|o| (f.job.held_out, o)))
+                .collect::<Vec<_>>()
+        };
+        let common = counts
+            .iter()
+            .map(|count| times(*count).iter().map(|(fold, _)| *fold).collect::<BTreeSet<usize>>())
+            .reduce(|a, b| a.intersection(&b).copied().collect())?;
+        let points: Vec<FramesAndTime> = counts
+            .iter()
+            .filter_map(|count| {
+                let of = times(*count).into_iter().filter(|(fold, _)| common.contains(fold));
+                let (frames, seconds): (Vec<f64>, Vec<f64>) =
+                    of.map(|(_, o)| (o.frames as f64, o.seconds / o.iterations.max(1) as f64)).unzip();
+                (!frames.is_empty()).then(|| FramesAndTime { frames: mean(&frames), seconds: mean(&seconds) })
+            })
+            .collect();
+        let pairs: Vec<(f64, f64)> =
+            points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
+        (points.len() > 2).then(|| Growth {
+            model: kind.id().to_owned(),
+            label: candidate.label(),
+            points,
+            exponent: exponent(&pairs),
+        })
+    };
+    ModelKind::ALL.into_iter().filter_map(of).collect()
+}
+
+fn is_balanced(candidate: &Candidate) -> bool {
+    matches!(candidate, Candidate::MapGpdm(s) | Candidate::MapCgpdm(s) if s.balanced)
+}
+
+fn claims(rows: &[Row], correlations: &[Correlation], growth: &[Growth]) -> Vec<Claim> {
+    use ModelKind::{MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
+    let mut claims = Vec::new();
+    let mut say = |claim: &str, found: String, holds: bool| {
+        claims.push(Claim { claim: claim.to_owned(), found, holds });
+    };
+    // The setting that the bound prefers: whoever trains does not know the error on the trial held out.
+    let chosen = |kind: ModelKind, balanced: bool| {
+        let of = rows.iter().filter(|(c, _)| c.kind() == kind && is_balanced(c) == balanced);
+        let bound = |s: &ModelSummary| s.bound.as_ref().map_or(f64::NEG_INFINITY, |b| b.mean);
+        of.max_by(|(_, a), (_, b)| bound(a).total_cmp(&bound(b))).map(|(_, s)| s.mse.mean)
+    };
+    let variational = (chosen(Vcgpdm, false), chosen(Vgpdm, false));
+    for (balanced, of) in [(false, ""), (true, ", balanced ones too")] {
+        if let ((Some(a), Some(b)), Some(c), Some(d)) =
+            (variational, chosen(MapGpdm, balanced), chosen(MapCgpdm, balanced))
+        {
+            say(
+                &format!("Both variational models predict better than both MAP models{of} (2017, 2018)"),
+                format!(
+                    "MSE vCGPDM {a:.5}, vGPDM {b:.5} beside MAP GPDM {c:.5}, MAP CGPDM {d:.5}{}",
+                    if balanced { ", both balanced" } else { "" }
+                ),
+                a.max(b) < c.min(d),
+            );
+        }
+    }
+    if let (Some(a), Some(b)) = variational {
+        let ratio = a / b;
+        say(
+            "Parts cost no precision: the vCGPDM's MSE is at most 1.1 times the vGPDM's (2018)",
+            format!("{ratio:.2} times"),
+            ratio <= 1.1,
+        );
+    }
+    for Correlation { model, settings, rank, .. } in correlations {
+        if [Vcgpdm.id(), Vgpdm.id()].contains(&model.as_str()) {
+            let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
+            say(claim, format!("{model} over {settings} settings: {rank:.2}"), *rank < -0.5);
+        }
+    }
+    let exponent = |kind: ModelKind| growth.iter().find(|g| g.model == kind.id()).and_then(|g| g.exponent);
+    if let Some(e) = exponent(Vcgpdm) {
+        let claim =
+            "The vCGPDM's learning time grows about linearly with the frames: exponent below 1.1 (2017)";
+        say(claim, format!("{e:.2}"), e < 1.1);
+    }
+    if let Some(e) = exponent(MapCgpdm) {
+        let claim = "The MAP CGPDM's learning time grows with an exponent above 2 (2017)";
+        say(claim, format!("{e:.2}"), e > 2.0);
+    }
+    claims
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidate::{GpdmSettings, PointSettings};
+    use super::super::dtw::Score;
+    use super::super::results::{Job, Setting, Trial};
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn setting(trials: usize) -> Setting {
+        let trial = |k: usize| Trial { name: format!("walk {k}"), sha256: String::new() };
+        Setting {
+            trials: (0..trials).map(trial).collect(),
+            parts: vec![],
+            frames_per_second: 30.0,
+            start_frames: 5,
+        }
+    }
+
+    fn variational(ips: usize) -> GpdmSettings {
+        GpdmSettings { latent: 3, order: 2, dynamics_ips: ips, pose_ips: ips, max_iterations: 100 }
+    }
+
+    fn point(balanced: bool) -> PointSettings {
+        PointSettings { latent: 3, order: 2, max_iterations: 100, balanced }
+    }
+
+    fn finished(
+        candidate: Candidate,
+        held_out: usize,
+        training_trials: usize,
+        seed: u32,
+        outcome: Outcome,
+    ) -> Finished {
+        let job = Job { candidate, held_out, training_trials, seed };
+        Finished { job, engine: "vcgpdm".to_owned(), outcome: Some(outcome), failure: None }
+    }
+
+    fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) -> Outcome {
+        Outcome {
+            score: Score { dtw_mse, mse: 2.0 * dtw_mse, variance: 0.05 },
+            bound,
+            objective: 0.0,
+            iterations: 10,
+            seconds,
+            frames,
+            stored_numbers: 700,
+            reason: None,
+        }
+    }
+
+    #[test]
+    fn seeds_are_averaged_before_folds() {
+        let mut results = Results::new(setting(3));
+        let candidate = || Candidate::Vgpdm(variational(8));
+        for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
+            results.finished.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
+        }
+        // Trained on fewer trials: no row of the table.
+        results.finished.push(finished(candidate(), 3, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
+        let found = Comparison::of(&results);
+        assert_eq!(found.models.len(), 1);
+        let row = &found.models[0];
+        assert_eq!((row.folds, row.runs, row.mse.count), (2, 3, 2));
+        // Folds 2 and 6: mean 4, standard error |6 - 2| / 2.
+        assert_relative_eq!(row.mse.mean, 4.0);
+        assert_relative_eq!(row.mse.standard_error.unwrap(), 2.0);
+        assert!(found.claims.is_empty() && found.correlations.is_empty() && found.growth.is_empty());
+    }
+
+    #[test]
+    fn the_claims_use_the_setting_that_the_bound_prefers() {
+        let mut results = Results::new(setting(2));
+        let mut add = |candidate: Candidate, mse: f64, bound: Option<f64>| {
+            results.finished.push(finished(candidate, 1, 1, 0, outcome(mse, bound, 100, 1.0)));
+        };
+        // The bound prefers 12, though 16 happens to predict better.
+        for (ips, mse, bound) in [(8, 0.5, 1.0), (12, 0.3, 3.0), (16, 0.2, 2.0)] {
+            add(Candidate::Vcgpdm(variational(ips)), mse, Some(bound));
+            add(Candidate::Vgpdm(variational(ips)), mse, Some(bound));
+        }
+        add(Candidate::MapGpdm(point(false)), 0.4, None);
+        add(Candidate::MapCgpdm(point(false)), 0.5, None);
+        add(Candidate::MapGpdm(point(true)), 0.25, None);
+        add(Candidate::MapCgpdm(point(true)), 0.5, None);
+        let found = Comparison::of(&results);
+        let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
+        // Better than plain MAP models, not than balanced ones; ratio 1; correlations of (1, 3, 2) with (0.5, 0.3, 0.2).
+        assert_eq!(holds, [true, false, true, false, false], "{:?}", found.claims);
+        assert!(found.claims[1].found.contains("0.30000"), "{:?}", found.claims);
+        assert_relative_eq!(found.correlations[0].rank, -0.5);
+    }
+
+    #[test]
+    fn time_is_compared_over_the_same_folds_and_settings() {
+        let mut results = Results::new(setting(5));
+        for count in 1..=4usize {
+            let frames = 100 * count;
+            let cubic = (frames as f64).powi(3) * 1e-6;
+            results.finished.push(finished(
+                Candidate::MapCgpdm(point(false)),
+                1,
+                count,
+                0,
+                outcome(1.0, None, frames, cubic),
+            ));
+            let linear = frames as f64 * 1e-3;
+            let vcgpdm = || Candidate::Vcgpdm(variational(12));
+            results.finished.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
+        }
+        // Another fold that has only the most trials, and another setting: neither tells how time grows.
+        let odd = || outcome(1.0, Some(1.0), 400, 1e6);
+        results.finished.push(finished(Candidate::Vcgpdm(variational(12)), 2, 4, 0, odd()));
+        results.finished.push(finished(Candidate::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        let found = Comparison::of(&results);
+        let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
+        assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
+        assert_relative_eq!(exponents[1], 3.0, epsilon = 1e-9);
+        assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
+        assert!(
+            found.claims.iter().filter(|c| c.claim.contains("time")).all(|c| c.holds),
+            "{:?}",
+            found.claims
+        );
+    }
+}

@@ -1,0 +1,124 @@
+// Models side by side: compared on the page, cancelled, looked at, saved and opened again.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, changes, openSite, ready, rests, saved } from "./site.mjs";
+
+/** Small enough for a test: three trials at 15 frames a second, few iterations. */
+const SMALL = "view=compare&models=vcgpdm,vgpdm,tmp,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => { site = await openSite(); });
+after(() => site?.close());
+
+/** Waits until a comparison is over, and answers its last words. */
+async function over(/** @type {import("playwright-core").Page} */ page) {
+  await page.getByTestId("compare").waitFor({ timeout: 120_000 });
+  return page.getByTestId("compare-progress").innerText();
+}
+
+/** Leaves so many trials ticked. */
+async function tick(/** @type {import("playwright-core").Page} */ page, /** @type {number} */ count) {
+  await page.locator(".trials summary").click();
+  const boxes = page.locator(".trials input");
+  for (let i = 0; i < (await boxes.count()); i++) await boxes.nth(i).setChecked(i < count);
+}
+
+describe("comparing models", () => {
+  it("is loaded only when it is asked for", async () => {
+    const { page, problems, leave } = await site.visit();
+    /** @type {string[]} */
+    const loaded = [];
+    page.on("request", (request) => loaded.push(request.url()));
+    await page.reload();
+    await ready(page);
+    const wasm = () => loaded.filter((url) => url.endsWith(".wasm"));
+    assert.equal(wasm().length, 1);
+    await page.getByTestId("view-compare").click();
+    await page.getByTestId("compare").waitFor();
+    assert.equal(wasm().length, 1, "not before a comparison begins");
+    assert.match(page.url(), /view=compare/);
+    await page.getByTestId("view-play").click();
+    assert.ok(await changes(page.getByTestId("stage")), "the figure walks on");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("holds each trial out in turn, shows tables and figures, and files say the same", async () => {
+    const { page, problems, leave } = await site.visit({ settings: SMALL, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 3);
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /12 of 12 trainings done/);
+    const table = page.locator("comparison-figures table").first();
+    for (const name of ["vCGPDM", "vGPDM", "TMP", "DMP (rhythmic)"]) await table.getByText(name, { exact: true }).first().waitFor();
+
+    const { text } = await saved(page, "save-results");
+    const results = JSON.parse(text);
+    assert.equal(results.finished.length, 12);
+    assert.ok(results.finished.every((/** @type {any} */ f) => f.outcome.score.dtw_mse > 0 && f.outcome.score.dtw_mse < 1));
+    assert.equal(new Set(results.finished.map((/** @type {any} */ f) => f.job.held_out)).size, 3);
+
+    // Again: nothing is computed twice.
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /finished before/);
+
+    // Another visitor opens the file: the same table, without motions.
+    const other = await site.visit({ settings: "view=compare" });
+    await other.page.getByTestId("compare").and(other.page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await other.page.getByTestId("open-results").setInputFiles({ name: "r.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    await other.page.getByText("12 results opened").waitFor({ timeout: 30_000 });
+    const there = other.page.locator("comparison-figures table").first();
+    await there.waitFor();
+    assert.equal(await there.innerText(), await table.innerText());
+    await other.page.getByTestId("open-results").setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
+    await other.page.getByText("expected the results of an evaluation").waitFor();
+    assert.equal(await there.innerText(), await table.innerText(), "what was open stays");
+    assert.deepEqual([...problems, ...other.problems], []);
+    await other.leave();
+    await leave();
+  });
+
+  it("plays up to four models side by side under one clock", async () => {
+    const { page, problems, leave } = await site.visit({ settings: `${SMALL}&heldout=2`, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 2);
+    await page.getByTestId("compare").click();
+    await over(page);
+    const stage = page.getByTestId("compare-stage");
+    await stage.scrollIntoViewIfNeeded();
+    assert.equal(await page.locator(".column-heads li").count(), 4);
+    assert.ok(await changes(stage), "the figures move");
+    await page.getByTestId("compare-play").click();
+    assert.ok(await rests(stage), "Pause stops all");
+    await page.keyboard.press("ArrowRight");
+    const frame = await page.getByTestId("compare-scrub").inputValue();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await page.getByTestId("compare-scrub").inputValue(), frame);
+    await page.locator(".picks .chip[aria-pressed=true]").last().click();
+    assert.equal(await page.locator(".column-heads li").count(), 3);
+    assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("can be cancelled, keeps what is finished, and goes on from there", async () => {
+    const settings = "view=compare&models=dmp-rhythmic,map-cgpdm&fps=30&steps=2000";
+    const { page, problems, leave } = await site.visit({ settings, cores: 1 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 2);
+    // The order is that of the models' table: the quick one of the first trial comes after the slow one, so take it first alone.
+    await page.getByTestId("model-map-cgpdm").uncheck();
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /2 of 2 trainings done/);
+    await page.getByTestId("model-map-cgpdm").check();
+    await page.getByTestId("compare").click();
+    await page.getByText("0 of 2 trainings done").waitFor();
+    await page.getByTestId("compare-cancel").click();
+    assert.match(await over(page), /cancelled/);
+    const results = JSON.parse((await saved(page, "save-results")).text);
+    assert.deepEqual(results.finished.map((/** @type {any} */ f) => f.job.candidate.model), ["dmp-rhythmic", "dmp-rhythmic"]);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

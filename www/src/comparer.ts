@@ -1,0 +1,12 @@
+// A worker of the whole program: what only comparisons and the synthetic lesson need. No DOM.
+import * as Comlink from "comlink";
+import init from "vcgpdm";
+import { evaluator } from "./evaluator";
+import type { Comparer } from "./protocol";
+
+const comparer: Comparer = {
+  start: (wasm) => init({ module_or_path: wasm }),
+  ...evaluator,
+};
+
+Comlink.expose(comparer);

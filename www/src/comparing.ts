@@ -1,0 +1,60 @@
+// Promises over the workers of the whole program, which is loaded when it is asked for. No wasm import.
+import * as Comlink from "comlink";
+import { compile, inWords, watched } from "./engine";
+import { type Hired, Pool } from "./pool";
+import type { Comparer, Comparison, ComparisonSettings, Evaluated, EvaluationJob, Results, TrainingClip } from "./protocol";
+
+/** What the page asks of a worker of the pool. */
+export interface ComparingWorker {
+  /** Answers null when the signal came first. */
+  evaluate(job: EvaluationJob, report: (fraction: number) => void, signal: AbortSignal): Promise<Evaluated | null>;
+  emptyResults(clips: TrainingClip[], settings: ComparisonSettings): Promise<Results>;
+  compare(results: Results): Promise<Comparison>;
+}
+
+function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
+  const { worker, broken } = watched(new Worker(new URL("./comparer.ts", import.meta.url), { type: "module", name: "comparing" }));
+  const remote = Comlink.wrap<Comparer>(worker);
+  return {
+    worker: {
+      async evaluate(job, report, signal) {
+        signal.throwIfAborted();
+        const cancel = () => void remote.cancelEvaluation();
+        signal.addEventListener("abort", cancel);
+        try {
+          return await remote.evaluate(job, Comlink.proxy(report));
+        } catch (problem) {
+          throw inWords(problem);
+        } finally {
+          signal.removeEventListener("abort", cancel);
+        }
+      },
+      emptyResults: (clips, settings) => remote.emptyResults(clips, settings),
+      compare: (results) => remote.compare(results),
+    },
+    ready: remote.start(wasm),
+    broken,
+    dismiss: () => worker.terminate(),
+  };
+}
+
+/** The workers of the whole program. */
+export interface Workers {
+  /** Trains: as many at once as the machine has cores. */
+  pool: Pool<ComparingWorker>;
+  /** Answers at once, whatever the pool is doing. */
+  desk: Pool<ComparingWorker>;
+}
+
+let workers: Promise<Workers> | null = null;
+
+/** Loads the whole program, once. */
+export function comparing(): Promise<Workers> {
+  workers ??= compile(new URL("../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then((wasm) => ({
+    pool: new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm)),
+    desk: new Pool(1, () => hire(wasm)),
+  }));
+  // A failed download may be tried again.
+  workers.catch(() => (workers = null));
+  return workers;
+}

@@ -1,0 +1,140 @@
+// A comparison of models: which trainings it asks for, how far they are, and what came of them. No rendering, no worker.
+import type { Candidate, Evaluated, Finished, Job, PartSpec, Results, TrainingClip } from "./protocol";
+import type { Settings } from "./state";
+
+export type ModelId = Candidate["model"];
+
+/** One model in one fold with one seed. */
+export interface StudyJob {
+  job: Job;
+  state: "waiting" | "running" | "done" | "failed" | "cancelled";
+  /** Share of its training that is done. */
+  fraction: number;
+  /** Seconds of its training so far. */
+  elapsed: number;
+}
+
+/** What was compared on what, and what came of it. */
+export interface Study {
+  clips: TrainingClip[];
+  titles: string[];
+  parts: PartSpec[];
+  framesPerSecond: number;
+  results: Results;
+  jobs: StudyJob[];
+  /** What the models predict, by the job's key. */
+  predictions: Map<string, Evaluated>;
+}
+
+/** Tells one job from another, in whatever order its entries stand. */
+export function jobKey({ candidate, held_out, training_trials, seed }: Job): string {
+  const entries = Object.entries(candidate).filter(([, value]) => value !== null && value !== undefined);
+  return JSON.stringify([entries.sort(([a], [b]) => (a < b ? -1 : 1)), held_out, training_trials, seed]);
+}
+
+/** The models with all settings that are asked for. */
+export function candidates(settings: Settings): Candidate[] {
+  const { latent, order, comparedIterations: max_iterations, ips, bases, balanced } = settings;
+  return settings.models.flatMap((model): Candidate[] => {
+    switch (model) {
+      case "vcgpdm":
+      case "vgpdm":
+        return ips.map((ips) => ({ model, latent, order, dynamics_ips: ips, pose_ips: ips, max_iterations }));
+      case "map-gpdm":
+      case "map-cgpdm":
+        return [{ model, latent, order, max_iterations, balanced }];
+      case "tmp":
+        return [{ model, primitives: null }];
+      default:
+        return bases.map((bases) => ({ model, bases }));
+    }
+  });
+}
+
+/** Whether another seed gives another model. */
+const isRandom = ({ model }: Candidate) => model.endsWith("gpdm");
+
+/** Whether a model is trained on fewer trials too, when it is asked how time grows. */
+const grows = ({ model }: Candidate) => model === "vcgpdm" || model === "map-cgpdm";
+
+/** The jobs that the settings ask for on so many trials: fold after fold, so that the first tables come early. */
+export function jobs(settings: Settings, trials: number): Job[] {
+  const all = candidates(settings);
+  const held = settings.heldOut >= 1 && settings.heldOut <= trials ? [settings.heldOut] : Array.from({ length: trials }, (_, k) => k + 1);
+  const seeds = (candidate: Candidate) =>
+    isRandom(candidate) ? Array.from({ length: settings.seeds }, (_, k) => (settings.seed + k) % 2 ** 32) : [0];
+  const asked = held.flatMap((held_out) =>
+    all.flatMap((candidate) => seeds(candidate).map((seed) => ({ candidate, held_out, training_trials: trials - 1, seed }))));
+  if (!settings.growth) return asked;
+  // The middle one of the numbers of inducing points stands for all.
+  const one = (model: ModelId) => {
+    const of = all.filter((candidate) => candidate.model === model && grows(candidate));
+    return of.slice(of.length >> 1, (of.length >> 1) + 1);
+  };
+  const fewer = ["vcgpdm" as const, "map-cgpdm" as const].flatMap(one).flatMap((candidate) =>
+    Array.from({ length: Math.max(0, trials - 2) }, (_, k) => ({
+      candidate, held_out: held[0] ?? 1, training_trials: k + 1, seed: settings.seed,
+    })));
+  return [...asked, ...fewer];
+}
+
+/** What is known of a job. */
+export function find(results: Results, job: Job): Finished | undefined {
+  const key = jobKey(job);
+  return results.finished.find((finished) => jobKey(finished.job) === key);
+}
+
+/** The candidate's settings, as short as a figure needs them. */
+export function labelOf(candidate: Candidate): string {
+  switch (candidate.model) {
+    case "vcgpdm":
+    case "vgpdm":
+      return `${candidate.dynamics_ips} + ${candidate.pose_ips} inducing points`;
+    case "map-gpdm":
+    case "map-cgpdm":
+      return candidate.balanced ? "balanced" : "";
+    case "tmp":
+      return candidate.primitives === null ? "" : `${candidate.primitives} primitives`;
+    default:
+      return `${candidate.bases} bases`;
+  }
+}
+
+/** How much work a job is beside others, roughly: only used to say how long the rest takes before any of its kind has run. */
+function weight({ candidate, training_trials }: Job): number {
+  const kind = { vcgpdm: 1, vgpdm: 1, "map-gpdm": 20, "map-cgpdm": 40, tmp: 0.5, "dmp-discrete": 0.05, "dmp-rhythmic": 0.05 }[candidate.model];
+  return candidate.model.startsWith("map") ? kind * training_trials ** 2 : kind * training_trials;
+}
+
+const isOver = ({ state }: StudyJob): boolean => state === "done" || state === "failed";
+
+/** The share of a job's work that is done. */
+const behind = (one: StudyJob): number => (isOver(one) ? 1 : one.fraction);
+
+/** The share of all work that is behind these jobs, 0 to 1. */
+export function share(of: readonly StudyJob[]): number {
+  let [done, all] = [0, 0];
+  for (const one of of) {
+    const size = weight(one.job);
+    all += size;
+    done += size * behind(one);
+  }
+  return all > 0 ? done / all : 0;
+}
+
+/** Seconds that these jobs still take, so many at once; null while it is too early to say. */
+export function secondsLeft(of: readonly StudyJob[], workers: number): number | null {
+  const begun = of.filter((one) => one.elapsed > 0 && behind(one) > 0.02);
+  const sum = (some: readonly StudyJob[], value: (one: StudyJob) => number) => some.reduce((total, one) => total + value(one), 0);
+  if (sum(begun, ({ elapsed }) => elapsed) < 1) return null;
+  /** Seconds that a unit of work takes: by what jobs of the same model took, else by all. */
+  const rate = ({ job }: StudyJob) => {
+    const same = begun.filter((other) => other.job.candidate.model === job.candidate.model);
+    const from = same.length > 0 ? same : begun;
+    return sum(from, (one) => one.elapsed / behind(one)) / sum(from, (one) => weight(one.job));
+  };
+  const rests = of
+    .filter((one) => !isOver(one) && one.state !== "cancelled")
+    .map((one) => rate(one) * weight(one.job) * (1 - one.fraction));
+  return Math.max(rests.reduce((a, b) => a + b, 0) / Math.max(1, workers), ...rests, 0);
+}

@@ -1,0 +1,226 @@
+// Comparing models: what to compare, how far it is, the models side by side, and what came of them.
+import { html, nothing } from "lit";
+import { tickClip } from "../../actions/clips";
+import { changeSettings } from "../../actions/settings";
+import { studying } from "../../actions/study";
+import { sentence, timeLeft } from "../../format";
+import { partsFor } from "../../parts";
+import { BY_HAND, MODELS, type NumberSetting, SETTINGS, type SettingName } from "../../state";
+import "../../styles/comparison.css";
+import { find, secondsLeft, share } from "../../study";
+import { icon } from "../icons";
+import { View } from "../view";
+import "./comparison-figures";
+import { modelStyle } from "./model-style";
+import "./side-by-side";
+
+/** What each kind of model is, in a line. */
+const ABOUT: Record<(typeof MODELS)[number], string> = {
+  "vcgpdm": "The coupled model of this page",
+  "vgpdm": "The same, with the whole body as one part",
+  "map-gpdm": "Point latents instead of distributions; slow",
+  "map-cgpdm": "The same, with coupled parts; slowest",
+  "tmp": "Weighted curves over a common phase",
+  "dmp-discrete": "A spring pulled towards a goal",
+  "dmp-rhythmic": "A spring pulled around a cycle",
+};
+
+type Count = "heldOut" | "seeds" | "comparedIterations" | "seed" | "framesPerSecond" | "latent" | "order";
+
+export class ComparisonPage extends View {
+  static override topics = ["study", "settings", "clips", "engine"] as const;
+  private problem = "";
+
+  private count(name: Count, label: string, hint: string) {
+    const { min, max, step } = SETTINGS[name] as NumberSetting;
+    return html`
+      <label class="field" title=${hint}><span>${label}</span>
+        <input type="number" data-testid="compare-${name}" min=${min} max=${max} step=${step} .value=${String(this.app.settings[name])}
+          ?disabled=${studying(this.app).busy} @change=${(event: Event) => this.change(event, name, (input) => input.valueAsNumber)} />
+      </label>`;
+  }
+
+  private list(name: "ips" | "bases", label: string, hint: string) {
+    return html`
+      <label class="field" title=${hint}><span>${label}</span>
+        <input type="text" inputmode="numeric" data-testid="compare-${name}" .value=${this.app.settings[name].join(", ")}
+          ?disabled=${studying(this.app).busy} @change=${(event: Event) =>
+            this.change(event, name, (input) => input.value.split(/[\s,]+/).filter(Boolean).map(Number))} />
+      </label>`;
+  }
+
+  private flag(name: "balanced" | "growth", label: string, hint: string) {
+    return html`
+      <label class="tick" title=${hint}>
+        <input type="checkbox" data-testid="compare-${name}" .checked=${this.app.settings[name]} ?disabled=${studying(this.app).busy}
+          @change=${(event: Event) => changeSettings(this.app, { [name]: (event.target as HTMLInputElement).checked })} />
+        ${label}</label>`;
+  }
+
+  /** Takes a value over within its limits, and shows what was taken over. */
+  private change(event: Event, name: SettingName, value: (input: HTMLInputElement) => unknown): void {
+    const input = event.target as HTMLInputElement;
+    changeSettings(this.app, { [name]: value(input) });
+    const now = this.app.settings[name];
+    input.value = Array.isArray(now) ? now.join(", ") : String(now);
+  }
+
+  private models() {
+    const { app } = this;
+    const { models } = app.settings;
+    return html`
+      <fieldset class="models">
+        <legend>Models</legend>
+        ${MODELS.map((id) => html`
+          <label class="tick">
+            <input type="checkbox" data-testid="model-${id}" .checked=${models.includes(id)} ?disabled=${studying(app).busy}
+              @change=${(event: Event) => {
+                const on = (event.target as HTMLInputElement).checked;
+                changeSettings(app, { models: MODELS.filter((one) => (one === id ? on : models.includes(one))) });
+              }} />
+            <span>${modelStyle(id).name} <small>${ABOUT[id]}</small></span>
+          </label>`)}
+      </fieldset>`;
+  }
+
+  private trials() {
+    const { app } = this;
+    const { busy } = studying(app);
+    return html`
+      <details class="trials">
+        <summary>Trials <small>${app.tickedClips().length} of ${app.clips.length} clips ticked</small></summary>
+        <ul>${app.clips.map(({ key, title, ticked }) => html`
+          <li><label class="tick"><input type="checkbox" .checked=${ticked} ?disabled=${busy || app.busy}
+            @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} /> ${title}</label></li>`)}
+        </ul>
+        <p class="hint">Drop your own clips (.bvh) anywhere on the page.</p>
+      </details>`;
+  }
+
+  private parts() {
+    const { app } = this;
+    const clip = app.tickedClips()[0];
+    const presets = clip?.loaded.info.presets ?? [];
+    const { parts, split } = app.settings;
+    const names = clip ? partsFor(clip.loaded.info, parts, split).map(({ name }) => name).join(", ") : "";
+    return html`
+      <label class="field wide" title="How the coupled models split the body"><span>Parts of the coupled models</span>
+        <select data-testid="compare-parts" ?disabled=${studying(app).busy || !clip}
+          @change=${(event: Event) => changeSettings(app, { parts: (event.target as HTMLSelectElement).value })}>
+          ${presets.map(({ id, title }) => html`<option value=${id} ?selected=${id === parts}>${title}</option>`)}
+          ${parts === BY_HAND ? html`<option value=${BY_HAND} selected>By hand: ${names}</option>` : nothing}
+        </select>
+      </label>`;
+  }
+
+  private words() {
+    const { app } = this;
+    const studies = studying(app);
+    const why = studies.whyNot();
+    if (studies.status === "starting") return "Loading the other models";
+    if (studies.busy) {
+      const { jobs } = studies.study!;
+      const done = jobs.filter(({ state }) => state === "done" || state === "failed").length;
+      return html`<span>${done} of ${jobs.length} trainings done</span><span>${sentence(timeLeft(secondsLeft(jobs, studies.width)))}</span>`;
+    }
+    if (studies.failed) return html`<span class="bad">The comparison failed. ${sentence(studies.ending)}</span>`;
+    if (this.problem) return html`<span class="bad">${sentence(this.problem)}</span>`;
+    if (why) return sentence(why);
+    const asked = studies.asked();
+    const { study } = studies;
+    const same = study && study.clips.length === app.tickedClips().length;
+    const open = same ? asked.filter((job) => !find(study.results, job)).length : asked.length;
+    const words = `${open} ${open === 1 ? "training" : "trainings"}${open < asked.length ? `, ${asked.length - open} finished before` : ""}.`;
+    return html`<span>${sentence(studies.ending)}</span><span>${open > 0 ? words : ""}</span>`;
+  }
+
+  private announcement(): string {
+    const studies = studying(this.app);
+    if (studies.status === "running") return `Comparing, ${Math.floor(share(studies.study!.jobs) * 10) * 10} per cent done`;
+    return studies.status === "idle" ? studies.ending : "";
+  }
+
+  private open(event: Event): void {
+    const input = event.target as HTMLInputElement;
+    const [file] = input.files ?? [];
+    if (!file) return;
+    this.problem = "";
+    studying(this.app).open(file).catch((problem: unknown) => {
+      this.problem = `${file.name}: ${problem instanceof Error ? problem.message : String(problem)}`;
+      this.requestUpdate();
+    });
+    input.value = "";
+  }
+
+  private setup() {
+    const { app } = this;
+    const studies = studying(app);
+    const why = studies.whyNot();
+    const total = studies.study?.jobs ?? [];
+    return html`
+      <div class="train-row">
+        ${studies.busy
+          ? html`<button class="primary big" data-testid="compare-cancel" ?disabled=${studies.status === "cancelling"}
+              title="Stops; finished trainings are kept" @click=${() => studies.cancel()}>Cancel</button>`
+          : html`<button class="primary big" data-testid="compare" ?disabled=${why !== ""} @click=${() => {
+              this.problem = "";
+              void studies.begin();
+            }}>Compare</button>`}
+        <p class="hint words" data-testid="compare-progress">${this.words()}</p>
+      </div>
+      <progress max="1" .value=${studies.busy ? share(total) : 0} aria-label="Comparing" class=${studies.busy ? "" : "resting"}
+        aria-hidden=${studies.busy ? "false" : "true"}></progress>
+      <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
+      <p class="hint">Each trial is held out in turn. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
+      ${this.models()}
+      ${this.trials()}
+      <div class="fields">
+        ${this.parts()}
+        ${this.list("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare")}
+        ${this.list("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare")}
+        ${this.count("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one")}
+        ${this.count("heldOut", "Trial held out", "Counted from 1; 0: each in turn")}
+      </div>
+      ${this.flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
+      <details class="advanced">
+        <summary>Advanced</summary>
+        <div class="fields">
+          ${this.count("seed", "First seed", "Of everything random")}
+          ${this.count("seeds", "Seeds", "How many, from the first on")}
+          ${this.count("latent", "Latent dimensions", "Q of every part")}
+          ${this.count("order", "Frames of history", "The order p of the dynamics")}
+          ${this.count("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
+        </div>
+        ${this.flag("balanced", "Balanced MAP models", "Their dynamics weigh as much as their many columns (Urtasun, Fleet and Fua 2006)")}
+      </details>
+      <div class="files">
+        <label class="small file-button">${icon("open")} Open results
+          <input type="file" class="visually-hidden" data-testid="open-results" accept=".json,application/json" ?disabled=${studies.busy}
+            aria-label="Open results (.json) of this page or of the terminal" @change=${(event: Event) => this.open(event)} /></label>
+        <button class="small" data-testid="save-results" ?disabled=${!studies.study?.results.finished.length} @click=${() => studies.save()}>${icon("save")} Save results</button>
+      </div>`;
+  }
+
+  private failures() {
+    const failed = studying(this.app).study?.results.finished.filter(({ failure }) => failure) ?? [];
+    if (failed.length === 0) return nothing;
+    return html`<ul class="failures">${failed.map(({ job, failure }) => html`
+      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.held_out} held out: ${sentence(failure ?? "")}</li>`)}</ul>`;
+  }
+
+  protected override render() {
+    const { comparison } = studying(this.app);
+    return html`
+      <section class="panel setup" aria-label="What to compare"><header class="panel-head"><h2>Compare models</h2></header>${this.setup()}</section>
+      <section class="found" aria-label="What came of it">
+        <div class="panel stage-panel" aria-label="Side by side"><pg-side-by-side .app=${this.app}></pg-side-by-side></div>
+        ${this.failures()}
+        <div class="panel"><comparison-figures .comparison=${comparison}
+          @figure-failed=${(event: CustomEvent<string>) => {
+            this.problem = event.detail;
+            this.requestUpdate();
+          }}></comparison-figures></div>
+      </section>`;
+  }
+}
+customElements.define("pg-comparison", ComparisonPage);

@@ -1,0 +1,239 @@
+// Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
+import { html, nothing } from "lit";
+import { studying } from "../../actions/study";
+import { short } from "../../format";
+import { Player } from "../../player";
+import type { Evaluated, Finished, Motion } from "../../protocol";
+import { jobKey, labelOf } from "../../study";
+import { icon } from "../icons";
+import { View } from "../view";
+import { type Body, type ColumnMotion, Columns } from "./columns";
+import { modelStyle } from "./model-style";
+
+/** More would be too narrow to see. */
+const MOST = 4;
+
+interface Shown {
+  key: string;
+  finished: Finished;
+  evaluated: Evaluated;
+}
+
+const motionOf = (positions: Float32Array, nodes: number, frameTime: number): Motion => ({
+  positions, nodes, frameTime, frames: positions.length / (3 * nodes),
+});
+
+export class SideBySide extends View {
+  static override topics = ["study"] as const;
+  static override properties = { fold: { state: true }, picked: { state: true }, frame: { state: true } };
+  /** The trial held out, counted from 1; 0: the first there is. */
+  declare fold: number;
+  /** Keys of the candidates that were picked, with the seed; null: the first of each kind. */
+  declare picked: string[] | null;
+  declare frame: number;
+  private readonly player = new Player();
+  private columns: Columns | null = null;
+  private problem = "";
+  private onStage = "";
+  private lastTick = 0;
+  private timer = 0;
+
+  constructor() {
+    super();
+    [this.fold, this.picked, this.frame] = [0, null, 0];
+    this.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    const tick = (now: number) => {
+      this.timer = requestAnimationFrame(tick);
+      this.tick(Math.min(0.25, (now - this.lastTick) / 1000));
+      this.lastTick = now;
+    };
+    this.lastTick = performance.now();
+    this.timer = requestAnimationFrame(tick);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    cancelAnimationFrame(this.timer);
+    this.columns?.dispose();
+    [this.columns, this.onStage] = [null, ""];
+  }
+
+  togglePlay(): void {
+    if (this.player.playing) this.player.pause();
+    else this.player.play();
+    this.requestUpdate();
+  }
+
+  step(direction: 1 | -1): void {
+    this.player.step(direction);
+    this.frame = this.player.frame;
+  }
+
+  private tick(seconds: number): void {
+    const at = this.player.frame;
+    this.player.advance(seconds);
+    const changed = this.player.frame !== at || Math.floor(at) !== this.frame;
+    if (changed) this.frame = Math.floor(this.player.frame + 1e-6);
+    this.columns?.draw(this.player.frame, changed, seconds, this.player.playing);
+  }
+
+  /** Trials of which there are predictions. */
+  private folds(): number[] {
+    const { study } = studying(this.app);
+    const known = (study?.results.finished ?? []).filter(({ job }) => study!.predictions.has(jobKey(job)));
+    return [...new Set(known.map(({ job }) => job.held_out))].sort((a, b) => a - b);
+  }
+
+  /** What can be shown of a trial: models trained on all others. */
+  private candidates(fold: number): Shown[] {
+    const { study } = studying(this.app);
+    if (!study) return [];
+    const all = study.results.setting.trials.length - 1;
+    return study.results.finished.flatMap((finished) => {
+      const { job } = finished;
+      const evaluated = study.predictions.get(jobKey(job));
+      if (!evaluated || job.held_out !== fold || job.training_trials !== all) return [];
+      return [{ key: jobKey({ ...job, held_out: 0 }), finished, evaluated }];
+    });
+  }
+
+  private chosen(of: readonly Shown[]): Shown[] {
+    const picked = this.picked?.flatMap((key) => of.filter((one) => one.key === key)) ?? [];
+    if (picked.length > 0) return picked.slice(0, MOST);
+    const kinds = new Map<string, Shown>();
+    for (const one of of) {
+      const { model } = one.finished.job.candidate;
+      if (!kinds.has(model)) kinds.set(model, one);
+    }
+    return [...kinds.values()].slice(0, MOST);
+  }
+
+  private toggle(of: readonly Shown[], key: string): void {
+    const now = this.chosen(of).map((one) => one.key);
+    const next = now.includes(key) ? now.filter((one) => one !== key) : [...now, key];
+    if (next.length >= 1 && next.length <= MOST) this.picked = next;
+  }
+
+  private nameOf({ finished: { job } }: Shown): string {
+    const { study } = studying(this.app);
+    const seeds = new Set(study?.results.finished.map((one) => one.job.seed));
+    const label = labelOf(job.candidate);
+    const seed = seeds.size > 1 && job.seed !== 0 ? `seed ${job.seed}` : "";
+    return [label, seed].filter(Boolean).join(", ");
+  }
+
+  override updated(): void {
+    const canvas = this.querySelector("canvas");
+    if (!canvas) return;
+    if (!this.columns && !this.problem) {
+      try {
+        this.columns = new Columns(canvas);
+      } catch {
+        this.problem = "This browser shows no 3-D graphics (WebGL), so the figures cannot be drawn. The tables below work all the same.";
+        this.requestUpdate();
+        return;
+      }
+    }
+    const fold = this.foldNow();
+    const shown = this.chosen(this.candidates(fold));
+    const stage = JSON.stringify([fold, shown.map(({ key }) => key)]);
+    if (stage === this.onStage) return;
+    this.onStage = stage;
+    const body = this.body();
+    if (!body) return;
+    const nodes = body.figure.nodes.length;
+    const motions = shown.map(({ evaluated }): ColumnMotion => ({
+      predicted: motionOf(evaluated.predicted, nodes, evaluated.frameTime),
+      actual: motionOf(evaluated.actual, nodes, evaluated.frameTime),
+    }));
+    this.columns?.show(body, motions);
+    const first = motions[0]?.actual;
+    if (first) this.player.load(first.frames, first.frameTime, first.frames - 1);
+  }
+
+  private foldNow(): number {
+    const folds = this.folds();
+    return folds.includes(this.fold) ? this.fold : (folds[0] ?? 0);
+  }
+
+  /** The body of the clips that are compared on. */
+  private body(): Body | null {
+    const { study } = studying(this.app);
+    const clip = this.app.clips.find(({ loaded }) => loaded.id === study?.clips[0]?.id);
+    if (!study || !clip) return null;
+    const { figure, joints } = clip.loaded.info;
+    return { figure, joints: joints.map(({ name }) => name), parts: study.parts };
+  }
+
+  private controls() {
+    const { player } = this;
+    return html`
+      <div class="timeline" role="group" aria-label="Time">
+        <button class="round primary" data-testid="compare-play" aria-label=${player.playing ? "Pause" : "Play"} title=${player.playing ? "Pause (space)" : "Play (space)"}
+          @click=${this.togglePlay}>${icon(player.playing ? "pause" : "play")}</button>
+        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => this.step(-1)}>${icon("back")}</button>
+        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => this.step(1)}>${icon("forward")}</button>
+        <div class="scrub">
+          <input type="range" aria-label="Frame" data-testid="compare-scrub" min="0" max=${player.last} step="1" .value=${String(this.frame)}
+            aria-valuetext="Frame ${this.frame + 1} of ${player.last + 1}" @input=${(event: Event) => {
+              player.pause();
+              player.scrub(Number((event.target as HTMLInputElement).value));
+              this.frame = player.frame;
+              this.requestUpdate();
+            }} />
+        </div>
+        <output class="clock" aria-hidden="true">${this.frame + 1}<span> of ${player.last + 1}</span></output>
+      </div>`;
+  }
+
+  protected override render() {
+    const { study } = studying(this.app);
+    const folds = this.folds();
+    if (!study || folds.length === 0) {
+      return html`<p class="empty waiting">${study && study.clips.length === 0
+        ? "A file of results holds no motions: press Compare with the clips to see the models move."
+        : "The models will walk here side by side, each with the real trial as a grey ghost."}</p>`;
+    }
+    const fold = this.foldNow();
+    const all = this.candidates(fold);
+    const shown = this.chosen(all);
+    const full = shown.length >= MOST;
+    return html`
+      <div class="which">
+        <label>Trial held out
+          <select data-testid="compare-fold" @change=${(event: Event) => (this.fold = Number((event.target as HTMLSelectElement).value))}>
+            ${folds.map((k) => html`<option value=${k} ?selected=${k === fold}>${study.titles[k - 1] ?? k}</option>`)}
+          </select>
+        </label>
+        <div class="picks" role="group" aria-label="Models to show, at most ${MOST}">
+          ${all.map((one) => {
+            const on = shown.some(({ key }) => key === one.key);
+            const { name } = modelStyle(one.finished.job.candidate.model);
+            return html`<button class="chip" aria-pressed=${on ? "true" : "false"} ?disabled=${!on && full}
+              title=${!on && full ? "Four at most: take one away first" : ""} @click=${() => this.toggle(all, one.key)}>${[name, this.nameOf(one)].filter(Boolean).join(", ")}</button>`;
+          })}
+        </div>
+      </div>
+      <div class="columns" style="--columns:${shown.length}">
+        <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
+          aria-label="${shown.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."
+          @keydown=${(event: KeyboardEvent) => this.columns?.turnByKey(event)}></canvas>
+        ${this.problem ? html`<p class="stage-problem" role="alert">${this.problem}</p>` : nothing}
+        <ol class="column-heads">
+          ${shown.map((one) => html`
+            <li>
+              <strong>${modelStyle(one.finished.job.candidate.model).name}</strong>
+              <span>${this.nameOf(one)}</span>
+              <span>MSE ${short(one.evaluated.outcome.score.dtw_mse)}</span>
+            </li>`)}
+        </ol>
+      </div>
+      ${this.controls()}
+      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Grey: the real trial, laid on top.</p>`;
+  }
+}
+customElements.define("pg-side-by-side", SideBySide);
