@@ -1,16 +1,8 @@
 // Files that leave the page, to the visitor's own disk.
 import type { App } from "../app";
+import { download } from "../download";
 import { clipTitle } from "../format";
 import { messageOf } from "./couplings";
-
-function download(name: string, type: string, text: string): void {
-  const url = URL.createObjectURL(new Blob([text], { type }));
-  const link = document.createElement("a");
-  link.href = url;
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 10_000);
-}
 
 function baseName(app: App): string {
   const clip = clipTitle(app.model?.info.sequences[0]?.name ?? "model");
@@ -20,7 +12,7 @@ function baseName(app: App): string {
 
 async function save(app: App, name: string, type: string, text: () => Promise<string>): Promise<void> {
   try {
-    download(name, type, await text());
+    download(name, new Blob([await text()], { type }));
   } catch (problem) {
     app.notify({ kind: "error", title: `${name} was not saved`, text: messageOf(problem), at: null });
   }
