@@ -1,8 +1,8 @@
 // Axes, marks and error bars in SVG. One unit is one pixel; colours come from the stylesheet, and of a model from `--model`.
 import { nothing, svg } from "lit";
-import { textWidth } from "./labels";
 import { markPath, modelStyle } from "./model-style";
 import type { Scale, Tick } from "./scale";
+import { textWidth } from "./text-width";
 import type { ModelId } from "./types";
 
 /** The room inside the axes, and the size of the type. */
@@ -53,8 +53,11 @@ export function axes(plot: Plot, x: { scale: Scale; ticks: Tick[]; title: string
     </g>`;
 }
 
+/** The half width of a mark beside type of a size. */
+export const MARK = 0.38;
+
 export function mark(model: ModelId, x: number, y: number, size: number) {
-  return svg`<path class="mark" d=${markPath(modelStyle(model).mark, x, y, size)}></path>`;
+  return svg`<path class="dot" d=${markPath(modelStyle(model).mark, x, y, size)}></path>`;
 }
 
 /** From one end to the other, with caps, where it is wider than the mark that lies on it. */

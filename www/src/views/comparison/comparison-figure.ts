@@ -14,6 +14,8 @@ export interface SaveFailure {
 
 /** The page's type is 14 px, and larger for a projector. */
 const TYPE = 14;
+/** What a sheet of A4 has room for, pixels. */
+const PAPER = 680;
 
 export abstract class ComparisonFigure extends LitElement {
   static override properties = { comparison: { attribute: false }, width: { state: true }, type: { state: true } };
@@ -48,19 +50,27 @@ export abstract class ComparisonFigure extends LitElement {
     this.observer = new ResizeObserver(() => this.measure());
     this.observer.observe(this);
     this.measure();
+    window.addEventListener("beforeprint", this.onPrint);
+    window.addEventListener("afterprint", this.measure);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer?.disconnect();
+    window.removeEventListener("beforeprint", this.onPrint);
+    window.removeEventListener("afterprint", this.measure);
   }
 
-  private measure(): void {
+  private readonly measure = (): void => {
     // In a view that is hidden it stays as wide as it was.
     if (this.clientWidth > 0) this.width = this.clientWidth;
     const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     this.type = (12 * (Number.isFinite(root) ? root : TYPE)) / TYPE;
-  }
+  };
+
+  private readonly onPrint = (): void => {
+    this.width = PAPER;
+  };
 
   private async save(ending: "csv" | "png"): Promise<void> {
     const name = `${this.file}.${ending}`;
@@ -81,14 +91,14 @@ export abstract class ComparisonFigure extends LitElement {
     const missing = this.missing(comparison);
     return html`
       <figure class="comparison-figure">
-        <header class="figure-head">
+        <div class="figure-head">
           <h3>${this.heading}</h3>
           ${missing !== null ? nothing : html`
             <div class="figure-files" data-not-in-picture>
               <button class="small" title="Save the numbers of this figure" @click=${() => this.save("csv")}>CSV<span class="visually-hidden">: ${this.heading}</span></button>
               <button class="small" title="Save a picture of this figure" @click=${() => this.save("png")}>PNG<span class="visually-hidden">: ${this.heading}</span></button>
             </div>`}
-        </header>
+        </div>
         ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(comparison) : nothing}
       </figure>`;
   }

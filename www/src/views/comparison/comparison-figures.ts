@@ -29,10 +29,12 @@ export class ComparisonFigures extends LitElement {
       return html`<p class="empty">Nothing to compare yet. Each model appears here when its first trial has been predicted.</p>`;
     }
     return html`
-      <comparison-models .comparison=${comparison}></comparison-models>
-      <comparison-correlations .comparison=${comparison}></comparison-correlations>
-      <comparison-growth .comparison=${comparison}></comparison-growth>
-      <comparison-claims .comparison=${comparison}></comparison-claims>`;
+      <div class="figures">
+        <comparison-models .comparison=${comparison}></comparison-models>
+        <comparison-correlations .comparison=${comparison}></comparison-correlations>
+        <comparison-growth .comparison=${comparison}></comparison-growth>
+        <comparison-claims .comparison=${comparison}></comparison-claims>
+      </div>`;
   }
 }
 customElements.define("comparison-figures", ComparisonFigures);

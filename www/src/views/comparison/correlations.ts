@@ -1,31 +1,16 @@
 // Figure 6B of Velychko et al. 2018: does a higher bound go with a smaller error? A panel for each model that has a bound.
 import { html, svg } from "lit";
-import { axes, inColour, mark, ticksAcross, ticksUp, widthOf } from "./chart";
+import { axes, inColour, MARK, mark, ticksAcross, ticksUp, widthOf } from "./chart";
 import { ComparisonFigure } from "./comparison-figure";
-import { beside, textWidth, withoutCommonEnd } from "./labels";
+import { correlationFinding, rankWords } from "./findings";
+import { beside, withoutCommonEnd } from "./labels";
 import { modelStyle } from "./model-style";
-import { twoDecimals } from "./numbers";
 import { linearScale, logScale } from "./scale";
+import { textWidth } from "./text-width";
 import type { Comparison, Correlation } from "./types";
 
 const GAP = 28;
 const LEAST = 250;
-const REACH = 4.6;
-
-/** "rank correlation −0.90 over 5 settings" */
-export function rankWords({ rank, settings }: Correlation): string {
-  const over = `over ${settings} ${settings === 1 ? "setting" : "settings"}`;
-  return settings < 3 || !Number.isFinite(rank) ? `no rank correlation ${over}` : `rank correlation ${twoDecimals(rank)} ${over}`;
-}
-
-export function finding(correlation: Correlation): string {
-  const { model, rank, settings } = correlation;
-  const says = settings < 3 || !Number.isFinite(rank) ? "too few settings to say more"
-    : rank <= -0.5 ? "a higher bound goes with a smaller error"
-    : rank >= 0.5 ? "a higher bound goes with a larger error"
-    : "the bound says little about the error";
-  return `${modelStyle(model).name}, error against bound: ${rankWords(correlation)}; ${says}.`;
-}
 
 const drawable = ({ points }: Correlation) => points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
@@ -57,18 +42,18 @@ export class CorrelationsFigure extends ComparisonFigure {
     const left = widthOf(up, type);
     const { short, end } = withoutCommonEnd(points.map(({ label }) => label));
     const widths = short.map((label) => textWidth(label, type));
-    // The outermost points have their labels beside them, too.
-    const x = linearScale(points.map(({ bound }) => bound), left, right - Math.max(...widths));
+    // The outermost points have their labels beside them, too, unless these are long.
+    const x = linearScale(points.map(({ bound }) => bound), left, right - Math.min(Math.max(...widths), 0.25 * width));
     const across = ticksAcross(x, right - left, type);
     const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
-    const boxes = beside(places, widths, 1.15 * type, REACH, { x: left, y: top, width: right - left, height: bottom - top });
+    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK * type, { x: left, y: top, width: right - left, height: bottom - top });
     return html`
       <div class="panel-figure" style=${inColour(model)}>
         <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span> <small>${rankWords(correlation)}</small></p>
-        <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${finding(correlation)}>
+        <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
           ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
-          ${places.map((place) => mark(model, place.x, place.y, REACH))}
+          ${places.map((place) => mark(model, place.x, place.y, MARK * type))}
           ${boxes.map((box, i) => svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>`)}
         </svg>
         ${end === "" ? "" : html`<small class="panel-note">Labels: ${end}.</small>`}
@@ -80,10 +65,10 @@ export class CorrelationsFigure extends ComparisonFigure {
     const columns = Math.max(1, Math.min(3, drawn.length, Math.floor((this.width + GAP) / (LEAST + GAP))));
     const width = Math.floor(Math.min(440, (this.width - (columns - 1) * GAP) / columns));
     return html`
-      <div class="panels" style="grid-template-columns:repeat(${columns}, ${width}px);gap:18px ${GAP}px">
+      <div class="panels" style="grid-template-columns:repeat(${columns}, minmax(0, ${width}px));gap:18px ${GAP}px">
         ${drawn.map((correlation) => this.panel(correlation, width))}
       </div>
-      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near ${twoDecimals(-1)}. Each panel has scales of its own.</figcaption>`;
+      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1.00. Each panel has scales of its own.</figcaption>`;
   }
 }
 customElements.define("comparison-correlations", CorrelationsFigure);

@@ -1,11 +1,12 @@
 // Figure 2 of the supplement of Velychko et al. 2017: how the time of an iteration grows with the frames.
 import { html, svg } from "lit";
-import { axes, inColour, mark, path, ticksAcross, ticksUp, widthOf } from "./chart";
+import { axes, inColour, MARK, mark, path, ticksAcross, ticksUp, widthOf } from "./chart";
 import { ComparisonFigure } from "./comparison-figure";
-import { type Point, spread, textWidth } from "./labels";
+import { exponentWords, growthFinding } from "./findings";
+import { type Point, spread } from "./labels";
 import { modelStyle } from "./model-style";
-import { twoDecimals } from "./numbers";
 import { logScale } from "./scale";
+import { textWidth } from "./text-width";
 import type { Comparison, Growth } from "./types";
 
 const MOST = 860;
@@ -13,15 +14,6 @@ const MOST = 860;
 const NARROW = 520;
 /** From the end of the axis to the marks beside the names. */
 const LEAD = 18;
-
-/** "exponent 1.03" */
-export function exponentWords({ exponent }: Growth): string {
-  return exponent === null || !Number.isFinite(exponent) ? "no exponent" : `exponent ${twoDecimals(exponent)}`;
-}
-
-export function growthFinding(growth: readonly Growth[]): string {
-  return `Seconds an iteration against frames, both on log scales: ${growth.map((of) => `${modelStyle(of.model).name}, ${exponentWords(of)}`).join("; ")}.`;
-}
 
 const drawable = ({ points }: Growth) => points.filter(({ frames, seconds }) => frames > 0 && seconds > 0 && Number.isFinite(frames + seconds)).sort((a, b) => a.frames - b.frames);
 
@@ -44,12 +36,12 @@ export class GrowthFigure extends ComparisonFigure {
   private line({ model }: Growth, places: readonly (readonly [number, number])[], words: { name: string; exponent: string }, end: Point, narrow: boolean) {
     const { type } = this;
     const [lastX, lastY] = places.at(-1)!;
-    const text = end.x + 10;
+    const text = end.x + 0.85 * type;
     return svg`<g style=${inColour(model)} font-size=${type}>
-      <path class="lead" d="M${lastX} ${lastY}L${end.x} ${end.y}"></path>
+      <path class="leader" d="M${lastX} ${lastY}L${end.x} ${end.y}"></path>
       ${path(places)}
-      ${places.map(([x, y]) => mark(model, x, y, 4.4))}
-      ${mark(model, end.x, end.y, 4.4)}
+      ${places.map(([x, y]) => mark(model, x, y, MARK * type))}
+      ${mark(model, end.x, end.y, MARK * type)}
       ${narrow
         ? svg`<text class="label strong" x=${text} y=${end.y - 0.21 * type}>${words.name}</text><text class="label" x=${text} y=${end.y + 0.91 * type}>${words.exponent}</text>`
         : svg`<text class="label" x=${text} y=${end.y + 0.35 * type}><tspan class="strong">${words.name}</tspan>, ${words.exponent}</text>`}
@@ -62,7 +54,11 @@ export class GrowthFigure extends ComparisonFigure {
     const width = Math.min(MOST, this.width);
     const narrow = width < NARROW;
     const words = lines.map(({ of }) => ({ name: modelStyle(of.model).name, exponent: exponentWords(of) }));
-    const beyond = LEAD + 12 + Math.max(...words.map(({ name, exponent }) => textWidth(narrow ? (name.length > exponent.length ? name : exponent) : `${name}, ${exponent}`, type)));
+    const wide = words.map(({ name, exponent }) => {
+      const strong = textWidth(name, type, 600);
+      return narrow ? Math.max(strong, textWidth(exponent, type)) : strong + textWidth(`, ${exponent}`, type);
+    });
+    const beyond = LEAD + type + Math.max(...wide);
     const step = (narrow ? 2.5 : 1.45) * type;
     const height = Math.round(Math.max(Math.min(0.5 * width, 360), lines.length * step + 6.5 * type, 250));
     const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - beyond];

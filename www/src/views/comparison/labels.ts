@@ -67,7 +67,8 @@ export function beside(points: readonly Point[], widths: readonly number[], heig
     choices.forEach((boxes, i) => {
       const others = [...marks, ...placed].filter((_, other) => other % points.length !== i);
       const cost = (box: Box) => 4 * (box.width * box.height - overlap(box, within)) + others.reduce((sum, other) => sum + overlap(box, other), 0);
-      placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) ? box : best));
+      // Less by a pixel: rounding is no reason to leave the first choice.
+      placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) - 1 ? box : best));
     });
   }
   return placed;
@@ -84,9 +85,4 @@ export function withoutCommonEnd(labels: readonly string[]): { short: string[]; 
   const lastNumber = end.findLastIndex((word) => !/^\p{L}/u.test(word));
   common -= lastNumber + 1;
   return { short: words.map((of) => of.slice(0, of.length - common).join(" ")), end: end.slice(lastNumber + 1).join(" ") };
-}
-
-/** About as wide as a text is; system fonts differ, so rather too wide. */
-export function textWidth(text: string, size: number): number {
-  return 0.59 * size * text.length;
 }

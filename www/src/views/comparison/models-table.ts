@@ -1,61 +1,22 @@
 // Figure 4 of Velychko et al. 2018 as a table: error, bound, time and size of each model, with a dot and its error bar for each number.
 import { html, nothing, svg } from "lit";
-import { errorBar, inColour, mark } from "./chart";
+import { errorBar, inColour, MARK, mark } from "./chart";
 import { ComparisonFigure } from "./comparison-figure";
-import { textWidth } from "./labels";
+import { foldWords } from "./findings";
+import { bestOf, ends, type Measure, MEASURES, scaleOf } from "./measures";
 import { modelStyle } from "./model-style";
 import { spreadWords } from "./numbers";
-import { linearScale, logScale, type Scale } from "./scale";
+import type { Scale } from "./scale";
+import { textWidth } from "./text-width";
 import type { Comparison, ModelSummary, Spread } from "./types";
 
 /** The drawing in a cell, pixels; as wide as the page lets it. */
 const NARROWEST = 112;
 const WIDEST = 230;
-const HEIGHT = 18;
-/** So that marks at the ends of a scale are whole. */
-const EDGE = 6;
-/** Of the first column and the room between columns, in the type's size. */
+/** Its height, the width of the first column and the room between columns, in the type's size. */
+const HEIGHT = 1.5;
 const NAMES = 15;
 const BETWEEN = 1.8;
-
-interface Measure {
-  title: string;
-  unit: string;
-  of(summary: ModelSummary): Spread | null;
-  scale: "linear" | "log";
-  best: "least" | "greatest";
-  /** What the best is called. */
-  word: string;
-}
-
-const MEASURES: Measure[] = [
-  { title: "Error", unit: "DTW MSE", of: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
-  { title: "Bound", unit: "nats", of: ({ bound }) => bound, scale: "linear", best: "greatest", word: "highest" },
-  { title: "Training", unit: "seconds", of: ({ seconds }) => seconds, scale: "log", best: "least", word: "quickest" },
-  { title: "Size", unit: "numbers stored", of: ({ storedNumbers }) => storedNumbers, scale: "log", best: "least", word: "fewest" },
-];
-
-/** The ends of an error bar. */
-function ends({ mean, standardError }: Spread): [number, number] {
-  const error = standardError ?? 0;
-  return [mean - error, mean + error];
-}
-
-function scaleOf(measure: Measure, models: readonly ModelSummary[], width: number): Scale {
-  const values = models.flatMap((summary) => {
-    const spread = measure.of(summary);
-    const reference = measure.unit === "DTW MSE" ? [summary.variance] : [];
-    return spread ? [spread.mean, ...ends(spread), ...reference] : [];
-  });
-  return (measure.scale === "log" ? logScale : linearScale)(values, EDGE, width - EDGE);
-}
-
-/** The best mean; null where fewer than two can be compared. */
-function bestOf(measure: Measure, models: readonly ModelSummary[]): number | null {
-  const means = models.map((summary) => measure.of(summary)?.mean).filter((mean) => mean !== undefined && Number.isFinite(mean)) as number[];
-  if (means.length < 2) return null;
-  return measure.best === "least" ? Math.min(...means) : Math.max(...means);
-}
 
 /** The most ticks whose labels stand beside each other; at the ends of the drawing they are moved inwards. */
 function ticksOf(scale: Scale, width: number, type: number) {
@@ -75,14 +36,6 @@ interface Drawn extends Measure {
   width: number;
   ticks: ReturnType<typeof ticksOf>;
   winner: number | null;
-}
-
-/** Over what the means are taken. */
-export function foldWords(models: readonly ModelSummary[]): string {
-  const folds = models.map((summary) => summary.folds);
-  const [least, most] = [Math.min(...folds), Math.max(...folds)];
-  if (most === 1) return "One trial was held out and predicted; how it would be with others is not known yet.";
-  return `Mean ± standard error over ${least === most ? most : `${least} to ${most}`} trials, each held out in turn and predicted; the bars are the standard errors.`;
 }
 
 export class ModelsTable extends ComparisonFigure {
@@ -113,13 +66,14 @@ export class ModelsTable extends ComparisonFigure {
   }
 
   private axis({ title, unit, ticks, width }: Drawn) {
+    const height = HEIGHT * this.type;
     return html`
       <th scope="col"><div class="measure">
         <span class="number">${title}<small>${unit}</small></span>
-        <svg class="dot-plot" width=${width} height=${HEIGHT} aria-hidden="true">
+        <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
           <g class="axes" font-size=${this.small}>${ticks.map(({ x, text, label }) => svg`
-            <line class="axis" x1=${x} x2=${x} y1=${HEIGHT - 4} y2=${HEIGHT}></line>
-            <text x=${text} y=${HEIGHT - 6} text-anchor="middle">${label}</text>`)}</g>
+            <line class="axis" x1=${x} x2=${x} y1=${height - 4} y2=${height}></line>
+            <text x=${text} y=${height - 6} text-anchor="middle">${label}</text>`)}</g>
         </svg></div></th>`;
   }
 
@@ -129,15 +83,16 @@ export class ModelsTable extends ComparisonFigure {
     const { mean, error } = spreadWords(spread);
     const best = winner !== null && spread.mean === winner;
     const [low, high] = ends(spread);
-    const y = HEIGHT / 2;
+    const height = HEIGHT * this.type;
+    const y = height / 2;
     const still = drawing.at(summary.variance);
     return html`
       <td class=${best ? "best" : ""}><div class="measure">
         <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}</span>
-        <svg class="dot-plot" width=${width} height=${HEIGHT} aria-hidden="true">
-          ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${HEIGHT}></line>`)}
-          ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${HEIGHT}></line>` : nothing}
-          ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${mark(summary.model, drawing.at(spread.mean), y, 4)}` : nothing}
+        <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
+          ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
+          ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
+          ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${mark(summary.model, drawing.at(spread.mean), y, 0.88 * MARK * this.type)}` : nothing}
         </svg></div></td>`;
   }
 
@@ -165,7 +120,7 @@ export class ModelsTable extends ComparisonFigure {
         </table>
       </div>
       <figcaption>
-        ${foldWords(models)} Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
+        ${foldWords(models)} The error is the mean squared error after dynamic time warping. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
       </figcaption>`;
   }
 }

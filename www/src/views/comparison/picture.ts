@@ -1,11 +1,14 @@
 // A picture of a part of the page: its elements with the styles that they have now, drawn by the browser itself.
 
+const SIDES = ["top", "right", "bottom", "left"];
+
 /** What a figure's look depends on. Sizes follow from the content, which is laid out again. */
 const PROPERTIES = [
   "display", "box-sizing", "flex-direction", "flex-wrap", "flex-grow", "flex-shrink", "flex-basis", "align-items", "justify-content", "justify-items",
   "align-self", "justify-self", "row-gap", "column-gap", "grid-template-columns", "grid-column-start", "grid-column-end",
-  "margin-top", "margin-right", "margin-bottom", "margin-left", "padding-top", "padding-right", "padding-bottom", "padding-left",
-  "min-width", "max-width", "border-collapse", "border-spacing", "border-top", "border-right", "border-bottom", "border-left", "border-radius",
+  ...SIDES.flatMap((side) => [`margin-${side}`, `padding-${side}`]),
+  "min-width", "max-width", "border-collapse", "border-spacing", ...SIDES.flatMap((side) => ["width", "style", "color"].map((what) => `border-${side}-${what}`)),
+  ...["top-left", "top-right", "bottom-left", "bottom-right"].map((corner) => `border-${corner}-radius`),
   "background-color", "color", "opacity", "visibility", "font-family", "font-size", "font-style", "font-weight", "font-variant-numeric", "line-height",
   "letter-spacing", "text-align", "vertical-align", "white-space", "overflow-wrap", "list-style-type",
   "fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "paint-order", "text-anchor",

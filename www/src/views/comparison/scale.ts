@@ -29,27 +29,24 @@ function placed(value: number, low: number, high: number, from: number, to: numb
   return from + (to - from) * Math.min(1, Math.max(0, (value - low) / (high - low)));
 }
 
-/** Round steps: 1, 2 or 5 times a power of ten. */
-function stepFor(room: number, most: number): number {
-  const power = 10 ** Math.floor(Math.log10(room / most));
-  return power * (([1, 2, 5].find((times) => times * power >= room / most) ?? 10));
-}
-
+/** Multiples of the finest round step (1, 2 or 5 times a power of ten) for which there is room. */
 function evenly(low: number, high: number, most: number): number[] {
-  let step = stepFor(high - low, most);
-  // A step that fits may still meet the axis once more than there is room for.
-  const count = () => Math.floor(high / step) - Math.ceil(low / step) + 1;
-  if (count() > most) step = stepFor(step * most * 1.01, most);
-  const first = Math.ceil(low / step);
-  return Array.from({ length: Math.max(0, count()) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  const fine = Math.floor(Math.log10((high - low) / most)) - 1;
+  const steps = Array.from({ length: 4 }, (_, i) => [1, 2, 5].map((times) => Number(`${times}e${fine + i}`))).flat();
+  const multiples = (step: number) => {
+    const first = Math.ceil(low / step);
+    return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  };
+  return steps.map(multiples).find(({ length }) => length <= most) ?? [];
 }
 
 /** Powers of ten with what is between them, as dense as there is room for. */
 function byPowers(low: number, high: number, most: number): number[] {
-  const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+  const [first, last] = [Math.floor(Math.log10(low)), Math.floor(Math.log10(high))];
   const dense = (times: readonly number[], every: number) => {
-    const powers = Array.from({ length: last - first + 1 }, (_, i) => first + i).filter((power) => power % every === 0);
-    return powers.flatMap((power) => times.map((of) => Number(`${of}e${power}`))).filter((value) => value >= low && value <= high);
+    const powers = Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    const values = powers.flatMap((power) => times.map((of) => Number(`${of}e${power}`))).filter((value) => value >= low && value <= high);
+    return values.filter((_, i) => i % every === 0);
   };
   const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6].map((every) => dense([1], every))];
   return choices.find((values) => values.length <= most) ?? [];
