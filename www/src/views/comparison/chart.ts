@@ -60,7 +60,7 @@ export function mark(model: ModelId, x: number, y: number, size: number) {
   return svg`<path class="dot" d=${markPath(modelStyle(model).mark, x, y, size)}></path>`;
 }
 
-/** From one end to the other, with caps, where it is wider than the mark that lies on it. */
+/** From one end to the other, with caps; nothing where that is less than a pixel. */
 export function errorBar(from: number, to: number, y: number, cap: number) {
   if (Math.abs(to - from) < 1) return nothing;
   return svg`<path class="error-bar" d=${`M${from} ${y}H${to}M${from} ${y - cap}v${2 * cap}M${to} ${y - cap}v${2 * cap}`}></path>`;

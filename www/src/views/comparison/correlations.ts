@@ -68,7 +68,7 @@ export class CorrelationsFigure extends ComparisonFigure {
       <div class="panels" style="grid-template-columns:repeat(${columns}, minmax(0, ${width}px));gap:18px ${GAP}px">
         ${drawn.map((correlation) => this.panel(correlation, width))}
       </div>
-      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1.00. Each panel has scales of its own.</figcaption>`;
+      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1. Each panel has scales of its own.</figcaption>`;
   }
 }
 customElements.define("comparison-correlations", CorrelationsFigure);
