@@ -12,7 +12,7 @@ function baseName(app: App): string {
 
 async function save(app: App, name: string, type: string, text: () => Promise<string>): Promise<void> {
   try {
-    download(name, type, await text());
+    download(name, new Blob([await text()], { type }));
   } catch (problem) {
     app.notify({ kind: "error", title: `${name} was not saved`, text: messageOf(problem), at: null });
   }

@@ -1,0 +1,105 @@
+// The base of the figures: title, the two files that can be saved of it, and how wide it is.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { download } from "../../download";
+import { csv, type Table } from "./csv";
+import { pictureOf } from "./picture";
+import type { Comparison } from "./types";
+
+/** Told (bubbling, as the event `save-failed`) when a file could not be made. */
+export interface SaveFailure {
+  /** Of the file. */
+  name: string;
+  message: string;
+}
+
+/** The page's type is 14 px, and larger for a projector. */
+const TYPE = 14;
+/** What a sheet of A4 has room for, pixels. */
+const PAPER = 680;
+
+export abstract class ComparisonFigure extends LitElement {
+  static override properties = { comparison: { attribute: false }, width: { state: true }, type: { state: true } };
+  declare comparison: Comparison | null;
+  /** Of the figure, pixels. */
+  declare width: number;
+  /** The size of a drawing's type, pixels. */
+  declare type: number;
+  private observer: ResizeObserver | null = null;
+
+  constructor() {
+    super();
+    this.comparison = null;
+    this.width = 0;
+    this.type = 12;
+  }
+
+  protected abstract readonly heading: string;
+  /** Of its files, without an ending. */
+  protected abstract readonly file: string;
+  protected abstract figure(comparison: Comparison): TemplateResult;
+  protected abstract table(comparison: Comparison): Table;
+  /** What is missing, in words, where there is nothing to draw; null where there is. */
+  protected abstract missing(comparison: Comparison): string | null;
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.observer = new ResizeObserver(() => this.measure());
+    this.observer.observe(this);
+    this.measure();
+    window.addEventListener("beforeprint", this.onPrint);
+    window.addEventListener("afterprint", this.measure);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer?.disconnect();
+    window.removeEventListener("beforeprint", this.onPrint);
+    window.removeEventListener("afterprint", this.measure);
+  }
+
+  private readonly measure = (): void => {
+    // In a view that is hidden it stays as wide as it was.
+    if (this.clientWidth > 0) this.width = this.clientWidth;
+    const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+    this.type = (12 * (Number.isFinite(root) ? root : TYPE)) / TYPE;
+  };
+
+  private readonly onPrint = (): void => {
+    this.width = PAPER;
+  };
+
+  private async save(ending: "csv" | "png"): Promise<void> {
+    const name = `${this.file}.${ending}`;
+    try {
+      const content = ending === "png"
+        ? await pictureOf(this.querySelector("figure")!)
+        : new Blob([csv(this.table(this.comparison!))], { type: "text/csv;charset=utf-8" });
+      download(name, content);
+    } catch (problem) {
+      const detail: SaveFailure = { name, message: problem instanceof Error ? problem.message : String(problem) };
+      this.dispatchEvent(new CustomEvent<SaveFailure>("save-failed", { detail, bubbles: true, composed: true }));
+    }
+  }
+
+  protected override render() {
+    const { comparison } = this;
+    if (!comparison) return nothing;
+    const missing = this.missing(comparison);
+    return html`
+      <figure class="comparison-figure">
+        <div class="figure-head">
+          <h3>${this.heading}</h3>
+          ${missing !== null ? nothing : html`
+            <div class="figure-files" data-not-in-picture>
+              <button class="small" title="Save the numbers of this figure" @click=${() => this.save("csv")}>CSV<span class="visually-hidden">: ${this.heading}</span></button>
+              <button class="small" title="Save a picture of this figure" @click=${() => this.save("png")}>PNG<span class="visually-hidden">: ${this.heading}</span></button>
+            </div>`}
+        </div>
+        ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(comparison) : nothing}
+      </figure>`;
+  }
+}

@@ -1,0 +1,46 @@
+// All figures of a comparison: <comparison-figures .comparison=${comparison}>. Files that could not be made are told as
+// `save-failed`, with a SaveFailure.
+import { html, LitElement } from "lit";
+import "../../styles/figures.css";
+import type { Comparison } from "./types";
+import "./claims";
+import "./correlations";
+import "./growth";
+import "./models-table";
+
+export type { SaveFailure } from "./comparison-figure";
+
+export class ComparisonFigures extends LitElement {
+  static override properties = { comparison: { attribute: false } };
+  declare comparison: Comparison | null;
+
+  constructor() {
+    super();
+    this.comparison = null;
+  }
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected override render() {
+    const { comparison } = this;
+    if (!comparison || Object.values(comparison).every((list) => list.length === 0)) {
+      return html`<p class="empty">Nothing to compare yet. Each model appears here when its first trial has been predicted.</p>`;
+    }
+    return html`
+      <div class="figures">
+        <comparison-models .comparison=${comparison}></comparison-models>
+        <comparison-correlations .comparison=${comparison}></comparison-correlations>
+        <comparison-growth .comparison=${comparison}></comparison-growth>
+        <comparison-claims .comparison=${comparison}></comparison-claims>
+      </div>`;
+  }
+}
+customElements.define("comparison-figures", ComparisonFigures);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "comparison-figures": ComparisonFigures;
+  }
+}

@@ -1,0 +1,13 @@
+import { expect, it } from "vitest";
+import { csv } from "./csv";
+
+it("quotes what would be read as something else, and ends each line as the standard says", () => {
+  expect(csv({ header: ["model", "a \"b\""], rows: [["x, y", "two\nlines"], ["plain", ""]] })).toBe('model,"a ""b"""\r\n"x, y","two\nlines"\r\nplain,\r\n');
+});
+
+it("keeps full precision, and leaves out what is not known", () => {
+  const value = 0.1 + 0.2;
+  const [, row] = csv({ header: ["a", "b", "c", "d"], rows: [[value, 1e-9, null, Number.NaN]] }).split("\r\n");
+  expect(row).toBe("0.30000000000000004,1e-9,,");
+  expect(Number(row!.split(",")[0])).toBe(value);
+});

@@ -1,0 +1,19 @@
+// Tables as files (RFC 4180): full precision, nothing rounded.
+
+export type Field = string | number | null;
+
+export interface Table {
+  /** Names of the columns with their units. */
+  header: string[];
+  rows: Field[][];
+}
+
+function written(field: Field): string {
+  if (field === null) return "";
+  if (typeof field === "number") return Number.isFinite(field) ? String(field) : "";
+  return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
+}
+
+export function csv({ header, rows }: Table): string {
+  return [header, ...rows].map((row) => `${row.map(written).join(",")}\r\n`).join("");
+}

@@ -1,0 +1,88 @@
+// Where labels go so that they can be read.
+
+/**
+ * Places in the order of the wanted ones, at least `gap` apart and within [low, high], as near to the wanted ones as that allows
+ * (least squares). Too many for the room lie evenly over it.
+ */
+export function spread(wanted: readonly number[], gap: number, low: number, high: number): number[] {
+  const count = wanted.length;
+  if (count === 0) return [];
+  const step = Math.min(gap, (high - low) / Math.max(1, count - 1));
+  const order = wanted.map((_, i) => i).sort((a, b) => wanted[a]! - wanted[b]!);
+  // With i steps taken off the i-th, what is left only has to ascend: neighbours that do not are pooled at their mean.
+  const pools: { sum: number; count: number }[] = [];
+  order.forEach((index, rank) => {
+    pools.push({ sum: wanted[index]! - rank * step, count: 1 });
+    for (let [before, last] = pools.slice(-2); pools.length > 1 && before!.sum / before!.count > last!.sum / last!.count; [before, last] = pools.slice(-2)) {
+      pools.splice(-2, 2, { sum: before!.sum + last!.sum, count: before!.count + last!.count });
+    }
+  });
+  const places = new Array<number>(count);
+  let rank = 0;
+  for (const { sum, count: pooled } of pools) {
+    const start = Math.min(Math.max(sum / pooled, low), high - (count - 1) * step);
+    for (let i = 0; i < pooled; i++, rank++) places[order[rank]!] = start + rank * step;
+  }
+  return places;
+}
+
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+export interface Point {
+  x: number;
+  y: number;
+}
+
+function overlap(a: Box, b: Box): number {
+  const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+  const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+  return width > 0 && height > 0 ? width * height : 0;
+}
+
+/** How often all labels are placed anew, now that they know where the others went. */
+const ROUNDS = 4;
+/** How near a label comes to the mark of another point before it could be taken for its label. */
+const CLEAR = 4;
+
+/** A box for the label of each point, beside it where nothing else is; `reach` is a mark's half width. */
+export function beside(points: readonly Point[], widths: readonly number[], height: number, reach: number, within: Box): Box[] {
+  const around = reach + CLEAR;
+  const marks = points.map(({ x, y }) => ({ x: x - around, y: y - around, width: 2 * around, height: 2 * around }));
+  const choices = points.map(({ x, y }, i) => {
+    const width = widths[i]!;
+    const [right, left] = [x + reach + 3, x - reach - 3 - width];
+    const [above, middle, below] = [y - reach - height, y - height / 2, y + reach];
+    const corners: [number, number][] = [
+      [right, middle], [left, middle], [x - width / 2, above], [x - width / 2, below], [right, above], [right, below], [left, above], [left, below],
+    ];
+    return corners.map(([bx, by]): Box => ({ x: bx, y: by, width, height }));
+  });
+  const placed = choices.map((boxes) => boxes[0]!);
+  for (let round = 0; round < ROUNDS; round++) {
+    choices.forEach((boxes, i) => {
+      const others = [...marks, ...placed].filter((_, other) => other % points.length !== i);
+      const cost = (box: Box) => 4 * (box.width * box.height - overlap(box, within)) + others.reduce((sum, other) => sum + overlap(box, other), 0);
+      // Less by a pixel: rounding is no reason to leave the first choice.
+      placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) - 1 ? box : best));
+    });
+  }
+  return placed;
+}
+
+/** The labels without the words that all of them end in: "4 + 4 inducing points" becomes "4 + 4". */
+export function withoutCommonEnd(labels: readonly string[]): { short: string[]; end: string } {
+  const words = labels.map((label) => label.split(" "));
+  const most = Math.min(...words.map(({ length }) => length)) - 1;
+  let common = 0;
+  while (labels.length > 1 && common < most && words.every((of) => of.at(-1 - common) === words[0]!.at(-1 - common))) common++;
+  // "4 + 8" and "8 + 8" end in the same number, which says something.
+  const end = words[0]?.slice(words[0].length - common) ?? [];
+  const lastNumber = end.findLastIndex((word) => !/^\p{L}/u.test(word));
+  common -= lastNumber + 1;
+  return { short: words.map((of) => of.slice(0, of.length - common).join(" ")), end: end.slice(lastNumber + 1).join(" ") };
+}

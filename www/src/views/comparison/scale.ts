@@ -1,0 +1,81 @@
+// From values to places on the page, and the values that an axis names.
+import { evenLabels, powerLabels } from "./numbers";
+
+export interface Tick {
+  value: number;
+  label: string;
+}
+
+export interface Scale {
+  kind: "linear" | "log";
+  low: number;
+  high: number;
+  /** The place of a value; one that the scale does not reach lies at its end. */
+  at(value: number): number;
+  /** At most `most` of them, ascending; at least two, unless the axis has room for fewer. */
+  ticks(most: number): Tick[];
+}
+
+/** How much of an axis stays free beyond the outermost values, a side. */
+const MARGIN = 0.06;
+
+/** The outermost of the values that a logarithm, or anything, can be taken of. */
+function extent(values: readonly number[], least: number): [number, number] | null {
+  const drawn = values.filter((value) => Number.isFinite(value) && value > least);
+  return drawn.length === 0 ? null : [Math.min(...drawn), Math.max(...drawn)];
+}
+
+function placed(value: number, low: number, high: number, from: number, to: number): number {
+  return from + (to - from) * Math.min(1, Math.max(0, (value - low) / (high - low)));
+}
+
+/** Multiples of the finest round step (1, 2 or 5 times a power of ten) for which there is room. */
+function evenly(low: number, high: number, most: number): number[] {
+  const fine = Math.floor(Math.log10((high - low) / most)) - 1;
+  const steps = Array.from({ length: 4 }, (_, i) => [1, 2, 5].map((times) => Number(`${times}e${fine + i}`))).flat();
+  const multiples = (step: number) => {
+    const first = Math.ceil(low / step);
+    return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  };
+  return steps.map(multiples).find(({ length }) => length <= most) ?? [];
+}
+
+/** Powers of ten with what is between them, as dense as there is room for. */
+function byPowers(low: number, high: number, most: number): number[] {
+  const [first, last] = [Math.floor(Math.log10(low)), Math.floor(Math.log10(high))];
+  const dense = (times: readonly number[], every: number) => {
+    const powers = Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    const values = powers.flatMap((power) => times.map((of) => Number(`${of}e${power}`))).filter((value) => value >= low && value <= high);
+    return values.filter((_, i) => i % every === 0);
+  };
+  const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6].map((every) => dense([1], every))];
+  return choices.find((values) => values.length <= most) ?? [];
+}
+
+export function linearScale(values: readonly number[], from: number, to: number): Scale {
+  const [least, greatest] = extent(values, -Infinity) ?? [0, 1];
+  const room = greatest - least || Math.abs(least) || 1;
+  const [low, high] = [least - MARGIN * room, greatest + MARGIN * room];
+  return {
+    kind: "linear", low, high,
+    at: (value) => placed(value, low, high, from, to),
+    ticks: (most) => evenLabels(evenly(low, high, Math.max(1, most))),
+  };
+}
+
+/** Of positive values; others lie at its lower end. */
+export function logScale(values: readonly number[], from: number, to: number): Scale {
+  const [least, greatest] = extent(values, 0) ?? [1, 10];
+  // Values that are nearly the same keep some room around them.
+  const beyond = Math.max(MARGIN * Math.log(greatest / least), Math.log(1.1));
+  const [low, high] = [least * Math.exp(-beyond), greatest * Math.exp(beyond)];
+  const [logLow, logHigh] = [Math.log(low), Math.log(high)];
+  return {
+    kind: "log", low, high,
+    at: (value) => placed(value > 0 ? Math.log(value) : -Infinity, logLow, logHigh, from, to),
+    ticks: (most) => {
+      const powers = byPowers(low, high, Math.max(1, most));
+      return powers.length > 1 ? powerLabels(powers) : evenLabels(evenly(low, high, Math.max(1, most)));
+    },
+  };
+}
