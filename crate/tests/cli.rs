@@ -45,7 +45,8 @@ fn text(path: &Path) -> &str {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let commands = ["clip", "bound", "evaluate", "report"].map(|command| vec![command, "--help"]);
+    let commands = ["bound", "clip", "train", "rollout", "score", "evaluate", "report"]
+        .map(|command| vec![command, "--help"]);
     for arguments in commands.iter().map(Vec::as_slice).chain([&["--help"][..], &["--version"]]) {
         let output = run(arguments);
         assert!(output.status.success() && !output.stdout.is_empty() && output.stderr.is_empty());
@@ -338,7 +339,7 @@ fn the_readmes_commands_run_as_they_stand() {
             .unwrap();
         assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
     }
-    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh"] {
+    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh", "tmp.bvh"] {
         assert!(folder.join(file).exists(), "{file}");
     }
 }
