@@ -288,6 +288,20 @@ fn training_that_cannot_begin_says_why() {
     };
     assert!(refuse(&[text(&other)]).contains("other.bvh"));
     assert!(refuse(&["--latent", "0"]).contains("latent"));
+    let short = folder.join("short.bvh");
+    let walk = folder.join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&walk)]);
+    let walk = fs::read_to_string(&walk).unwrap().replacen("Frames: 252", "Frames: 1", 1);
+    let header = walk.lines().position(|line| line.starts_with("Frame Time")).unwrap();
+    fs::write(&short, walk.lines().take(header + 2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    let told = "short.bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    assert!(refuse(&[text(&short)]).contains(told), "the clip's name says more than its number");
+    let told = "short.bvh: sequence 1 has 1 frame; expected at least 4";
+    assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
+    let told =
+        "walk-2 (made by this project).bvh: sequence 1 has 2 frames; dynamics of order 2 need at least 3";
+    assert!(refuse(&["--seed-frames", "sample:walk-2:2"]).contains(told));
     let rate = refuse(&["--fps", "-1"]);
     assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));

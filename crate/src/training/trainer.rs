@@ -4,6 +4,7 @@ use super::ascent::{Ascent, Phase, Target};
 use super::init::starting_point;
 use crate::linalg::NumericsError;
 use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError, Workspace};
+use crate::words::counted;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -61,7 +62,7 @@ pub enum TrainingError {
     #[error("expected at least one part, found none")]
     NoParts,
     /// Observations and sequences do not fit each other.
-    #[error("part {part} has {found} frames of observations, but the sequences have {expected}")]
+    #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
     Frames {
         /// Counted from 0.
         part: usize,
@@ -74,7 +75,7 @@ pub enum TrainingError {
     #[error("expected at least one whole movement to learn from, found none")]
     NoWhole,
     /// A sequence holds too little to learn from.
-    #[error("sequence {sequence} has {found} frames; expected at least {expected}")]
+    #[error("sequence {sequence} has {}; expected at least {expected}", counted(*found, "frame"))]
     Short {
         /// Counted from 0.
         sequence: usize,
@@ -89,6 +90,17 @@ pub enum TrainingError {
     /// The bound cannot be computed at the starting point.
     #[error("training could not start: {0}")]
     Numerics(#[from] NumericsError),
+}
+
+impl TrainingError {
+    /// The sequence that it is about, where it is about one, counted from 0.
+    pub fn sequence(&self) -> Option<usize> {
+        match self {
+            TrainingError::Short { sequence: found, .. }
+            | TrainingError::Sequences(SequencesError::TooShort { index: found, .. }) => Some(*found),
+            _ => None,
+        }
+    }
 }
 
 /// How far training is.

@@ -98,7 +98,8 @@ fn variational(
         seed: arguments.options.seed,
         max_iterations: settings.max_iterations,
     };
-    let mut learner = VariationalLearner::new(movements, settings)?;
+    let mut learner =
+        VariationalLearner::new(movements, settings).map_err(|reason| dataset.refusal(reason))?;
     if let Some(path) = &arguments.options.write_start {
         let trainer = learner.trainer();
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
@@ -137,7 +138,7 @@ fn baseline(
 ) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let seed = arguments.options.seed;
-    let mut learner = candidate.learner(movements, seed)?;
+    let mut learner = candidate.learner(movements, seed).map_err(|reason| dataset.refusal(reason))?;
     let objective = match candidate.kind() {
         ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
         ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
