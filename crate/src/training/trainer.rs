@@ -166,12 +166,7 @@ impl Trainer {
         lengths: Vec<usize>,
         settings: TrainingSettings,
     ) -> Result<Self, TrainingError> {
-        for (name, found) in [
-            ("the number of dynamics inducing points", settings.dynamics_ips),
-            ("the number of pose inducing points", settings.pose_ips),
-        ] {
-            in_range(name, found, LARGEST)?;
-        }
+        check_settings(&settings)?;
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
         let params = starting_point(&y, &sequences, &settings);
         let phases = schedule(settings.max_iterations);
@@ -186,6 +181,8 @@ impl Trainer {
         phases: Vec<Phase>,
         settings: TrainingSettings,
     ) -> Result<Self, TrainingError> {
+        // Otherwise the document of the model could not be read again.
+        check_settings(&settings)?;
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
         }
@@ -242,6 +239,13 @@ impl Trainer {
         let search = self.ascent.search();
         FittedModel::fit(&search.target.objective, &search.best_parameters())
     }
+}
+
+fn check_settings(settings: &TrainingSettings) -> Result<(), TrainingError> {
+    in_range("the latent dimension", settings.latent, MOST_DIMENSIONS)?;
+    in_range("the order of the dynamics", settings.order, MOST_DIMENSIONS)?;
+    in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
+    in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
 }
 
 /// What every model with latents asks of its observations `y` [N x D_i] and settings.
