@@ -64,6 +64,44 @@ fn a_wrong_command_line_gets_one_line() {
 }
 
 #[test]
+fn a_number_that_an_option_cannot_have_is_refused_as_a_number() {
+    for (line, said) in [
+        (
+            "train c.bvh --parts whole --out m --latent -1",
+            "'-1' for '--latent <Q>': expected a whole number from 0",
+        ),
+        (
+            "train c.bvh --parts whole --out m --order 1.5",
+            "'1.5' for '--order <P>': expected a whole number from 0",
+        ),
+        ("train c.bvh --parts whole --out m --seed -1", "expected a whole number from 0 to 4294967295"),
+        (
+            "train c.bvh --out m --primitives -2",
+            "'-2' for '--primitives <N>': expected a whole number from 0",
+        ),
+        ("rollout m --out o --frames -1", "'-1' for '--frames <N>': expected a whole number from 0"),
+        ("rollout m --out o --frames 99999999999999999999", "expected a smaller number"),
+        (
+            "rollout m --out o --frames 9 --from -1",
+            "'-1' for '--from <SEQUENCE>': expected a whole number from 0",
+        ),
+        ("score m c.bvh --from -1", "'-1' for '--from <SEQUENCE>': expected a whole number from 0"),
+        ("bound c.json --repeat -1", "'-1' for '--repeat <N>': expected a whole number from 1 to 4294967295"),
+        ("evaluate c.bvh --parts whole --out r --threads -1", "expected a whole number from 1 to 65535"),
+        (
+            "evaluate c.bvh --parts whole --out r --ips -1",
+            "'-1' for '--ips <K,K>': expected a whole number from 0",
+        ),
+        ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
+        // No option: it is still taken for one.
+        ("clip -1", "unexpected argument '-1'"),
+    ] {
+        let error = fails(&line.split(' ').collect::<Vec<_>>());
+        assert!(error.contains(said), "{line}: {error}");
+    }
+}
+
+#[test]
 fn clip_tells_what_a_clip_holds() {
     let info = json(&["clip", "sample:walk-1"]);
     assert_eq!(info["name"], "walk-1 (made by this project).bvh");

@@ -33,7 +33,7 @@ pub struct Arguments {
     #[arg(long, value_name = "MODEL.json")]
     out: PathBuf,
     /// Resample the clips to about so many frames a second.
-    #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
     #[arg(long, value_name = "CLIP:COUNT")]
