@@ -247,6 +247,15 @@ fn train_then_roll_out_then_score() {
     let number = |key: &str| score[key].as_f64().unwrap();
     assert!(number("dtw_mse") > 0.0 && number("dtw_mse") <= number("mse") && number("variance") > 1e-3);
 
+    // A place that cannot be written to is found before anything is computed or written.
+    let (nowhere, unwritten) = (folder.join("no-such-folder").join("file"), folder.join("unwritten"));
+    let (nowhere, unwritten) = (text(&nowhere), text(&unwritten));
+    for (out, latents) in [(nowhere, unwritten), (unwritten, nowhere)] {
+        let error = fails(&["rollout", model, "--frames", "9", "--out", out, "--latents", latents]);
+        assert!(error.contains("no-such-folder"), "{error}");
+        assert!(!Path::new(unwritten).exists(), "one of two files is left behind");
+    }
+
     for (arguments, said) in [
         (&["score", model, "sample:walk-3", "--from", "7"][..], "from 0 to 2, found 7"),
         (&["rollout", model, "--frames", "9", "--from", "3", "--out", motion], "found 3"),
@@ -344,7 +353,8 @@ fn training_that_cannot_begin_says_why() {
     assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
     assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
-    assert!(refuse(&["--write-start", text(&folder)]).contains("bad-training"));
+    // Found before the training, which here could not begin either.
+    assert!(refuse(&["--write-start", text(&folder), "--latent", "0"]).contains("bad-training"));
     assert!(
         fails(&["train", "sample:walk-1", "--parts", "whole", "--out", text(&folder)])
             .contains("bad-training")

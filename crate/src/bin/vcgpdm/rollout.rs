@@ -32,6 +32,9 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
+    for path in [Some(&arguments.out), arguments.latents.as_ref()].into_iter().flatten() {
+        files::check_writable(path)?;
+    }
     let y = match &model {
         AnyModel::Variational(model) => variational(arguments, model)?,
         AnyModel::Baseline(_) => {

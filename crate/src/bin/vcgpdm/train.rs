@@ -73,7 +73,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sequences = sequences
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
     let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
-    files::check_writable(&arguments.out)?;
+    for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
+        files::check_writable(path)?;
+    }
     match &candidate {
         Candidate::Vcgpdm(settings) | Candidate::Vgpdm(settings) => {
             variational(arguments, &dataset, movements, settings)
