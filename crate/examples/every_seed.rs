@@ -23,7 +23,6 @@ use vcgpdm::{
 
 const START_FRAMES: usize = 5;
 const FRAMES_PER_SECOND: f64 = 30.0;
-const JITTER: f64 = 1e-6;
 
 #[derive(Parser)]
 struct Arguments {
@@ -155,6 +154,8 @@ fn spread(x: &DMatrix<f64>, z: &mut DMatrix<f64>, centres: bool) {
 struct Problem {
     title: String,
     dataset: Dataset,
+    /// The bound as the trainer computes it, whatever the start.
+    objective: Objective,
     /// The rows of the whole trial that is predicted.
     actual: DMatrix<f64>,
 }
@@ -210,10 +211,8 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
 }
 
 fn trainer(problem: &Problem, way: &Way, settings: &TrainingSettings) -> Trainer {
-    let dataset = &problem.dataset;
-    let sequences = Sequences::new(dataset.lengths(), settings.order).unwrap();
-    let start = (way.begin)(&dataset.y, &sequences, settings);
-    let objective = Objective::new(dataset.y.clone(), sequences, JITTER);
+    let objective = problem.objective.clone();
+    let start = (way.begin)(objective.observations(), objective.sequences(), settings);
     Trainer::from_start(objective, start, (way.phases)(), settings.clone()).unwrap()
 }
 
@@ -241,7 +240,8 @@ fn problem(trials: &[Clip], preset: &str) -> Problem {
     let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
     let trial = trials[trials.len() - 1].prepared(1.0 / dataset.frame_time).unwrap();
     let actual = dataset.mapping.encode(&trial).unwrap().y;
-    Problem { title: chosen.title, dataset, actual }
+    let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), TrainingSettings::default()).unwrap();
+    Problem { title: chosen.title, objective: trainer.objective(), dataset, actual }
 }
 
 /// The runs of a way, seed by seed, several at a time.

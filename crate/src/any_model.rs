@@ -1,8 +1,9 @@
 //! A model of any kind with the body that it moves: what a page or a program needs to show it.
 
 use crate::body::Body;
-use crate::learner::{ModelKind, MovementModel};
-use crate::motion_model::{MotionModel, RolloutRequest};
+use crate::learner::{Learner, ModelKind, MovementModel};
+use crate::linalg::NumericsError;
+use crate::motion_model::{ENGINE, MotionModel, RolloutRequest};
 use crate::rollout::RolloutError;
 use nalgebra::DMatrix;
 
@@ -39,6 +40,28 @@ pub struct Record {
     pub iterations: usize,
     /// Anything a person wants to say about it, such as an acknowledgement.
     pub note: Option<String>,
+}
+
+impl BaselineModel {
+    /// The best model of a training so far; `settings` are names and values of what it was asked to do, and
+    /// `frames_per_second` is the rate that the data set of the `body` was asked for.
+    pub fn trained(
+        body: Body,
+        learner: &dyn Learner,
+        settings: Vec<(String, f64)>,
+        frames_per_second: f64,
+    ) -> Result<Self, NumericsError> {
+        let progress = learner.progress();
+        let record = Record {
+            engine: ENGINE.to_owned(),
+            settings,
+            frames_per_second,
+            objective: progress.best,
+            iterations: progress.iteration,
+            note: None,
+        };
+        Ok(Self { body, model: learner.model()?, record })
+    }
 }
 
 impl AnyModel {

@@ -4,6 +4,8 @@ use crate::clip::{Clip, ClipError};
 use crate::parts::{PartSpec, PartsError, PartsLayout};
 use crate::pose::{PoseError, PoseMapping};
 use crate::same_body::BodyMismatch;
+use crate::training::TrainingError;
+use crate::words::counted;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -44,7 +46,7 @@ pub enum DatasetError {
         reason: Box<BodyMismatch>,
     },
     /// The clip is shorter than what is asked of it.
-    #[error("{clip} has {found} frames, but the first {expected} were asked for")]
+    #[error("{clip} has {}, but the first {expected} were asked for", counted(*found, "frame"))]
     Short {
         /// The clip.
         clip: String,
@@ -67,6 +69,17 @@ pub enum DatasetError {
     /// The parts do not fit the body.
     #[error(transparent)]
     Parts(#[from] PartsError),
+    /// A clip cannot be trained on as asked.
+    #[error("{clip}: {reason}")]
+    Sequence {
+        /// The clip.
+        clip: String,
+        /// Why.
+        reason: Box<TrainingError>,
+    },
+    /// Training cannot start, for a reason that is not in a single clip.
+    #[error(transparent)]
+    Training(TrainingError),
 }
 
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
@@ -152,6 +165,14 @@ impl Dataset {
         let sequences = clips.iter().zip(&rows).map(info).collect();
         let frame_time = clips[0].frame_time;
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
+    }
+
+    /// Why this data set cannot be trained on, with the clip's name where the reason is in one sequence.
+    pub fn refusal(&self, reason: TrainingError) -> DatasetError {
+        match reason.sequence().and_then(|sequence| self.sequences.get(sequence)) {
+            Some(info) => DatasetError::Sequence { clip: info.name.clone(), reason: Box::new(reason) },
+            None => DatasetError::Training(reason),
+        }
     }
 
     /// T_s.

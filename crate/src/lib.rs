@@ -53,6 +53,7 @@ mod t_pose;
 mod training;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
+mod words;
 
 pub use any_model::{AnyModel, BaselineModel, Record};
 pub use baselines::map::{

@@ -10,6 +10,9 @@ use crate::rollout::{Poser, Roller, RolloutError};
 use crate::training::{Trainer, TrainingSettings};
 use nalgebra::DMatrix;
 
+/// What a document says wrote it.
+pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
+
 /// How a model was made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Provenance {
@@ -80,7 +83,7 @@ impl MotionModel {
     ) -> Result<Self, NumericsError> {
         let progress = trainer.progress();
         let provenance = Provenance {
-            engine: concat!("vcgpdm ", env!("CARGO_PKG_VERSION")).to_owned(),
+            engine: ENGINE.to_owned(),
             settings: trainer.settings().clone(),
             frames_per_second,
             bound: progress.best,

@@ -45,7 +45,8 @@ fn text(path: &Path) -> &str {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let commands = ["clip", "bound", "evaluate", "report"].map(|command| vec![command, "--help"]);
+    let commands = ["bound", "clip", "train", "rollout", "score", "evaluate", "report"]
+        .map(|command| vec![command, "--help"]);
     for arguments in commands.iter().map(Vec::as_slice).chain([&["--help"][..], &["--version"]]) {
         let output = run(arguments);
         assert!(output.status.success() && !output.stdout.is_empty() && output.stderr.is_empty());
@@ -60,6 +61,44 @@ fn a_wrong_command_line_gets_one_line() {
     assert!(fails(&["clip", "sample:walk-1", "--fps", "many"]).contains("'many'"));
     assert!(fails(&["clip", "sample:walk-1", "--speed", "3"]).contains("--speed"));
     assert!(fails(&["bound", "case.json", "--repeat", "0"]).contains("--repeat"));
+}
+
+#[test]
+fn a_number_that_an_option_cannot_have_is_refused_as_a_number() {
+    for (line, said) in [
+        (
+            "train c.bvh --parts whole --out m --latent -1",
+            "'-1' for '--latent <Q>': expected a whole number from 0",
+        ),
+        (
+            "train c.bvh --parts whole --out m --order 1.5",
+            "'1.5' for '--order <P>': expected a whole number from 0",
+        ),
+        ("train c.bvh --parts whole --out m --seed -1", "expected a whole number from 0 to 4294967295"),
+        (
+            "train c.bvh --out m --primitives -2",
+            "'-2' for '--primitives <N>': expected a whole number from 0",
+        ),
+        ("rollout m --out o --frames -1", "'-1' for '--frames <N>': expected a whole number from 0"),
+        ("rollout m --out o --frames 99999999999999999999", "expected a smaller number"),
+        (
+            "rollout m --out o --frames 9 --from -1",
+            "'-1' for '--from <SEQUENCE>': expected a whole number from 0",
+        ),
+        ("score m c.bvh --from -1", "'-1' for '--from <SEQUENCE>': expected a whole number from 0"),
+        ("bound c.json --repeat -1", "'-1' for '--repeat <N>': expected a whole number from 1 to 4294967295"),
+        ("evaluate c.bvh --parts whole --out r --threads -1", "expected a whole number from 1 to 65535"),
+        (
+            "evaluate c.bvh --parts whole --out r --ips -1",
+            "'-1' for '--ips <K,K>': expected a whole number from 0",
+        ),
+        ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
+        // No option: it is still taken for one.
+        ("clip -1", "unexpected argument '-1'"),
+    ] {
+        let error = fails(&line.split(' ').collect::<Vec<_>>());
+        assert!(error.contains(said), "{line}: {error}");
+    }
 }
 
 #[test]
@@ -208,6 +247,15 @@ fn train_then_roll_out_then_score() {
     let number = |key: &str| score[key].as_f64().unwrap();
     assert!(number("dtw_mse") > 0.0 && number("dtw_mse") <= number("mse") && number("variance") > 1e-3);
 
+    // A place that cannot be written to is found before anything is computed or written.
+    let (nowhere, unwritten) = (folder.join("no-such-folder").join("file"), folder.join("unwritten"));
+    let (nowhere, unwritten) = (text(&nowhere), text(&unwritten));
+    for (out, latents) in [(nowhere, unwritten), (unwritten, nowhere)] {
+        let error = fails(&["rollout", model, "--frames", "9", "--out", out, "--latents", latents]);
+        assert!(error.contains("no-such-folder"), "{error}");
+        assert!(!Path::new(unwritten).exists(), "one of two files is left behind");
+    }
+
     for (arguments, said) in [
         (&["score", model, "sample:walk-3", "--from", "7"][..], "from 0 to 2, found 7"),
         (&["rollout", model, "--frames", "9", "--from", "3", "--out", motion], "found 3"),
@@ -287,11 +335,26 @@ fn training_that_cannot_begin_says_why() {
     };
     assert!(refuse(&[text(&other)]).contains("other.bvh"));
     assert!(refuse(&["--latent", "0"]).contains("latent"));
+    let short = folder.join("short.bvh");
+    let walk = folder.join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&walk)]);
+    let walk = fs::read_to_string(&walk).unwrap().replacen("Frames: 252", "Frames: 1", 1);
+    let header = walk.lines().position(|line| line.starts_with("Frame Time")).unwrap();
+    fs::write(&short, walk.lines().take(header + 2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    let told = "short.bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    assert!(refuse(&[text(&short)]).contains(told), "the clip's name says more than its number");
+    let told = "short.bvh: sequence 1 has 1 frame; expected at least 4";
+    assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
+    let told =
+        "walk-2 (made by this project).bvh: sequence 1 has 2 frames; dynamics of order 2 need at least 3";
+    assert!(refuse(&["--seed-frames", "sample:walk-2:2"]).contains(told));
     let rate = refuse(&["--fps", "-1"]);
     assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
     assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
-    assert!(refuse(&["--write-start", text(&folder)]).contains("bad-training"));
+    // Found before the training, which here could not begin either.
+    assert!(refuse(&["--write-start", text(&folder), "--latent", "0"]).contains("bad-training"));
     assert!(
         fails(&["train", "sample:walk-1", "--parts", "whole", "--out", text(&folder)])
             .contains("bad-training")
@@ -338,7 +401,7 @@ fn the_readmes_commands_run_as_they_stand() {
             .unwrap();
         assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
     }
-    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh"] {
+    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh", "tmp.bvh"] {
         assert!(folder.join(file).exists(), "{file}");
     }
 }

@@ -62,9 +62,9 @@ fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64
         };
         match key.as_str() {
             "frames" if frames.is_none() => {
-                let count = value.and_then(finite).filter(|count| *count >= 0.0 && count.fract() == 0.0);
+                let count = value.and_then(finite).filter(|count| *count >= 1.0 && count.fract() == 0.0);
                 let Some(count) = count else {
-                    return Err(cursor.error(BvhProblem::expected("a number of frames", value)));
+                    return Err(cursor.error(BvhProblem::expected("a number of frames, at least 1", value)));
                 };
                 frames = Some(count as usize);
             }

@@ -142,8 +142,8 @@ fn baseline(mut head: Head) -> Result<BaselineModel, DocumentError> {
     let mut object = head.document.get("provenance")?.object()?;
     let record = Record {
         engine: object.get("engine")?.text()?.to_owned(),
-        settings: object.get("settings")?.fields(|field| field.number())?,
-        frames_per_second: object.get("frames_per_second")?.number()?,
+        settings: object.get("settings")?.fields(|field, name| setting(&field, name))?,
+        frames_per_second: frames_per_second(&mut object)?,
         objective: object.get("objective")?.number()?,
         iterations: object.get("iterations")?.whole()?,
         note: note(&mut object)?,
@@ -322,7 +322,7 @@ fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
     let provenance = Provenance {
         engine: object.get("engine")?.text()?.to_owned(),
         settings: settings(object.get("settings")?)?,
-        frames_per_second: object.get("frames_per_second")?.number()?,
+        frames_per_second: frames_per_second(&mut object)?,
         bound: object.get("bound")?.number()?,
         terms: terms(object.get("terms")?, m)?,
         iterations: object.get("iterations")?.whole()?,
@@ -335,7 +335,11 @@ fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
 
 fn settings(field: Field) -> Result<TrainingSettings, FieldError> {
     let mut object = field.object()?;
-    let mut whole = |name: &str| object.get(name)?.whole();
+    let mut whole = |name: &str| {
+        let field = object.get(name)?;
+        setting(&field, name)?;
+        field.whole()
+    };
     let (latent, dynamics_ips, pose_ips) = (whole("latent")?, whole("dynamics_ips")?, whole("pose_ips")?);
     let (order, max_iterations) = (whole("order")?, whole("max_iterations")?);
     let field = object.get("seed")?;
@@ -343,6 +347,29 @@ fn settings(field: Field) -> Result<TrainingSettings, FieldError> {
         u32::try_from(field.whole()?).map_err(|_| field.wrong("a whole number from 0 to 4294967295"))?;
     object.end()?;
     Ok(TrainingSettings { latent, dynamics_ips, pose_ips, order, seed, max_iterations })
+}
+
+/// What training was asked for: within what it could have been asked for, where the name is known. Yes is 1.
+fn setting(field: &Field, name: &str) -> Result<f64, FieldError> {
+    let range = match name {
+        "latent" => 1..=MOST_LATENT,
+        "order" => 1..=MOST_ORDER,
+        "dynamics_ips" | "pose_ips" | "primitives" | "bases" => 1..=MOST_IPS,
+        "balanced" => 0..=1,
+        "seed" => 0..=u32::MAX as usize,
+        "max_iterations" => 0..=usize::MAX,
+        _ => {
+            let number = field.number()?;
+            tame(field, &[number])?;
+            return Ok(number);
+        }
+    };
+    count(field, field.whole()?, range)?;
+    field.number()
+}
+
+fn frames_per_second(object: &mut Object) -> Result<f64, FieldError> {
+    within(object.get("frames_per_second")?, 0.1..=10_000.0, "frames a second from 0.1 to 10000")
 }
 
 fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {

@@ -124,6 +124,43 @@ fn wrong_fields_are_refused_with_their_path() {
     assert!(MotionModel::from_json(&huge).unwrap_err().to_string().contains("out of range"));
 }
 
+/// What a person reads about a model must be something that it could have been asked for.
+#[test]
+fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
+    let mut variational = document();
+    let mut point: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
+    let set = |document: &mut Value, name: &str, value: Value| {
+        document["provenance"]["settings"][name] = value;
+        AnyModel::from_json(&document.to_string()).err().map(|error| error.to_string())
+    };
+    for (name, good, bad, expected) in [
+        ("latent", json!(100), json!(0), "expected from 1 to 100, found 0"),
+        ("order", json!(1), json!(101), "expected from 1 to 100, found 101"),
+        ("dynamics_ips", json!(1000), json!(1001), "expected from 1 to 1000, found 1001"),
+        ("pose_ips", json!(12), json!(0), "expected from 1 to 1000, found 0"),
+        ("max_iterations", json!(0), json!(0.5), "expected a whole number, found 0.5"),
+        ("seed", json!(4294967295u32), json!(-1), "expected a whole number, found -1"),
+        ("balanced", json!(1), json!(2), "expected from 0 to 1, found 2"),
+        ("primitives", json!(4), json!(0), "expected from 1 to 1000, found 0"),
+        ("bases", json!(20), json!(1e9), "expected from 1 to 1000, found 1000000000"),
+        ("not known yet", json!(-0.5), json!(1e300), "expected numbers up to 1e12 in size, found 1"),
+    ] {
+        // A variational document has these settings and no others; one of another kind has what its kind was asked for.
+        let its_own = variational["provenance"]["settings"].get(name).is_some();
+        for document in [Some(&mut point), its_own.then_some(&mut variational)].into_iter().flatten() {
+            let error = set(document, name, bad.clone()).unwrap();
+            assert!(error.starts_with(&format!("at provenance.settings.{name}: {expected}")), "{error}");
+            assert_eq!(set(document, name, good.clone()), None, "{name}");
+        }
+    }
+    for mut document in [variational, point] {
+        document["provenance"]["frames_per_second"] = json!(0);
+        let error = AnyModel::from_json(&document.to_string()).err().unwrap().to_string();
+        let expected = "at provenance.frames_per_second: expected frames a second from 0.1 to 10000, found 0";
+        assert_eq!(error, expected);
+    }
+}
+
 #[test]
 fn a_broken_body_is_refused_with_the_path_of_the_field() {
     let broken: [(&str, Value, &str); 13] = [
@@ -246,7 +283,7 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
             v["model"]["dynamics"][1]["coefficients"][3][0] = json!(1e13);
         }),
         ("at model.alpha: expected positive numbers", |v| v["model"]["alpha"][1][0] = json!(-1.0)),
-        ("at provenance.settings.latent: expected a number", |v| {
+        ("at provenance.settings.latent: expected a whole number, found a text", |v| {
             v["provenance"]["settings"]["latent"] = json!("two");
         }),
     ];

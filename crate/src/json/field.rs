@@ -70,13 +70,13 @@ impl<'a> Field<'a> {
     /// The names of its fields with what `read` makes of each.
     pub fn fields<T>(
         &self,
-        mut read: impl FnMut(Field<'a>) -> Result<T, FieldError>,
+        mut read: impl FnMut(Field<'a>, &str) -> Result<T, FieldError>,
     ) -> Result<Vec<(String, T)>, FieldError> {
         let Value::Object(fields) = self.value else {
             return Err(self.wrong("an object"));
         };
         let field = |(name, value): &'a (String, Value)| {
-            Ok((name.clone(), read(Field { value, path: format!("{}.{name}", self.path) })?))
+            Ok((name.clone(), read(Field { value, path: format!("{}.{name}", self.path) }, name)?))
         };
         fields.iter().map(field).collect()
     }

@@ -1,6 +1,7 @@
 //! Where the sequences lie in the stacked frames, and the histories that never cross from one into another.
 
 use super::psi::Gaussians;
+use crate::words::counted;
 use nalgebra::DMatrix;
 use std::ops::Range;
 use thiserror::Error;
@@ -15,7 +16,7 @@ pub enum SequencesError {
     #[error("expected dynamics of order 1 or more, found 0")]
     Order,
     /// A sequence holds no transition.
-    #[error("sequence {index} has {frames} frames; dynamics of order {order} need at least {}", order + 1)]
+    #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
     TooShort {
         /// Counted from 0.
         index: usize,

@@ -4,6 +4,7 @@ use super::ascent::{Ascent, Phase, Target};
 use super::init::starting_point;
 use crate::linalg::NumericsError;
 use crate::model::{BoundTerms, FittedModel, Group, Objective, Params, Sequences, SequencesError, Workspace};
+use crate::words::counted;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -61,7 +62,7 @@ pub enum TrainingError {
     #[error("expected at least one part, found none")]
     NoParts,
     /// Observations and sequences do not fit each other.
-    #[error("part {part} has {found} frames of observations, but the sequences have {expected}")]
+    #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
     Frames {
         /// Counted from 0.
         part: usize,
@@ -74,7 +75,7 @@ pub enum TrainingError {
     #[error("expected at least one whole movement to learn from, found none")]
     NoWhole,
     /// A sequence holds too little to learn from.
-    #[error("sequence {sequence} has {found} frames; expected at least {expected}")]
+    #[error("sequence {sequence} has {}; expected at least {expected}", counted(*found, "frame"))]
     Short {
         /// Counted from 0.
         sequence: usize,
@@ -89,6 +90,17 @@ pub enum TrainingError {
     /// The bound cannot be computed at the starting point.
     #[error("training could not start: {0}")]
     Numerics(#[from] NumericsError),
+}
+
+impl TrainingError {
+    /// The sequence that it is about, where it is about one, counted from 0.
+    pub fn sequence(&self) -> Option<usize> {
+        match self {
+            TrainingError::Short { sequence: found, .. }
+            | TrainingError::Sequences(SequencesError::TooShort { index: found, .. }) => Some(*found),
+            _ => None,
+        }
+    }
 }
 
 /// How far training is.
@@ -154,12 +166,7 @@ impl Trainer {
         lengths: Vec<usize>,
         settings: TrainingSettings,
     ) -> Result<Self, TrainingError> {
-        for (name, found) in [
-            ("the number of dynamics inducing points", settings.dynamics_ips),
-            ("the number of pose inducing points", settings.pose_ips),
-        ] {
-            in_range(name, found, LARGEST)?;
-        }
+        check_settings(&settings)?;
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
         let params = starting_point(&y, &sequences, &settings);
         let phases = schedule(settings.max_iterations);
@@ -174,6 +181,8 @@ impl Trainer {
         phases: Vec<Phase>,
         settings: TrainingSettings,
     ) -> Result<Self, TrainingError> {
+        // Otherwise the document of the model could not be read again.
+        check_settings(&settings)?;
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
         }
@@ -230,6 +239,13 @@ impl Trainer {
         let search = self.ascent.search();
         FittedModel::fit(&search.target.objective, &search.best_parameters())
     }
+}
+
+fn check_settings(settings: &TrainingSettings) -> Result<(), TrainingError> {
+    in_range("the latent dimension", settings.latent, MOST_DIMENSIONS)?;
+    in_range("the order of the dynamics", settings.order, MOST_DIMENSIONS)?;
+    in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
+    in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
 }
 
 /// What every model with latents asks of its observations `y` [N x D_i] and settings.

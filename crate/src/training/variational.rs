@@ -18,6 +18,11 @@ impl VariationalLearner {
         let lengths = movements.lengths();
         Ok(Self { trainer: Trainer::new(movements.y, lengths, settings)? })
     }
+
+    /// The training itself, which knows more than all models have in common.
+    pub fn trainer(&self) -> &Trainer {
+        &self.trainer
+    }
 }
 
 impl Learner for VariationalLearner {

@@ -13,7 +13,7 @@ pub struct Arguments {
     #[arg(value_name = "CLIP")]
     clip: String,
     /// Resample to about so many frames a second.
-    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    #[arg(long, value_name = "F")]
     fps: Option<f64>,
     /// Write the clip to this file.
     #[arg(long, value_name = "OUT.bvh")]

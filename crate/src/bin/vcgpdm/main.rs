@@ -15,9 +15,10 @@ mod score;
 mod train;
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::error::Error;
 use std::io::Write;
+use std::num::{IntErrorKind, ParseFloatError, ParseIntError};
 use std::process::ExitCode;
 
 /// Coupled Gaussian process movement primitives: train them on motion capture and roll them out.
@@ -45,7 +46,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::try_parse() {
+    let result = match parsed() {
         Ok(arguments) => run(arguments.command),
         // Asked for, so no error.
         Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
@@ -62,6 +63,18 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The command line. Every option takes a number below zero as its value, so that it is refused as one: clap would call it an
+/// unexpected argument.
+fn parsed() -> Result<Arguments, clap::Error> {
+    let command = Arguments::command().mut_subcommands(|command| {
+        command.mut_args(|argument| {
+            let takes = argument.get_action().takes_values() && !argument.is_positional();
+            if takes { argument.allow_negative_numbers(true) } else { argument }
+        })
+    });
+    Arguments::from_arg_matches(&command.try_get_matches()?)
 }
 
 fn run(command: Command) -> Result<(), Box<dyn Error>> {
@@ -82,6 +95,23 @@ fn usage(error: &clap::Error) -> String {
         return "expected one of the commands bound, clip, train, rollout, score, evaluate and report (try --help)".to_owned();
     }
     let text = error.render().to_string();
-    let first = text.split("\n\n").next().unwrap_or_default();
-    format!("{} (try --help)", first.trim_start_matches("error: "))
+    let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");
+    let words = error.source().and_then(|reason| Some((reason.to_string(), number_words(reason)?)));
+    let first = words.map_or(first.to_owned(), |(reason, expected)| first.replace(&reason, &expected));
+    format!("{first} (try --help)")
+}
+
+/// What was expected of a number, where the standard library and clap say it for programmers.
+fn number_words(reason: &(dyn Error + 'static)) -> Option<String> {
+    if let Some(reason) = reason.downcast_ref::<ParseIntError>() {
+        let large = *reason.kind() == IntErrorKind::PosOverflow;
+        let expected = if large { "expected a smaller number" } else { "expected a whole number from 0" };
+        return Some(expected.to_owned());
+    }
+    if reason.is::<ParseFloatError>() {
+        return Some("expected a number".to_owned());
+    }
+    let text = reason.to_string();
+    let (lowest, highest) = text.split_once(" is not in ")?.1.split_once("..=")?;
+    Some(format!("expected a whole number from {lowest} to {highest}"))
 }

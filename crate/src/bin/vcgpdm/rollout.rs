@@ -32,13 +32,18 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
+    for path in [Some(&arguments.out), arguments.latents.as_ref()].into_iter().flatten() {
+        files::check_writable(path)?;
+    }
     let y = match &model {
         AnyModel::Variational(model) => variational(arguments, model)?,
         AnyModel::Baseline(_) => {
-            if !arguments.alpha.is_empty() || arguments.latents.is_some() {
+            let options =
+                [("--alpha", !arguments.alpha.is_empty()), ("--latents", arguments.latents.is_some())];
+            if let Some((option, _)) = options.into_iter().find(|(_, given)| *given) {
                 let kind = model.kind().id();
                 return Err(
-                    format!("--alpha and --latents: expected a vcgpdm or vgpdm model, found {kind}").into()
+                    format!("{option}: expected a vcgpdm or vgpdm model, found a {kind} model").into()
                 );
             }
             model.rollout(arguments.from, arguments.frames)?

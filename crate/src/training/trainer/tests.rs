@@ -85,6 +85,13 @@ fn bad_settings_are_refused_in_words() {
         |settings, lengths: Vec<usize>| Trainer::new(loops(60), lengths, settings).err().unwrap().to_string();
     let zero = TrainingSettings { latent: 0, ..settings() };
     assert_eq!(wrong(zero, vec![60]), "the latent dimension must be from 1 to 100, found 0");
+    let trainer = Trainer::new(loops(60), vec![60], settings()).unwrap();
+    let none = TrainingSettings { pose_ips: 0, ..settings() };
+    let elsewhere = Trainer::from_start(trainer.objective(), trainer.best(), schedule(10), none);
+    assert_eq!(
+        elsewhere.err().unwrap().to_string(),
+        "the number of pose inducing points must be from 1 to 1000, found 0"
+    );
     assert_eq!(
         wrong(settings(), vec![58, 2]),
         "sequence 1 has 2 frames; dynamics of order 2 need at least 3"
