@@ -4,14 +4,14 @@ import { defineConfig } from "vite";
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) => fileURLToPath(new URL(`../crate/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
-/** What a first visit does not load: the whole program and the views that need it. scripts/site.mjs counts it by its folder. */
+/** The whole program and the views that need it are loaded when they are opened; scripts/site.mjs counts them by their folder. */
+const isLater = (file: string) => /\/views\/(comparison|synthetic)\/|\/pkg\/web\/|\/comparer\.ts$/.test(file.replaceAll("\\", "/"));
+const folder = (later: boolean) => (later ? "assets/on-demand" : "assets");
 const output = {
-  entryFileNames: ({ name }: { name: string }) => (name === "comparer" ? "assets/on-demand/[name]-[hash].js" : "assets/[name]-[hash].js"),
-  chunkFileNames: ({ isDynamicEntry }: { isDynamicEntry: boolean }) => `assets/${isDynamicEntry ? "on-demand/" : ""}[name]-[hash].js`,
-  assetFileNames({ names, originalFileNames }: { names: string[]; originalFileNames: string[] }) {
-    const later = originalFileNames.some((file) => file.includes("pkg/web/")) || names.some((name) => name.endsWith(".css") && name !== "index.css");
-    return `assets/${later ? "on-demand/" : ""}[name]-[hash][extname]`;
-  },
+  entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) => `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
+  chunkFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) => `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
+  assetFileNames: ({ names, originalFileNames }: { names: string[]; originalFileNames: string[] }) =>
+    `${folder(names.includes("page.css") || originalFileNames.some((file) => isLater(`/${file}`)))}/[name]-[hash][extname]`,
 };
 
 export default defineConfig({

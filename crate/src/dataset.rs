@@ -82,6 +82,16 @@ pub enum DatasetError {
     Training(TrainingError),
 }
 
+impl DatasetError {
+    /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
+    pub(crate) fn about(reason: TrainingError, sequences: &[SequenceInfo]) -> Self {
+        match reason.sequence().and_then(|sequence| sequences.get(sequence)) {
+            Some(info) => DatasetError::Sequence { clip: info.name.clone(), reason: Box::new(reason) },
+            None => DatasetError::Training(reason),
+        }
+    }
+}
+
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
 #[derive(Clone, Debug)]
 pub struct Dataset {
@@ -169,10 +179,7 @@ impl Dataset {
 
     /// Why this data set cannot be trained on, with the clip's name where the reason is in one sequence.
     pub fn refusal(&self, reason: TrainingError) -> DatasetError {
-        match reason.sequence().and_then(|sequence| self.sequences.get(sequence)) {
-            Some(info) => DatasetError::Sequence { clip: info.name.clone(), reason: Box::new(reason) },
-            None => DatasetError::Training(reason),
-        }
+        DatasetError::about(reason, &self.sequences)
     }
 
     /// T_s.

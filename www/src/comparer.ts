@@ -5,7 +5,9 @@ import { evaluator } from "./evaluator";
 import type { Comparer } from "./protocol";
 
 const comparer: Comparer = {
-  start: (wasm) => init({ module_or_path: wasm }),
+  async start(wasm) {
+    await init({ module_or_path: wasm });
+  },
   ...evaluator,
 };
 

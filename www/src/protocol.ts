@@ -38,6 +38,9 @@ export type {
   TrainingSettings,
 } from "vcgpdm";
 
+/** The kinds of models. */
+export type ModelId = Candidate["model"];
+
 /** What changed couplings do to the experts. */
 export type Reading = "as learned" | "re-inferred";
 

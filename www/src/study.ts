@@ -1,8 +1,6 @@
 // A comparison of models: which trainings it asks for, how far they are, and what came of them. No rendering, no worker.
-import type { Candidate, Evaluated, Finished, Job, PartSpec, Results, TrainingClip } from "./protocol";
+import type { Candidate, Evaluated, Finished, Job, ModelId, PartSpec, Results, TrainingClip } from "./protocol";
 import type { Settings } from "./state";
-
-export type ModelId = Candidate["model"];
 
 /** One model in one fold with one seed. */
 export interface StudyJob {

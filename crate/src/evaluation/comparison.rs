@@ -28,6 +28,7 @@ pub struct Spread {
 #[serde(rename_all = "camelCase")]
 pub struct ModelSummary {
     /// The kind's id.
+    #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
     pub model: String,
     /// Its settings, in a few words.
     pub label: String,
@@ -64,6 +65,7 @@ pub struct BoundAndError {
 #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
 pub struct Correlation {
     /// The kind's id.
+    #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
     pub model: String,
     /// How many settings.
     pub settings: usize,
@@ -88,6 +90,7 @@ pub struct FramesAndTime {
 #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Growth {
     /// The kind's id.
+    #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
     pub model: String,
     /// Its settings, in a few words.
     pub label: String,

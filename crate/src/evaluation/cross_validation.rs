@@ -6,12 +6,11 @@ use super::dtw::{Score, ScoreError, dtw_mse};
 use crate::body::Body;
 use crate::clip::{Clip, ClipError};
 use crate::dataset::{Dataset, DatasetError, Source};
-use crate::learner::{LearningProgress, MovementModel, Movements, Sequence};
+use crate::learner::{Learner, LearningProgress, MovementModel, Movements, Sequence};
 use crate::linalg::NumericsError;
 use crate::parts::PartSpec;
 use crate::pose::PoseError;
 use crate::rollout::RolloutError;
-use crate::training::TrainingError;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -41,9 +40,6 @@ pub enum EvaluationError {
     /// The trial held out cannot be turned into rows.
     #[error(transparent)]
     Pose(#[from] PoseError),
-    /// The model could not be trained.
-    #[error(transparent)]
-    Training(#[from] TrainingError),
     /// The trained model could not be fitted.
     #[error(transparent)]
     Numerics(#[from] NumericsError),
@@ -143,6 +139,12 @@ impl Fold {
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
     }
 
+    /// A training of a model in this fold, ready to begin.
+    pub fn learner(&self, candidate: &Candidate, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+        let learner = candidate.learner(&self.movements, seed);
+        Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
+    }
+
     /// Trains a model and scores its prediction. `watch` is told of every step and may end the training by saying false: then
     /// there is no outcome. `seconds` is a clock.
     pub fn evaluate(
@@ -153,7 +155,7 @@ impl Fold {
         watch: &mut dyn FnMut(&LearningProgress) -> bool,
     ) -> Result<Option<Outcome>, EvaluationError> {
         let begin = seconds();
-        let mut learner = candidate.learner(&self.movements, seed)?;
+        let mut learner = self.learner(candidate, seed)?;
         while {
             let progress = learner.step();
             if !watch(&progress) {

@@ -113,7 +113,7 @@ impl Evaluation {
     #[wasm_bindgen(constructor)]
     pub fn new(fold: &Fold, candidate: Ts<Candidate>, seed: u32) -> Result<Evaluation, JsError> {
         let candidate = candidate.to_rust().map_err(|e| error(format!("candidate: {e}")))?;
-        let learner = candidate.learner(fold.fold.movements(), seed).map_err(error)?;
+        let learner = fold.fold.learner(&candidate, seed).map_err(error)?;
         Ok(Evaluation { fold: fold.fold.clone(), learner })
     }
 

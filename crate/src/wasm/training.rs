@@ -118,7 +118,8 @@ impl Trainer {
             seed: settings.seed,
             max_iterations: settings.max_iterations,
         };
-        let training = Training::new(dataset.y.clone(), dataset.lengths(), settings).map_err(error)?;
+        let training = Training::new(dataset.y.clone(), dataset.lengths(), settings)
+            .map_err(|reason| error(dataset.refusal(reason)))?;
         Ok(Trainer { dataset, training, frames_per_second })
     }
 

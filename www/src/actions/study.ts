@@ -172,7 +172,7 @@ export class Studying {
   }
 
   save(): void {
-    if (this.study) download("comparison.results.json", "application/json", `${JSON.stringify(this.study.results)}\n`);
+    if (this.study) download("comparison.results.json", new Blob([`${JSON.stringify(this.study.results)}\n`], { type: "application/json" }));
   }
 }
 

@@ -39,10 +39,12 @@ export class HeaderView extends View {
     return html`
       <div class="title">
         <h1>Coupled movement primitives</h1>
-        <p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(event: Event) => {
+        ${app.settings.view === "compare"
+          ? html`<p class="lead">Which model foresees a walk best, and what does it cost?</p>`
+          : html`<p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(event: Event) => {
           event.preventDefault();
           this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));
-        }}>Drag a slider</a> and watch its parts fall out of step.</p>
+        }}>Drag a slider</a> and watch its parts fall out of step.</p>`}
       </div>
       ${this.views()}
       <div class="actions" role="group" aria-label="Files">

@@ -3,7 +3,7 @@ import { nothing, svg } from "lit";
 import { markPath, modelStyle } from "./model-style";
 import type { Scale, Tick } from "./scale";
 import { textWidth } from "./text-width";
-import type { ModelId } from "./types";
+import type { ModelId } from "../../protocol";
 
 /** The room inside the axes, and the size of the type. */
 export interface Plot {

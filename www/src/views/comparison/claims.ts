@@ -1,7 +1,7 @@
 // What the papers say beside what this comparison finds.
 import { html } from "lit";
 import { ComparisonFigure } from "./comparison-figure";
-import type { Comparison } from "./types";
+import type { Comparison } from "../../protocol";
 
 const yes = (holds: boolean) => (holds ? "yes" : "no");
 

@@ -3,7 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { download } from "../../download";
 import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
-import type { Comparison } from "./types";
+import type { Comparison } from "../../protocol";
 
 /** Told (bubbling, as the event `save-failed`) when a file could not be made. */
 export interface SaveFailure {

@@ -2,7 +2,7 @@
 // `save-failed`, with a SaveFailure.
 import { html, LitElement } from "lit";
 import "../../styles/figures.css";
-import type { Comparison } from "./types";
+import type { Comparison } from "../../protocol";
 import "./claims";
 import "./correlations";
 import "./growth";

@@ -7,7 +7,7 @@ import { beside, withoutCommonEnd } from "./labels";
 import { modelStyle } from "./model-style";
 import { linearScale, logScale } from "./scale";
 import { textWidth } from "./text-width";
-import type { Comparison, Correlation } from "./types";
+import type { Comparison, Correlation } from "../../protocol";
 
 const GAP = 28;
 const LEAST = 250;

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
 import { bestOf, MEASURES, scaleOf } from "./measures";
-import type { Correlation, ModelSummary } from "./types";
+import type { Correlation, ModelSummary } from "../../protocol";
 
 const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", rank, settings, points: [] });
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
@@ -22,7 +22,7 @@ it("says nothing of a rank correlation that is none", () => {
 });
 
 it("says how time grows", () => {
-  expect(growthFinding([{ model: "vgpdm", points: [], exponent: 1.014 }, { model: "tmp", points: [], exponent: null }])).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
+  expect(growthFinding([{ model: "vgpdm", label: "", points: [], exponent: 1.014 }, { model: "tmp", label: "", points: [], exponent: null }])).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });
 
 it("says over how many trials means are taken", () => {

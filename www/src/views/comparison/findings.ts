@@ -1,7 +1,7 @@
 // What the figures find, in words.
 import { modelStyle } from "./model-style";
 import { twoDecimals } from "./numbers";
-import type { Correlation, Growth, ModelSummary } from "./types";
+import type { Correlation, Growth, ModelSummary } from "../../protocol";
 
 /** "rank correlation −0.90 over 5 settings" */
 export function rankWords({ rank, settings }: Correlation): string {

@@ -7,7 +7,7 @@ import { type Point, spread } from "./labels";
 import { modelStyle } from "./model-style";
 import { logScale } from "./scale";
 import { textWidth } from "./text-width";
-import type { Comparison, Growth } from "./types";
+import type { Comparison, Growth } from "../../protocol";
 
 const MOST = 860;
 /** Below it names and exponents stand in two lines. */

@@ -1,6 +1,6 @@
 // What the table of models compares.
 import { linearScale, logScale, type Scale } from "./scale";
-import type { ModelSummary, Spread } from "./types";
+import type { ModelSummary, Spread } from "../../protocol";
 
 /** So that marks at the ends of a scale are whole, pixels. */
 const EDGE = 6;

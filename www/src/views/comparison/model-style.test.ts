@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { LOOKS, markPath, modelStyle } from "./model-style";
-import type { ModelId } from "./types";
+import type { ModelId } from "../../protocol";
 
 type Triple = [number, number, number];
 

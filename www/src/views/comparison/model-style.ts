@@ -1,6 +1,6 @@
 // One name, one colour and one mark a model, in every figure. The colours are near those of Okabe and Ito; lightness and hue are
 // chosen so that any two differ also for colour-blind people, and that each stands out on the page, light and dark.
-import type { ModelId } from "./types";
+import type { ModelId } from "../../protocol";
 
 export type Mark = "circle" | "square" | "triangle" | "wedge" | "diamond" | "cross" | "plus";
 

@@ -8,7 +8,7 @@ import { modelStyle } from "./model-style";
 import { spreadWords } from "./numbers";
 import type { Scale } from "./scale";
 import { textWidth } from "./text-width";
-import type { Comparison, ModelSummary, Spread } from "./types";
+import type { Comparison, ModelSummary, Spread } from "../../protocol";
 
 /** The drawing in a cell, pixels; as wide as the page lets it. */
 const NARROWEST = 112;

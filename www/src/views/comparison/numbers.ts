@@ -1,5 +1,5 @@
 // Numbers as the figures write them.
-import type { Spread } from "./types";
+import type { Spread } from "../../protocol";
 
 const MINUS = "\u2212";
 const MOST_DECIMALS = 8;

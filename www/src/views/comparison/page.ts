@@ -9,7 +9,9 @@ import { BY_HAND, MODELS, type NumberSetting, SETTINGS, type SettingName } from 
 import "../../styles/comparison.css";
 import { find, secondsLeft, share } from "../../study";
 import { icon } from "../icons";
+import { noticeCard } from "../notices";
 import { View } from "../view";
+import type { SaveFailure } from "./comparison-figures";
 import "./comparison-figures";
 import { modelStyle } from "./model-style";
 import "./side-by-side";
@@ -28,7 +30,7 @@ const ABOUT: Record<(typeof MODELS)[number], string> = {
 type Count = "heldOut" | "seeds" | "comparedIterations" | "seed" | "framesPerSecond" | "latent" | "order";
 
 export class ComparisonPage extends View {
-  static override topics = ["study", "settings", "clips", "engine"] as const;
+  static override topics = ["study", "settings", "clips", "engine", "notices"] as const;
   private problem = "";
 
   private count(name: Count, label: string, hint: string) {
@@ -209,17 +211,17 @@ export class ComparisonPage extends View {
   }
 
   protected override render() {
-    const { comparison } = studying(this.app);
+    const { app } = this;
+    const { comparison } = studying(app);
     return html`
       <section class="panel setup" aria-label="What to compare"><header class="panel-head"><h2>Compare models</h2></header>${this.setup()}</section>
       <section class="found" aria-label="What came of it">
-        <div class="panel stage-panel" aria-label="Side by side"><pg-side-by-side .app=${this.app}></pg-side-by-side></div>
+        <div class="panel stage-panel" aria-label="Side by side"><pg-side-by-side .app=${app}></pg-side-by-side></div>
+        ${app.notices.filter(({ at }) => at === null).map((notice) => noticeCard(app, notice))}
         ${this.failures()}
         <div class="panel"><comparison-figures .comparison=${comparison}
-          @figure-failed=${(event: CustomEvent<string>) => {
-            this.problem = event.detail;
-            this.requestUpdate();
-          }}></comparison-figures></div>
+          @save-failed=${({ detail }: CustomEvent<SaveFailure>) =>
+            app.notify({ kind: "error", title: `${detail.name} was not saved`, text: detail.message, at: null })}></comparison-figures></div>
       </section>`;
   }
 }

@@ -1,7 +1,6 @@
 // Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
 import { html, nothing } from "lit";
 import { studying } from "../../actions/study";
-import { short } from "../../format";
 import { Player } from "../../player";
 import type { Evaluated, Finished, Motion } from "../../protocol";
 import { jobKey, labelOf } from "../../study";
@@ -9,6 +8,7 @@ import { icon } from "../icons";
 import { View } from "../view";
 import { type Body, type ColumnMotion, Columns } from "./columns";
 import { modelStyle } from "./model-style";
+import { plain } from "./numbers";
 
 /** More would be too narrow to see. */
 const MOST = 4;
@@ -120,10 +120,9 @@ export class SideBySide extends View {
 
   private nameOf({ finished: { job } }: Shown): string {
     const { study } = studying(this.app);
-    const seeds = new Set(study?.results.finished.map((one) => one.job.seed));
-    const label = labelOf(job.candidate);
-    const seed = seeds.size > 1 && job.seed !== 0 ? `seed ${job.seed}` : "";
-    return [label, seed].filter(Boolean).join(", ");
+    const alike = study?.results.finished.filter((one) => one.job.candidate.model === job.candidate.model) ?? [];
+    const seed = new Set(alike.map((one) => one.job.seed)).size > 1 ? `seed ${job.seed}` : "";
+    return [labelOf(job.candidate), seed].filter(Boolean).join(", ");
   }
 
   override updated(): void {
@@ -228,7 +227,7 @@ export class SideBySide extends View {
             <li>
               <strong>${modelStyle(one.finished.job.candidate.model).name}</strong>
               <span>${this.nameOf(one)}</span>
-              <span>MSE ${short(one.evaluated.outcome.score.dtw_mse)}</span>
+              <span>MSE ${plain(one.evaluated.outcome.score.dtw_mse)}</span>
             </li>`)}
         </ol>
       </div>
