@@ -100,7 +100,7 @@ export function labelOf(candidate: Candidate): string {
 
 /** How much work a job is beside others, roughly: only used to say how long the rest takes before any of its kind has run. */
 function weight({ candidate, training_trials }: Job): number {
-  const kind = { vcgpdm: 1, vgpdm: 1, "map-gpdm": 20, "map-cgpdm": 40, tmp: 0.5, "dmp-discrete": 0.05, "dmp-rhythmic": 0.05 }[candidate.model];
+  const kind = { vcgpdm: 2, vgpdm: 1, "map-gpdm": 15, "map-cgpdm": 30, tmp: 5, "dmp-discrete": 0.05, "dmp-rhythmic": 0.05 }[candidate.model];
   return candidate.model.startsWith("map") ? kind * training_trials ** 2 : kind * training_trials;
 }
 

@@ -31,7 +31,15 @@ type Count = "heldOut" | "seeds" | "comparedIterations" | "seed" | "framesPerSec
 
 export class ComparisonPage extends View {
   static override topics = ["study", "settings", "clips", "engine", "notices"] as const;
+  static override properties = { unfolded: { state: true } };
+  /** Whether the choices are open. */
+  declare unfolded: boolean;
   private problem = "";
+
+  constructor() {
+    super();
+    this.unfolded = true;
+  }
 
   private count(name: Count, label: string, hint: string) {
     const { min, max, step } = SETTINGS[name] as NumberSetting;
@@ -160,12 +168,14 @@ export class ComparisonPage extends View {
     const why = studies.whyNot();
     const total = studies.study?.jobs ?? [];
     return html`
-      <div class="train-row">
+      <div class="begin">
         ${studies.busy
           ? html`<button class="primary big" data-testid="compare-cancel" ?disabled=${studies.status === "cancelling"}
               title="Stops; finished trainings are kept" @click=${() => studies.cancel()}>Cancel</button>`
           : html`<button class="primary big" data-testid="compare" ?disabled=${why !== ""} @click=${() => {
               this.problem = "";
+              // What is found stands below the choices there.
+              if (matchMedia("(max-width: 759.98px)").matches) this.unfolded = false;
               void studies.begin();
             }}>Compare</button>`}
         <p class="hint words" data-testid="compare-progress">${this.words()}</p>
@@ -174,6 +184,8 @@ export class ComparisonPage extends View {
         aria-hidden=${studies.busy ? "false" : "true"}></progress>
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
       <p class="hint">Each trial is held out in turn. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
+      <details class="choices" ?open=${this.unfolded} @toggle=${(event: Event) => (this.unfolded = (event.target as HTMLDetailsElement).open)}>
+      <summary>What to compare</summary>
       ${this.models()}
       ${this.trials()}
       <div class="fields">
@@ -195,6 +207,7 @@ export class ComparisonPage extends View {
         </div>
         ${this.flag("balanced", "Balanced MAP models", "Their dynamics weigh as much as their many columns (Urtasun, Fleet and Fua 2006)")}
       </details>
+      </details>
       <div class="files">
         <label class="small file-button">${icon("open")} Open results
           <input type="file" class="visually-hidden" data-testid="open-results" accept=".json,application/json" ?disabled=${studies.busy}
@@ -214,12 +227,12 @@ export class ComparisonPage extends View {
     const { app } = this;
     const { comparison } = studying(app);
     return html`
-      <section class="panel setup" aria-label="What to compare"><header class="panel-head"><h2>Compare models</h2></header>${this.setup()}</section>
+      <section class="card setup" aria-label="What to compare"><h2>Compare models</h2>${this.setup()}</section>
       <section class="found" aria-label="What came of it">
-        <div class="panel stage-panel" aria-label="Side by side"><pg-side-by-side .app=${app}></pg-side-by-side></div>
+        <div class="card stage-card"><pg-side-by-side .app=${app}></pg-side-by-side></div>
         ${app.notices.filter(({ at }) => at === null).map((notice) => noticeCard(app, notice))}
         ${this.failures()}
-        <div class="panel"><comparison-figures .comparison=${comparison}
+        <div class="card"><comparison-figures .comparison=${comparison}
           @save-failed=${({ detail }: CustomEvent<SaveFailure>) =>
             app.notify({ kind: "error", title: `${detail.name} was not saved`, text: detail.message, at: null })}></comparison-figures></div>
       </section>`;
