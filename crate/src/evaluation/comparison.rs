@@ -50,7 +50,7 @@ pub struct ModelSummary {
 
 /// One setting in figure 6B of Velychko et al. (2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BoundAndError {
     /// The setting, in a few words.
     pub label: String,
@@ -62,7 +62,7 @@ pub struct BoundAndError {
 
 /// Bound and error of one kind of model over its settings: figure 6B of Velychko et al. (2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Correlation {
     /// The kind's id.
     #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
@@ -77,7 +77,7 @@ pub struct Correlation {
 
 /// Frames trained on, and how long that took.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct FramesAndTime {
     /// Frames trained on.
     pub frames: f64,
@@ -102,7 +102,7 @@ pub struct Growth {
 
 /// What the papers say, and what these results say to it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Claim {
     /// The claim and its year.
     pub claim: String,
@@ -114,7 +114,7 @@ pub struct Claim {
 
 /// What the results of an evaluation say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Comparison {
     /// Every model with every setting.
     pub models: Vec<ModelSummary>,

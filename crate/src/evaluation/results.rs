@@ -123,7 +123,7 @@ pub enum ResultsError {
 
 /// All of an evaluation so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify))]
+#[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(deny_unknown_fields)]
 pub struct Results {
     format: String,

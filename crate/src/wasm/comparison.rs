@@ -1,7 +1,7 @@
 //! Comparing models: a trial held out, an evaluation step by step, and what the results say.
 
 use super::training::TrainingSet;
-use super::{PartSpec, error};
+use super::{PartSpec, error, read};
 use crate::evaluation::{Candidate, Comparison, Fold as HeldOut, Outcome, Results, Setting};
 use crate::learner::{Learner, LearningProgress, MovementModel};
 use crate::parts::PartSpec as Part;
@@ -27,14 +27,10 @@ impl ComparisonSettings {
     }
 }
 
-fn settings(settings: &Ts<ComparisonSettings>) -> Result<ComparisonSettings, JsError> {
-    settings.to_rust().map_err(|e| error(format!("settings: {e}")))
-}
-
 /// Results of which none is finished yet; each clip of the set is a trial.
 #[wasm_bindgen(js_name = emptyResults)]
 pub fn empty_results(clips: &TrainingSet, common: Ts<ComparisonSettings>) -> Result<Ts<Results>, JsError> {
-    let common = settings(&common)?;
+    let common = read("settings", &common)?;
     let setting = Setting::new(&clips.clips, &common.parts(), common.frames_per_second);
     Results::new(setting).into_ts().map_err(error)
 }
@@ -42,8 +38,7 @@ pub fn empty_results(clips: &TrainingSet, common: Ts<ComparisonSettings>) -> Res
 /// What results say: tables, correlations, exponents, claims. Throws the reason when they are no results of an evaluation.
 #[wasm_bindgen]
 pub fn compare(results: Ts<Results>) -> Result<Ts<Comparison>, JsError> {
-    let results =
-        results.to_rust().map_err(|e| error(format!("expected the results of an evaluation: {e}")))?;
+    let results = read("expected the results of an evaluation", &results)?;
     results.check().map_err(error)?;
     Comparison::of(&results).into_ts().map_err(error)
 }
@@ -64,7 +59,7 @@ impl Fold {
         #[wasm_bindgen(js_name = heldOut)] held_out: usize,
         #[wasm_bindgen(js_name = trainingTrials)] training_trials: usize,
     ) -> Result<Fold, JsError> {
-        let common = settings(&common)?;
+        let common = read("settings", &common)?;
         let place = held_out.checked_sub(1).ok_or_else(|| error("expected a trial from 1, found 0"))?;
         let rate = common.frames_per_second;
         let fold =
@@ -112,7 +107,7 @@ impl Evaluation {
     /// Prepares the training.
     #[wasm_bindgen(constructor)]
     pub fn new(fold: &Fold, candidate: Ts<Candidate>, seed: u32) -> Result<Evaluation, JsError> {
-        let candidate = candidate.to_rust().map_err(|e| error(format!("candidate: {e}")))?;
+        let candidate = read("candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed).map_err(error)?;
         Ok(Evaluation { fold: fold.fold.clone(), learner })
     }

@@ -14,7 +14,7 @@ use crate::model::BoundTerms;
 use crate::parts::PartSpec as Part;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
-use tsify::Tsify;
+use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 /// Which joints move together: a part is a named group of joints, by their place in the skeleton.
@@ -60,6 +60,18 @@ pub struct Terms {
 
 fn error(e: impl std::fmt::Display) -> JsError {
     JsError::new(&e.to_string())
+}
+
+/// A value from JavaScript. The error names it and says what was wrong with it, without the program's own names of types.
+fn read<T>(what: &str, value: &Ts<T>) -> Result<T, JsError>
+where
+    T: Tsify<JsType: Clone> + serde::de::DeserializeOwned,
+{
+    value.to_rust().map_err(|problem| {
+        let text = problem.to_string();
+        let words = text.split_once("`: ").map_or(text.as_str(), |(_, words)| words);
+        error(format!("{what}: {}", words.trim_start_matches("Error: ")))
+    })
 }
 
 fn joints(skeleton: &Skeleton) -> Vec<JointInfo> {

@@ -178,7 +178,7 @@ impl Model {
 
     /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
     pub fn rollout(&self, options: Ts<RolloutOptions>) -> Result<Rollout, JsError> {
-        let options = options.to_rust().map_err(|e| error(format!("rollout: {e}")))?;
+        let options = super::read("rollout", &options)?;
         let reading = match options.reading.as_deref() {
             None | Some("as learned") => Reading::AsLearned,
             Some("re-inferred") => Reading::ReInferred,

@@ -2,7 +2,7 @@
 
 use super::clip::Clip;
 use super::model::Model;
-use super::{PartSpec, Terms, error, flat, terms};
+use super::{PartSpec, Terms, error, flat, read, terms};
 use crate::Clip as MotionClip;
 use crate::dataset::{Dataset, Source};
 use crate::motion_model::MotionModel;
@@ -103,7 +103,7 @@ impl Trainer {
     /// Prepares the clips and finds the starting point.
     #[wasm_bindgen(constructor)]
     pub fn new(clips: &TrainingSet, settings: Ts<TrainingSettings>) -> Result<Trainer, JsError> {
-        let settings = settings.to_rust().map_err(|e| error(format!("settings: {e}")))?;
+        let settings = read("settings", &settings)?;
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
         let parts: Vec<Part> =
