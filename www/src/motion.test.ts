@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { chain, findLoop, HERE, placeOnto, poseAt, Walk } from "./motion";
+import { chain, distances, findLoop, HERE, placeOnto, poseAt, Walk } from "./motion";
 import type { Motion } from "./protocol";
 
 /** Three nodes that swing with a period of 30 frames while the whole turns and travels. */
@@ -75,5 +75,24 @@ describe("looping", () => {
     const now = first.at(40).slice();
     second.standAt(40, now);
     expect(apart(second.at(40), now)).toBeLessThan(1e-4);
+  });
+});
+
+describe("the distance of two motions", () => {
+  it("is that of their poses, wherever they stand and face", () => {
+    const motion = swinging(20);
+    const elsewhere = { ...motion, positions: new Float32Array(motion.positions.length) };
+    for (let t = 0; t < 20; t++) elsewhere.positions.set(pose(motion, t, { yaw: 0.1 * t, x: t, z: -2 }), 9 * t);
+    expect(Math.max(...distances(motion, elsewhere))).toBeLessThan(1e-5);
+  });
+
+  it("is the mean over the nodes, over the frames that both have", () => {
+    const motion = swinging(20);
+    const raised = { ...motion, frames: 10, positions: motion.positions.slice(0, 90) };
+    // One of three nodes 0.3 m higher, in all frames.
+    for (let t = 0; t < 10; t++) raised.positions[9 * t + 4]! += 0.3;
+    const found = distances(motion, raised);
+    expect(found).toHaveLength(10);
+    for (const metres of found) expect(metres).toBeCloseTo(0.1, 5);
   });
 });

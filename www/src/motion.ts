@@ -61,6 +61,21 @@ export function placeOnto(pose: Float32Array, target: Float32Array): Placement {
   };
 }
 
+/** How far the nodes of a motion are from those of another one, on average over the nodes, the roots laid in one place and facing one way [frames]; metres. */
+export function distances(motion: Motion, from: Motion): Float64Array {
+  const frames = Math.min(motion.frames, from.frames);
+  const pose = new Float32Array(motion.nodes * 3);
+  const other = pose.slice();
+  return Float64Array.from({ length: frames }, (_, frame) => {
+    poseAt(motion, frame, HERE, pose);
+    poseAt(from, frame, HERE, other);
+    poseAt(from, frame, placeOnto(other, pose), other);
+    let sum = 0;
+    for (let i = 0; i < pose.length; i += 3) sum += Math.hypot(pose[i]! - other[i]!, pose[i + 1]! - other[i + 1]!, pose[i + 2]! - other[i + 2]!);
+    return sum / motion.nodes;
+  });
+}
+
 /** First `first`, then `then`. */
 export function chain(first: Placement, then: Placement): Placement {
   const c = Math.cos(then.yaw);

@@ -5,7 +5,7 @@ import type { Comparison } from "../../protocol";
 
 const yes = (holds: boolean) => (holds ? "yes" : "no");
 
-export class ClaimsTable extends ComparisonFigure {
+export class ClaimsTable extends ComparisonFigure<Comparison> {
   protected readonly heading = "What the papers say";
   protected readonly file = "claims-of-the-papers";
 

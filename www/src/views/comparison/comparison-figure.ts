@@ -3,7 +3,6 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { download } from "../../download";
 import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
-import type { Comparison } from "../../protocol";
 
 /** Told (bubbling, as the event `save-failed`) when a file could not be made. */
 export interface SaveFailure {
@@ -17,9 +16,10 @@ const TYPE = 14;
 /** What a sheet of A4 has room for, pixels. */
 const PAPER = 680;
 
-export abstract class ComparisonFigure extends LitElement {
-  static override properties = { comparison: { attribute: false }, width: { state: true }, type: { state: true } };
-  declare comparison: Comparison | null;
+export abstract class ComparisonFigure<Data> extends LitElement {
+  static override properties = { data: { attribute: false }, width: { state: true }, type: { state: true } };
+  /** What it shows. */
+  declare data: Data | null;
   /** Of the figure, pixels. */
   declare width: number;
   /** The size of a drawing's type, pixels. */
@@ -28,7 +28,7 @@ export abstract class ComparisonFigure extends LitElement {
 
   constructor() {
     super();
-    this.comparison = null;
+    this.data = null;
     this.width = 0;
     this.type = 12;
   }
@@ -36,10 +36,10 @@ export abstract class ComparisonFigure extends LitElement {
   protected abstract readonly heading: string;
   /** Of its files, without an ending. */
   protected abstract readonly file: string;
-  protected abstract figure(comparison: Comparison): TemplateResult;
-  protected abstract table(comparison: Comparison): Table;
+  protected abstract figure(data: Data): TemplateResult;
+  protected abstract table(data: Data): Table;
   /** What is missing, in words, where there is nothing to draw; null where there is. */
-  protected abstract missing(comparison: Comparison): string | null;
+  protected abstract missing(data: Data): string | null;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -77,7 +77,7 @@ export abstract class ComparisonFigure extends LitElement {
     try {
       const content = ending === "png"
         ? await pictureOf(this.querySelector("figure")!)
-        : new Blob([csv(this.table(this.comparison!))], { type: "text/csv;charset=utf-8" });
+        : new Blob([csv(this.table(this.data!))], { type: "text/csv;charset=utf-8" });
       download(name, content);
     } catch (problem) {
       const detail: SaveFailure = { name, message: problem instanceof Error ? problem.message : String(problem) };
@@ -86,9 +86,9 @@ export abstract class ComparisonFigure extends LitElement {
   }
 
   protected override render() {
-    const { comparison } = this;
-    if (!comparison) return nothing;
-    const missing = this.missing(comparison);
+    const { data } = this;
+    if (!data) return nothing;
+    const missing = this.missing(data);
     return html`
       <figure class="comparison-figure">
         <div class="figure-head">
@@ -99,7 +99,7 @@ export abstract class ComparisonFigure extends LitElement {
               <button class="small" title="Save a picture of this figure" @click=${() => this.save("png")}>PNG<span class="visually-hidden">: ${this.heading}</span></button>
             </div>`}
         </div>
-        ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(comparison) : nothing}
+        ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(data) : nothing}
       </figure>`;
   }
 }

@@ -30,10 +30,10 @@ export class ComparisonFigures extends LitElement {
     }
     return html`
       <div class="figures">
-        <comparison-models .comparison=${comparison}></comparison-models>
-        <comparison-correlations .comparison=${comparison}></comparison-correlations>
-        <comparison-growth .comparison=${comparison}></comparison-growth>
-        <comparison-claims .comparison=${comparison}></comparison-claims>
+        <comparison-models .data=${comparison}></comparison-models>
+        <comparison-correlations .data=${comparison}></comparison-correlations>
+        <comparison-growth .data=${comparison}></comparison-growth>
+        <comparison-claims .data=${comparison}></comparison-claims>
       </div>`;
   }
 }

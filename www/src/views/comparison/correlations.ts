@@ -14,7 +14,7 @@ const LEAST = 250;
 
 const drawable = ({ points }: Correlation) => points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
-export class CorrelationsFigure extends ComparisonFigure {
+export class CorrelationsFigure extends ComparisonFigure<Comparison> {
   protected readonly heading = "Error against bound";
   protected readonly file = "error-against-bound";
 

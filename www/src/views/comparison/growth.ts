@@ -17,7 +17,7 @@ const LEAD = 18;
 
 const drawable = ({ points }: Growth) => points.filter(({ frames, seconds }) => frames > 0 && seconds > 0 && Number.isFinite(frames + seconds)).sort((a, b) => a.frames - b.frames);
 
-export class GrowthFigure extends ComparisonFigure {
+export class GrowthFigure extends ComparisonFigure<Comparison> {
   protected readonly heading = "Learning time against frames";
   protected readonly file = "learning-time-against-frames";
 

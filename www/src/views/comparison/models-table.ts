@@ -38,7 +38,7 @@ interface Drawn extends Measure {
   winner: number | null;
 }
 
-export class ModelsTable extends ComparisonFigure {
+export class ModelsTable extends ComparisonFigure<Comparison> {
   protected readonly heading = "Error, bound, time and size of each model";
   protected readonly file = "models-compared";
 

@@ -1,12 +1,15 @@
 // Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
 import { html, nothing } from "lit";
 import { studying } from "../../actions/study";
+import { distances } from "../../motion";
 import { Player } from "../../player";
 import type { Evaluated, Finished, Motion } from "../../protocol";
 import { jobKey, labelOf } from "../../study";
 import { icon } from "../icons";
 import { View } from "../view";
 import { type Body, type ColumnMotion, Columns } from "./columns";
+import "./distance";
+import type { Distances, DistanceFigure } from "./distance";
 import { modelStyle } from "./model-style";
 import { plain } from "./numbers";
 
@@ -35,6 +38,7 @@ export class SideBySide extends View {
   private columns: Columns | null = null;
   private problem = "";
   private onStage = "";
+  private apart: Distances | null = null;
   private lastTick = 0;
   private timer = 0;
 
@@ -78,6 +82,7 @@ export class SideBySide extends View {
     this.player.advance(seconds);
     const changed = this.player.frame !== at || Math.floor(at) !== this.frame;
     if (changed) this.frame = Math.floor(this.player.frame + 1e-6);
+    if (changed) this.querySelector<DistanceFigure>("comparison-distance")?.at(this.frame);
     this.columns?.draw(this.player.frame, changed, seconds, this.player.playing);
   }
 
@@ -150,6 +155,16 @@ export class SideBySide extends View {
       actual: motionOf(evaluated.actual, nodes, evaluated.frameTime),
     }));
     this.columns?.show(body, motions);
+    this.apart = {
+      frameTime: motions[0]?.actual.frameTime ?? 1,
+      trial: studying(this.app).study?.titles[fold - 1] ?? "",
+      lines: shown.map((one, i) => ({
+        model: one.finished.job.candidate.model,
+        label: this.nameOf(one),
+        metres: distances(motions[i]!.predicted, motions[i]!.actual),
+      })),
+    };
+    this.requestUpdate();
     const first = motions[0]?.actual;
     if (first) this.player.load(first.frames, first.frameTime, first.frames - 1);
   }
@@ -232,7 +247,8 @@ export class SideBySide extends View {
         </ol>
       </div>
       ${this.controls()}
-      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Grey: the real trial, laid on top.</p>`;
+      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Grey: the real trial, laid on top.</p>
+      <comparison-distance .data=${this.apart}></comparison-distance>`;
   }
 }
 customElements.define("pg-side-by-side", SideBySide);
