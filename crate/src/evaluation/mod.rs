@@ -1,6 +1,7 @@
 //! How well models predict: scores of a motion against another one, cross-validation over trials, and their statistics.
 
 mod candidate;
+mod claims;
 mod comparison;
 mod cross_validation;
 mod dtw;
@@ -8,9 +9,8 @@ mod results;
 pub mod stats;
 
 pub use candidate::{Candidate, GpdmSettings, PointSettings};
-pub use comparison::{
-    BoundAndError, Claim, Comparison, Correlation, FramesAndTime, Growth, ModelSummary, Spread,
-};
+pub use claims::Claim;
+pub use comparison::{BoundAndError, Comparison, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
 pub use dtw::{Score, ScoreError, dtw_mse};
 pub use results::{Finished, Job, Results, ResultsError, ResultsPart, Setting, Trial};
