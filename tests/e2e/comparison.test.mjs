@@ -1,5 +1,6 @@
 // Models side by side: compared on the page, cancelled, looked at, saved and opened again.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, describe, it } from "node:test";
 import { barriers, changes, openSite, ready, rests, saved } from "./site.mjs";
 
@@ -98,6 +99,42 @@ describe("comparing models", () => {
     await page.locator(".picks .chip[aria-pressed=true]").last().click();
     assert.equal(await page.locator(".column-heads li").count(), 3);
     assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("saves every figure as numbers and as a picture", async () => {
+    const settings = "view=compare&models=vcgpdm,vgpdm,map-cgpdm&ips=4,5,6&growth=1&heldout=1&steps=4&fps=10&latent=2";
+    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 4);
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /11 of 11 trainings done/);
+    await page.getByTestId("compare-play").click(); // nothing else moves meanwhile
+    /** What each figure's CSV begins with. */
+    const figures = {
+      "Distance from the real trial": /^trial,time \(s\),"vCGPDM, 4 \+ 4 inducing points \(cm\)"/,
+      "Error, bound, time and size of each model": /^model,settings,/,
+      "Error against bound": /^model,/,
+      "Learning time against frames": /^model,frames,time of an iteration \(s\)/,
+      "What the papers say": /./,
+    };
+    for (const [figure, head] of Object.entries(figures)) {
+      for (const kind of ["CSV", "PNG"]) {
+        const button = page.getByRole("button", { name: `${kind}: ${figure}` });
+        const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+        const content = await readFile(await download.path());
+        assert.match(download.suggestedFilename(), kind === "CSV" ? /\.csv$/ : /\.png$/);
+        if (kind === "CSV") {
+          const [first, ...rows] = content.toString("utf8").replace(/^\ufeff/, "").trim().split("\r\n");
+          assert.match(first ?? "", head, figure);
+          assert.ok(rows.length > 0 && rows.every((row) => !/NaN|Infinity|undefined/.test(row)), `${figure}: ${rows.join("\n")}`);
+        } else {
+          assert.equal(content.subarray(1, 4).toString("latin1"), "PNG", figure);
+          assert.ok(content.length > 5_000, `${figure}: ${content.length} bytes`);
+        }
+      }
+    }
     assert.deepEqual(problems, []);
     await leave();
   });

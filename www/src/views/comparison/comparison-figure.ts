@@ -95,8 +95,8 @@ export abstract class ComparisonFigure<Data> extends LitElement {
           <h3>${this.heading}</h3>
           ${missing !== null ? nothing : html`
             <div class="figure-files" data-not-in-picture>
-              <button class="small" title="Save the numbers of this figure" @click=${() => this.save("csv")}>CSV<span class="visually-hidden">: ${this.heading}</span></button>
-              <button class="small" title="Save a picture of this figure" @click=${() => this.save("png")}>PNG<span class="visually-hidden">: ${this.heading}</span></button>
+              <button class="small" title="Save the numbers of this figure" aria-label="CSV: ${this.heading}" @click=${() => this.save("csv")}>CSV</button>
+              <button class="small" title="Save a picture of this figure" aria-label="PNG: ${this.heading}" @click=${() => this.save("png")}>PNG</button>
             </div>`}
         </div>
         ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(data) : nothing}

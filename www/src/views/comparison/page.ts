@@ -193,7 +193,7 @@ export class ComparisonPage extends View {
         ${this.list("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare")}
         ${this.list("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare")}
         ${this.count("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one")}
-        ${this.count("heldOut", "Trial held out", "Counted from 1; 0: each in turn")}
+        ${this.count("heldOut", "Only trial (0: each)", "The trial held out, counted from 1; 0: each in turn")}
       </div>
       ${this.flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
       <details class="advanced">
