@@ -46,7 +46,7 @@ const DRAWS: usize = 20;
 const DYNAMICS_LENGTHSCALE: f64 = 1.0;
 const POSE_LENGTHSCALE: f64 = 1.5;
 /// Of the observations, whose signal has variance 1.
-const NOISE_VARIANCE: f64 = 0.01;
+pub const NOISE_VARIANCE: f64 = 0.01;
 /// How many times larger alpha^{21} is than alpha^{11} at least for "much larger".
 pub const MUCH: f64 = 10.0;
 /// alpha^{12} is at most so many times alpha^{22}, and at least this part of it, when the first part drives the second.

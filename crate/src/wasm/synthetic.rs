@@ -2,14 +2,16 @@
 
 use super::training::{TrainingProgress, progress};
 use super::{error, flat};
+use crate::model::ALPHA;
 use crate::rows::rows_of;
-use crate::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, Synthetic};
+use crate::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-/// The data, and the truth about them.
+/// The data, the truth about them, and what counts as finding it.
 #[derive(Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
 pub struct SyntheticTruth {
     pub frames: usize,
     /// The share of the first part in the second.
@@ -20,6 +22,14 @@ pub struct SyntheticTruth {
     pub observed: Vec<Vec<f64>>,
     /// Observed columns of a part.
     pub columns: usize,
+    /// Variance of the observations' noise.
+    pub noise: f64,
+    /// From this ratio of coupling variances on a part counts for nothing.
+    pub much: f64,
+    /// Up to this ratio both parts have their say.
+    pub alike: f64,
+    /// No coupling variance can be larger.
+    pub largest_alpha: f64,
 }
 
 /// How well a model explains the data.
@@ -43,10 +53,6 @@ pub struct SyntheticVerdict {
     pub back_is_right: bool,
     /// Whether `forth` says truly whether the first part drives the second.
     pub forth_is_right: bool,
-    /// From this factor on a part counts for nothing.
-    pub much: f64,
-    /// Up to this factor both parts have their say.
-    pub alike: f64,
 }
 
 /// What training has found so far, at its best bound.
@@ -96,6 +102,10 @@ impl SyntheticExperiment {
             latents: data.latents.iter().map(flat).collect(),
             observed: data.y.iter().map(flat).collect(),
             columns,
+            noise: NOISE_VARIANCE,
+            much: MUCH,
+            alike: ALIKE,
+            largest_alpha: ALPHA.highest(),
         };
         truth.into_ts().map_err(error)
     }
@@ -118,8 +128,6 @@ impl SyntheticExperiment {
                 forth: verdict.forth,
                 back_is_right: verdict.back_is_right(),
                 forth_is_right: verdict.forth_is_right(drive),
-                much: MUCH,
-                alike: ALIKE,
             },
             learned: learned.iter().map(|part| flat(&part.latents)).collect(),
             explained: learned.iter().map(|part| part.explained).collect(),
