@@ -25,18 +25,18 @@ describe("the answer in words", () => {
     expect(headline(findings(1800, 2000, false), false)).toBe("Found: neither part drives the other.");
     const [back, forth] = readings(findings(1847.7, 2), DRIVEN);
     expect(back).toEqual({ right: true, words: "α from 2 to 1 is 1,848 times α from 1 to 1: part 2 counts for nothing in part 1. That is true." });
-    expect(forth).toEqual({ right: true, words: "α from 1 to 2 is 2.00 times α from 2 to 2: part 1 has a share of 33 per cent in part 2. That is true." });
+    expect(forth).toEqual({ right: true, words: "α from 1 to 2 is 2.00 times α from 2 to 2: part 1 has a say in part 2. That is true." });
   });
 
   it("says what was missed, and by how much", () => {
     expect(headline(findings(1800, 4.18), true)).toMatch(/^Missed/);
     expect(readings(findings(1800, 4.18), DRIVEN)[1]).toEqual({
       right: false,
-      words: "α from 1 to 2 is 4.18 times α from 2 to 2: part 1 has a share of 19 per cent in part 2, too small to count; up to 4 times counts as found.",
+      words: "α from 1 to 2 is 4.18 times α from 2 to 2: too small a say of part 1 in part 2; up to 4 times counts as found.",
     });
-    expect(readings(findings(1800, 0.1), DRIVEN)[1]!.words).toMatch(/share of 91 per cent in part 2, more than it should/);
-    expect(readings(findings(1.2, 2), DRIVEN)[0]).toMatchObject({ right: false, words: expect.stringContaining("which it does not; 10 times or more") });
-    expect(readings(findings(1800, 2, false), CONTROL)[1]).toMatchObject({ right: false, words: expect.stringContaining("which it has not; 10 times or more") });
+    expect(readings(findings(1800, 0.1), DRIVEN)[1]!.words).toMatch(/more say in part 2 than part 2 itself, which is not so/);
+    expect(readings(findings(1.2, 2), DRIVEN)[0]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 1, which it has not; 10 times or more") });
+    expect(readings(findings(1800, 2, false), CONTROL)[1]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 2, which it has not; 10 times or more") });
   });
 
   it("writes ratios as finely as they need", () => {

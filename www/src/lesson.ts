@@ -36,24 +36,25 @@ export function times(ratio: number): string {
 
 /** What the couplings say of each direction, and whether it is true. */
 export function readings(
-  { verdict, weights }: SyntheticFindings,
+  { verdict }: SyntheticFindings,
   { drive, much, alike }: Pick<SyntheticTruth, "drive" | "much" | "alike">,
 ): { words: string; right: boolean }[] {
   const { back, forth, backIsRight, forthIsRight } = verdict;
-  const share = Math.round(100 * (weights[0]?.[1] ?? 0));
-  const backWords = `α from 2 to 1 is ${times(back)} times α from 1 to 1: ${backIsRight
-    ? "part 2 counts for nothing in part 1. That is true"
-    : `part 2 seems to drive part 1, which it does not; ${much} times or more would say so`}.`;
+  const none = (is: string, source: number, target: number, right: boolean) => `${is}: part ${source} ${right
+    ? `counts for nothing in part ${target}. That is true.`
+    : `seems to have a say in part ${target}, which it has not; ${much} times or more would say so.`}`;
+  const some = (is: string) => {
+    if (forthIsRight) return `${is}: part 1 has a say in part 2. That is true.`;
+    return forth > alike
+      ? `${is}: too small a say of part 1 in part 2; up to ${alike} times counts as found.`
+      : `${is}: part 1 seems to have more say in part 2 than part 2 itself, which is not so.`;
+  };
+  const backIs = `α from 2 to 1 is ${times(back)} times α from 1 to 1`;
   const forthIs = `α from 1 to 2 is ${times(forth)} times α from 2 to 2`;
-  const untrue = `part 1 has a share of ${share} per cent in part 2, which it has not`;
-  const forthWords = drive > 0
-    ? forthIsRight
-      ? `${forthIs}: part 1 has a share of ${share} per cent in part 2. That is true.`
-      : forth > alike
-        ? `${forthIs}: part 1 has a share of ${share} per cent in part 2, too small to count; up to ${alike} times counts as found.`
-        : `${forthIs}: part 1 has a share of ${share} per cent in part 2, more than it should.`
-    : `${forthIs}: ${forthIsRight ? "part 1 counts for nothing in part 2. That is true" : `${untrue}; ${much} times or more would say so`}.`;
-  return [{ words: backWords, right: backIsRight }, { words: forthWords, right: forthIsRight }];
+  return [
+    { words: none(backIs, 2, 1, backIsRight), right: backIsRight },
+    { words: drive > 0 ? some(forthIs) : none(forthIs, 1, 2, forthIsRight), right: forthIsRight },
+  ];
 }
 
 /** The answer in one sentence. */
