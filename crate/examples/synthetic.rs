@@ -8,12 +8,11 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use clap::Parser;
-use nalgebra::DMatrix;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 use vcgpdm::TrainingSettings;
-use vcgpdm::synthetic::{DRIVE, Synthetic, Verdict, align};
+use vcgpdm::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
 
 #[derive(Parser)]
 struct Arguments {
@@ -40,32 +39,23 @@ struct Arguments {
 
 struct Run {
     seed: u32,
-    alpha: DMatrix<f64>,
-    bounds: [f64; 2],
-    mses: [f64; 2],
-    explained: Vec<f64>,
+    start: Fit,
+    found: Findings,
     iterations: usize,
     seconds: f64,
 }
 
 fn run(seed: u32, drive: f64, settings: TrainingSettings) -> Run {
     let data = Synthetic::draw(seed, drive).unwrap();
+    let mut experiment = Experiment::new(data, settings).unwrap();
     let begin = Instant::now();
-    let mut trainer = data.trainer(settings).unwrap();
-    let (before, first) = (trainer.progress().best, data.mse(&trainer.model().unwrap()).unwrap());
-    while !trainer.step().done {}
+    while !experiment.step().done {}
     let seconds = begin.elapsed().as_secs_f64();
-    let model = trainer.model().unwrap();
-    let parts = trainer.best().parts;
-    let aligned = parts.iter().zip(&data.latents);
-    let progress = trainer.progress();
     Run {
         seed,
-        bounds: [before, progress.best],
-        mses: [first, data.mse(&model).unwrap()],
-        explained: aligned.map(|(part, x)| align(&part.latents.mean, x).unwrap().explained).collect(),
-        iterations: progress.iteration,
-        alpha: model.alpha,
+        start: experiment.start(),
+        found: experiment.findings().unwrap(),
+        iterations: experiment.progress().iteration,
         seconds,
     }
 }
@@ -93,7 +83,7 @@ fn main() {
                         break;
                     }
                     let run = run(seed, arguments.drive, settings(seed));
-                    eprintln!("seed {seed}: {:.0}", run.bounds[1]);
+                    eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
                     runs.lock().unwrap().push(run);
                 }
             });
@@ -111,7 +101,7 @@ fn main() {
     );
     println!("{}|", "|---".repeat(15));
     for run in &runs {
-        let (a, verdict) = (&run.alpha, Verdict::new(&run.alpha));
+        let Findings { alpha: a, verdict, learned, fit, .. } = &run.found;
         println!(
             "| {} | {:.4} | {:.4} | {:.4} | {:.4} | {:.1} | {:.2} | {} | {:.0} | {:.0} | {:.3} | {:.4} | {:.3}, {:.3} | {} | {:.1} |",
             run.seed,
@@ -122,16 +112,16 @@ fn main() {
             verdict.back,
             verdict.forth,
             if verdict.right(arguments.drive) { "yes" } else { "no" },
-            run.bounds[0],
-            run.bounds[1],
-            run.mses[0],
-            run.mses[1],
-            run.explained[0],
-            run.explained[1],
+            run.start.bound,
+            fit.bound,
+            run.start.mse,
+            fit.mse,
+            learned[0].explained,
+            learned[1].explained,
             run.iterations,
             run.seconds,
         );
     }
-    let right = runs.iter().filter(|run| Verdict::new(&run.alpha).right(arguments.drive)).count();
+    let right = runs.iter().filter(|run| run.found.verdict.right(arguments.drive)).count();
     println!("\nRight: {right} of {}.", runs.len());
 }

@@ -29,6 +29,7 @@ export type Topic =
   | "training" // started, ended, or went on
   | "pointed" // another inducing point is pointed at, or its report came
   | "study" // a comparison of models: begun, ended, or went on
+  | "lesson" // the synthetic experiment: another one is looked at, or trainings begun, ended, or went on
   | "notices"
   | "playback" // play, pause, speed, loop
   | "tick"; // the frame now changed

@@ -3,12 +3,14 @@ import * as Comlink from "comlink";
 import init from "vcgpdm";
 import { evaluator } from "./evaluator";
 import type { Comparer } from "./protocol";
+import { synthesist } from "./synthesist";
 
 const comparer: Comparer = {
   async start(wasm) {
     await init({ module_or_path: wasm });
   },
   ...evaluator,
+  ...synthesist,
 };
 
 Comlink.expose(comparer);

@@ -2,7 +2,19 @@
 import * as Comlink from "comlink";
 import { compile, inWords, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
-import type { Comparer, Comparison, ComparisonSettings, Evaluated, EvaluationJob, Results, TrainingClip } from "./protocol";
+import type {
+  Comparer,
+  Comparison,
+  ComparisonSettings,
+  Evaluated,
+  EvaluationJob,
+  ExperimentJob,
+  ExperimentReport,
+  Results,
+  SyntheticTruth,
+  TrainingClip,
+  TrainingOutcome,
+} from "./protocol";
 
 /** What the page asks of a worker of the pool. */
 export interface ComparingWorker {
@@ -10,6 +22,23 @@ export interface ComparingWorker {
   evaluate(job: EvaluationJob, report: (fraction: number) => void, signal: AbortSignal): Promise<Evaluated | null>;
   emptyResults(clips: TrainingClip[], settings: ComparisonSettings): Promise<Results>;
   compare(results: Results): Promise<Comparison>;
+  draw(job: ExperimentJob): Promise<SyntheticTruth>;
+  /** Keeps the best so far when the signal comes. */
+  experiment(job: ExperimentJob, report: (report: ExperimentReport) => void, signal: AbortSignal): Promise<TrainingOutcome>;
+}
+
+/** Work under way that `cancel` brings to an early end when the signal comes. */
+async function cancellable<Result>(signal: AbortSignal, cancel: () => unknown, work: () => Promise<Result>): Promise<Result> {
+  signal.throwIfAborted();
+  const stop = () => void cancel();
+  signal.addEventListener("abort", stop);
+  try {
+    return await work();
+  } catch (problem) {
+    throw inWords(problem);
+  } finally {
+    signal.removeEventListener("abort", stop);
+  }
 }
 
 function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
@@ -17,20 +46,13 @@ function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
   const remote = Comlink.wrap<Comparer>(worker);
   return {
     worker: {
-      async evaluate(job, report, signal) {
-        signal.throwIfAborted();
-        const cancel = () => void remote.cancelEvaluation();
-        signal.addEventListener("abort", cancel);
-        try {
-          return await remote.evaluate(job, Comlink.proxy(report));
-        } catch (problem) {
-          throw inWords(problem);
-        } finally {
-          signal.removeEventListener("abort", cancel);
-        }
-      },
+      evaluate: (job, report, signal) =>
+        cancellable(signal, () => remote.cancelEvaluation(), () => remote.evaluate(job, Comlink.proxy(report))),
       emptyResults: (clips, settings) => remote.emptyResults(clips, settings),
       compare: (results) => remote.compare(results),
+      draw: (job) => remote.draw(job),
+      experiment: (job, report, signal) =>
+        cancellable(signal, () => remote.cancelExperiment(), () => remote.experiment(job, Comlink.proxy(report))),
     },
     ready: remote.start(wasm),
     broken,

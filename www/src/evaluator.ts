@@ -2,7 +2,7 @@
 import * as Comlink from "comlink";
 import { Clip, compare, emptyResults, Evaluation, Fold, TrainingSet } from "vcgpdm";
 import { breathe, ClipReader } from "./clip-reader";
-import type { Comparer, Evaluated, EvaluationJob } from "./protocol";
+import type { Comparer, Evaluated, EvaluationJob, Experimenter } from "./protocol";
 
 /** Milliseconds of training before a report, and before messages (a cancel) get their turn. */
 const SLICE = 100;
@@ -56,7 +56,7 @@ async function evaluate(job: EvaluationJob, report: (fraction: number) => void):
   }
 }
 
-export const evaluator: Omit<Comparer, "start"> = {
+export const evaluator: Omit<Comparer, "start" | keyof Experimenter> = {
   evaluate,
   cancelEvaluation() {
     if (evaluation) evaluation.cancelled = true;

@@ -8,6 +8,8 @@ import type {
   Outcome,
   Results,
   SampleInfo,
+  SyntheticFindings,
+  SyntheticTruth,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
@@ -34,6 +36,9 @@ export type {
   Results,
   SampleInfo,
   Spread,
+  SyntheticFindings,
+  SyntheticFit,
+  SyntheticTruth,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
@@ -197,8 +202,34 @@ export interface Evaluated {
   frameTime: number;
 }
 
-/** The face of a worker of the whole program, which is loaded when models are compared. */
-export interface Comparer {
+/** One synthetic experiment: all about it follows from these. */
+export interface ExperimentJob {
+  /** Of the data and of the training. */
+  seed: number;
+  /** Whether the first part drives the second. */
+  driving: boolean;
+}
+
+/** Sent about ten times a second while an experiment trains, and when it ends. */
+export interface ExperimentReport {
+  progress: TrainingProgress;
+  /** Seconds since the start. */
+  elapsed: number;
+  /** At the best bound so far. */
+  findings: SyntheticFindings;
+}
+
+/** What a worker does for the synthetic lesson. */
+export interface Experimenter {
+  /** The data of an experiment, and the truth about them. */
+  draw(job: ExperimentJob): SyntheticTruth;
+  /** Trains until it is done or cancelled; the best so far comes with the last report. */
+  experiment(job: ExperimentJob, report: (report: ExperimentReport) => void): Promise<TrainingOutcome>;
+  cancelExperiment(): void;
+}
+
+/** The face of a worker of the whole program, which is loaded when models are compared or the synthetic lesson is opened. */
+export interface Comparer extends Experimenter {
   start(wasm: WebAssembly.Module): Promise<unknown>;
   /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
   evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;

@@ -94,19 +94,33 @@ export function share(runs: readonly Run[]): number {
   return shares.reduce((sum, one) => sum + one, 0) / Math.max(1, runs.length);
 }
 
+/** How far one of several trainings of about the same length is. */
+export interface Course {
+  state: Run["state"];
+  /** Seconds of training. */
+  elapsed: number;
+  /** Share of its iterations that is behind it. */
+  fraction: number;
+}
+
 /** Seconds that these runs take at most, so many at once; null while it is too early to say. */
 export function secondsLeft(runs: readonly Run[], workers: number): number | null {
+  return restOf(runs.map(({ state, elapsed, steps }) => ({ state, elapsed, fraction: steps.at(-1)?.fraction ?? 0 })), workers);
+}
+
+/** Seconds that trainings take at most, so many at once; null while it is too early to say. */
+export function restOf(courses: readonly Course[], workers: number): number | null {
   let seconds = 0;
   let done = 0;
-  for (const { elapsed, steps } of runs) {
+  for (const { elapsed, fraction } of courses) {
     seconds += elapsed;
-    done += steps.at(-1)?.fraction ?? 0;
+    done += fraction;
   }
   if (seconds < 1 || done <= 0.01) return null;
   const whole = seconds / done;
-  const busy = runs.filter(({ state }) => state === "running").map(({ steps }) => whole * (1 - (steps.at(-1)?.fraction ?? 0)));
+  const busy = courses.filter(({ state }) => state === "running").map(({ fraction }) => whole * (1 - fraction));
   while (busy.length < workers) busy.push(0);
-  for (const { state } of runs) {
+  for (const { state } of courses) {
     // The next one that waits goes where it can begin first.
     if (state === "waiting") busy[busy.indexOf(Math.min(...busy))]! += whole;
   }

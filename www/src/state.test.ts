@@ -16,7 +16,7 @@ describe("settings in the URL", () => {
       frames: 600, start: 3, reading: "re-inferred" as const, alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const, speed: 0.25 as const, loop: false,
       view: "compare" as const, models: ["vgpdm", "tmp"] as const, ips: [4, 20], bases: [5], balanced: true, heldOut: 2, seeds: 3,
-      comparedIterations: 20, growth: true,
+      comparedIterations: 20, growth: true, drawn: 7, driving: false,
     };
     const untouched = Object.entries(settings).filter(
       ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial));
@@ -25,8 +25,9 @@ describe("settings in the URL", () => {
   });
 
   it("enforces the limits on what the URL says", () => {
-    const settings = readSettings("#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9");
+    const settings = readSettings("#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe");
     expect(settings.latent).toBe(SETTINGS.latent.max);
+    expect([settings.drawn, settings.driving]).toEqual([0, true]);
     expect(settings.dynamicsIps).toBe(SETTINGS.dynamicsIps.min);
     expect(settings.seed).toBe(4294967295);
     expect(settings.speed).toBe(1);

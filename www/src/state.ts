@@ -158,8 +158,8 @@ function counts(key: string, initial: readonly number[], min: number, max: numbe
   };
 }
 
-/** What the page is about now: playing with one model, or comparing several. */
-export const VIEWS = ["play", "compare"] as const;
+/** What the page is about now: playing with one model, comparing several, or the synthetic experiment. */
+export const VIEWS = ["play", "compare", "synthetic"] as const;
 
 /** All kinds of models, in the order of tables. */
 export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;
@@ -197,6 +197,10 @@ export const SETTINGS = {
   comparedIterations: whole("steps", 150, 5, 5000),
   /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, to see how time grows. */
   growth: flag("growth", false),
+  // Of the synthetic experiment
+  drawn: whole("draw", 0, 0, 4294967295),
+  /** Whether the first part drives the second. */
+  driving: flag("driving", true),
 };
 
 export type Settings = {

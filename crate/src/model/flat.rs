@@ -23,6 +23,14 @@ pub struct Kind {
     highest: f64,
 }
 
+#[cfg(all(target_arch = "wasm32", feature = "comparison"))]
+impl Kind {
+    /// The upper end of its box.
+    pub(crate) const fn highest(&self) -> f64 {
+        self.highest
+    }
+}
+
 const fn free(group: Group, limit: f64) -> Kind {
     Kind { group, positive: false, lowest: -limit, highest: limit }
 }

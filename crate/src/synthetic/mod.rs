@@ -9,9 +9,11 @@
 //! parts do not fall into step: in step, either one's phase tells the other's, and the data do not say who drives whom.
 
 mod alignment;
+mod experiment;
 mod function;
 
 pub use alignment::{Alignment, align};
+pub use experiment::{Experiment, Findings, Fit};
 
 use crate::evaluation::dtw_mse;
 use crate::linalg::NumericsError;
@@ -44,11 +46,11 @@ const DRAWS: usize = 20;
 const DYNAMICS_LENGTHSCALE: f64 = 1.0;
 const POSE_LENGTHSCALE: f64 = 1.5;
 /// Of the observations, whose signal has variance 1.
-const NOISE_VARIANCE: f64 = 0.01;
+pub const NOISE_VARIANCE: f64 = 0.01;
 /// How many times larger alpha^{21} is than alpha^{11} at least for "much larger".
-const MUCH: f64 = 10.0;
+pub const MUCH: f64 = 10.0;
 /// alpha^{12} is at most so many times alpha^{22}, and at least this part of it, when the first part drives the second.
-const ALIKE: f64 = 4.0;
+pub const ALIKE: f64 = 4.0;
 
 /// Data of two coupled systems, and the truth about them.
 #[derive(Clone, Debug, PartialEq)]
@@ -205,11 +207,19 @@ impl Verdict {
         Self { back: alpha[(1, 0)] / alpha[(0, 0)], forth: alpha[(0, 1)] / alpha[(1, 1)] }
     }
 
-    /// Whether it says the truth: the second part does not drive the first, and the first drives the second if the share
-    /// `drive` of it is not 0.
+    /// Whether it says that the second part does not drive the first.
+    pub fn back_is_right(&self) -> bool {
+        self.back >= MUCH
+    }
+
+    /// Whether it says that the first part drives the second if, and only if, the share `drive` of it is not 0.
+    pub fn forth_is_right(&self, drive: f64) -> bool {
+        if drive > 0.0 { (1.0 / ALIKE..=ALIKE).contains(&self.forth) } else { self.forth >= MUCH }
+    }
+
+    /// Whether it says the truth about both.
     pub fn right(&self, drive: f64) -> bool {
-        let driven = (1.0 / ALIKE..=ALIKE).contains(&self.forth);
-        self.back >= MUCH && if drive > 0.0 { driven } else { self.forth >= MUCH }
+        self.back_is_right() && self.forth_is_right(drive)
     }
 }
 

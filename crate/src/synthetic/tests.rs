@@ -37,18 +37,23 @@ fn a_share_is_from_0_to_1() {
 #[test]
 fn training_finds_who_drives_whom() {
     let data = Synthetic::draw(2, DRIVE).unwrap();
-    let mut trainer =
-        data.trainer(TrainingSettings { max_iterations: 400, ..Synthetic::settings(2) }).unwrap();
-    let before = data.mse(&trainer.model().unwrap()).unwrap();
-    while !trainer.step().done {}
-    let model = trainer.model().unwrap();
-    let verdict = Verdict::new(&model.alpha);
-    assert!(verdict.right(DRIVE), "{verdict:?}, alpha {}", model.alpha);
-    let after = data.mse(&model).unwrap();
-    assert!(after < 0.5 * before, "the rollout's error went from {before} to {after}");
-    for (part, x) in trainer.best().parts.iter().zip(&data.latents) {
-        let explained = align(&part.latents.mean, x).unwrap().explained;
-        assert!(explained > 0.9, "{explained}");
+    let settings = TrainingSettings { max_iterations: 400, ..Synthetic::settings(2) };
+    let mut experiment = Experiment::new(data, settings).unwrap();
+    let at_first = experiment.findings().unwrap();
+    assert_eq!(at_first.fit, experiment.start());
+    while !experiment.step().done {}
+    let found = experiment.findings().unwrap();
+    assert!(found.verdict.right(DRIVE), "{:?}, alpha {}", found.verdict, found.alpha);
+    for w in found.weights.column_iter() {
+        assert!((w.sum() - 1.0).abs() < 1e-12, "weights into a part sum to 1, found {w}");
+    }
+    assert!(found.weights[(1, 0)] < 0.01 && found.weights[(0, 1)] > 0.2, "weights {}", found.weights);
+    let (before, after) = (experiment.start(), found.fit);
+    assert!(after.bound > before.bound && after.bound == experiment.progress().best);
+    assert!(after.mse < 0.5 * before.mse, "the rollout's error went from {} to {}", before.mse, after.mse);
+    for (part, now) in found.learned.iter().enumerate() {
+        assert!(now.explained > 0.9, "{}", now.explained);
+        assert!(now.explained > at_first.learned[part].explained, "training brings them nearer the truth");
     }
 }
 
@@ -60,6 +65,8 @@ fn a_verdict_can_be_wrong() {
     assert!(verdict(50.0, 2.0).right(DRIVE));
     assert!(!verdict(2.0, 2.0).right(DRIVE), "nor does the second part drive the first");
     assert!(!verdict(50.0, 20.0).right(DRIVE), "the first part drives the second");
+    assert!(!verdict(50.0, 0.1).right(DRIVE), "and does not rule it alone");
+    assert!(verdict(2.0, 2.0).forth_is_right(DRIVE) && !verdict(2.0, 2.0).back_is_right());
     assert!(verdict(50.0, 20.0).right(0.0));
     assert!(!verdict(50.0, 2.0).right(0.0), "nothing drives the second part");
 }

@@ -7,6 +7,8 @@ mod clip;
 mod comparison;
 mod model;
 mod rollout;
+#[cfg(feature = "comparison")]
+mod synthetic;
 mod training;
 
 use crate::Skeleton;

@@ -7,7 +7,7 @@ use crate::Clip as MotionClip;
 use crate::dataset::{Dataset, Source};
 use crate::motion_model::MotionModel;
 use crate::parts::PartSpec as Part;
-use crate::training::{Trainer as Training, TrainingSettings as Settings};
+use crate::training::{Trainer as Training, TrainingProgress as Progress, TrainingSettings as Settings};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use tsify::{Ts, Tsify};
@@ -55,6 +55,21 @@ pub struct TrainingProgress {
     pub reason: Option<String>,
     /// Share of the iterations used, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction.
     pub fraction: f64,
+}
+
+pub(super) fn progress(p: Progress) -> TrainingProgress {
+    TrainingProgress {
+        iteration: p.iteration,
+        max_iterations: p.max_iterations,
+        evaluations: p.evaluations,
+        bound: p.bound,
+        best: p.best,
+        terms: terms(&p.terms),
+        phase: p.phase,
+        done: p.done,
+        reason: p.reason,
+        fraction: p.fraction,
+    }
 }
 
 /// The clips that a model is trained on, one sequence each.
@@ -125,20 +140,7 @@ impl Trainer {
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
     pub fn step(&mut self) -> Result<Ts<TrainingProgress>, JsError> {
-        let p = self.training.step();
-        let progress = TrainingProgress {
-            iteration: p.iteration,
-            max_iterations: p.max_iterations,
-            evaluations: p.evaluations,
-            bound: p.bound,
-            best: p.best,
-            terms: terms(&p.terms),
-            phase: p.phase,
-            done: p.done,
-            reason: p.reason,
-            fraction: p.fraction,
-        };
-        progress.into_ts().map_err(error)
+        progress(self.training.step()).into_ts().map_err(error)
     }
 
     /// The best model so far, at any time.

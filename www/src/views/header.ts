@@ -7,7 +7,12 @@ import type { Settings } from "../state";
 import { icon } from "./icons";
 import { View } from "./view";
 
-const VIEWS: [Settings["view"], string][] = [["play", "Play"], ["compare", "Compare models"]];
+const VIEWS: [Settings["view"], string][] = [["play", "Play"], ["compare", "Compare models"], ["synthetic", "Who drives whom?"]];
+
+const LEADS = {
+  compare: "Which model foresees a walk best, and what does it cost?",
+  synthetic: "Two made-up systems of which the truth is known: does training find it?",
+};
 
 export class HeaderView extends View {
   static override topics = ["model", "engine", "settings"] as const;
@@ -39,8 +44,8 @@ export class HeaderView extends View {
     return html`
       <div class="title">
         <h1>Coupled movement primitives</h1>
-        ${app.settings.view === "compare"
-          ? html`<p class="lead">Which model foresees a walk best, and what does it cost?</p>`
+        ${app.settings.view !== "play"
+          ? html`<p class="lead">${LEADS[app.settings.view]}</p>`
           : html`<p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(event: Event) => {
           event.preventDefault();
           this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));

@@ -30,6 +30,7 @@ interface Clock {
 /** What is loaded only when it is asked for. */
 const ON_DEMAND = {
   compare: { load: () => import("./comparison/page"), draw: (app: App) => html`<pg-comparison .app=${app}></pg-comparison>` },
+  synthetic: { load: () => import("./synthetic/page"), draw: (app: App) => html`<pg-synthetic .app=${app}></pg-synthetic>` },
 };
 
 export class PageView extends View {
@@ -72,7 +73,7 @@ export class PageView extends View {
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    return this.app.settings.view === "compare" ? this.querySelector<HTMLElement & Clock>("pg-side-by-side") : this.timeline;
+    return this.app.settings.view === "play" ? this.timeline : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
   }
 
   get help(): HelpView {
