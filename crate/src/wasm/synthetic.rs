@@ -110,7 +110,7 @@ impl SyntheticExperiment {
         truth.into_ts().map_err(error)
     }
 
-    /// One iteration of the optimiser: about a millisecond.
+    /// One iteration of the optimiser: a few milliseconds.
     pub fn step(&mut self) -> Result<Ts<TrainingProgress>, JsError> {
         progress(self.experiment.step()).into_ts().map_err(error)
     }

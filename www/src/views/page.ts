@@ -73,7 +73,8 @@ export class PageView extends View {
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    return this.app.settings.view === "play" ? this.timeline : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    const { settings, embedded } = this.app;
+    return settings.view === "play" || embedded ? this.timeline : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
   }
 
   get help(): HelpView {
