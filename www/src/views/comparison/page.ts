@@ -61,7 +61,7 @@ export class ComparisonPage extends View {
 
   private flag(name: "balanced" | "growth", label: string, hint: string) {
     return html`
-      <label class="tick" title=${hint}>
+      <label class="check" title=${hint}>
         <input type="checkbox" data-testid="compare-${name}" .checked=${this.app.settings[name]} ?disabled=${studying(this.app).busy}
           @change=${(event: Event) => changeSettings(this.app, { [name]: (event.target as HTMLInputElement).checked })} />
         ${label}</label>`;
@@ -82,7 +82,7 @@ export class ComparisonPage extends View {
       <fieldset class="models">
         <legend>Models</legend>
         ${MODELS.map((id) => html`
-          <label class="tick">
+          <label class="check">
             <input type="checkbox" data-testid="model-${id}" .checked=${models.includes(id)} ?disabled=${studying(app).busy}
               @change=${(event: Event) => {
                 const on = (event.target as HTMLInputElement).checked;
@@ -100,7 +100,7 @@ export class ComparisonPage extends View {
       <details class="trials">
         <summary>Trials <small>${app.tickedClips().length} of ${app.clips.length} clips ticked</small></summary>
         <ul>${app.clips.map(({ key, title, ticked }) => html`
-          <li><label class="tick"><input type="checkbox" .checked=${ticked} ?disabled=${busy || app.busy}
+          <li><label class="check"><input type="checkbox" .checked=${ticked} ?disabled=${busy || app.busy}
             @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} /> ${title}</label></li>`)}
         </ul>
         <p class="hint">Drop your own clips (.bvh) anywhere on the page.</p>
