@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::claims::{Claim, claims};
 use super::cross_validation::Outcome;
 use super::results::{Finished, Results};
-use super::stats::{exponent, mean, rank_correlation, standard_error};
+use super::stats::{exponent, mean, median, rank_correlation, standard_error};
 use crate::learner::ModelKind;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -34,6 +34,8 @@ pub struct ModelSummary {
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.
     pub mse: Spread,
+    /// Its median over the folds: a single rollout that goes astray does not move it.
+    pub mse_median: f64,
     /// The error of a prediction that does not move.
     pub variance: f64,
     /// The bound on the log evidence, in nats, where the model has one.
@@ -152,13 +154,16 @@ fn summary(candidate: &Candidate, whole: &[&Finished]) -> Option<ModelSummary> {
         .filter_map(|f| Some((f.job.held_out, f.outcome.as_ref()?)))
         .collect();
     let folds: BTreeSet<usize> = of.iter().map(|(fold, _)| *fold).collect();
-    let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
+    let means = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Vec<f64> {
         let fold = |fold: &usize| {
             let values: Vec<f64> =
                 of.iter().filter(|(other, _)| other == fold).filter_map(|(_, o)| value(o)).collect();
             (!values.is_empty()).then(|| mean(&values))
         };
-        let means: Vec<f64> = folds.iter().filter_map(fold).collect();
+        folds.iter().filter_map(fold).collect()
+    };
+    let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
+        let means = means(value);
         (!means.is_empty()).then(|| Spread {
             mean: mean(&means),
             standard_error: standard_error(&means),
@@ -169,6 +174,7 @@ fn summary(candidate: &Candidate, whole: &[&Finished]) -> Option<ModelSummary> {
         model: candidate.kind().id().to_owned(),
         label: candidate.label(),
         mse: spread(&|o| Some(o.score.dtw_mse))?,
+        mse_median: median(&means(&|o| Some(o.score.dtw_mse))),
         variance: spread(&|o| Some(o.score.variance))?.mean,
         bound: spread(&|o| o.bound),
         seconds: spread(&|o| Some(o.seconds))?,
@@ -300,6 +306,7 @@ mod tests {
         // Folds 2 and 6: mean 4, standard error |6 - 2| / 2.
         assert_relative_eq!(row.mse.mean, 4.0);
         assert_relative_eq!(row.mse.standard_error.unwrap(), 2.0);
+        assert_relative_eq!(row.mse_median, 4.0);
         assert!(found.claims.is_empty() && found.correlations.is_empty() && found.growth.is_empty());
     }
 

@@ -5,6 +5,14 @@ pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
+/// The median, the mean of the middle two of an even number; NaN without values.
+pub fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let n = sorted.len();
+    if n == 0 { f64::NAN } else { 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]) }
+}
+
 /// The standard error of the mean; absent for fewer than two values.
 pub fn standard_error(values: &[f64]) -> Option<f64> {
     let n = values.len() as f64;
@@ -63,6 +71,8 @@ mod tests {
         // Deviations -2, -1, 3: variance 14 / 2, divided by 3.
         assert_relative_eq!(standard_error(&[1.0, 2.0, 6.0]).unwrap(), (7.0f64 / 3.0).sqrt());
         assert_eq!(standard_error(&[1.0]), None);
+        assert_eq!((median(&[6.0, 1.0, 2.0]), median(&[6.0, 1.0, 2.0, 3.0])), (2.0, 2.5));
+        assert!(median(&[]).is_nan());
         assert_eq!(ranks(&[3.0, 1.0, 3.0, 2.0]), [3.5, 1.0, 3.5, 2.0]);
     }
 

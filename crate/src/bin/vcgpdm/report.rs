@@ -51,16 +51,17 @@ fn spread(of: &Spread, digits: usize) -> String {
 fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(
         text,
-        "| model | settings | DTW MSE | of a motionless prediction | bound | training, s | numbers stored | folds | runs |"
+        "| model | settings | DTW MSE | median | of a motionless prediction | bound | training, s | numbers stored | folds | runs |"
     )?;
-    writeln!(text, "|---|---|---|---|---|---|---|---|---|")?;
+    writeln!(text, "|---|---|---|---|---|---|---|---|---|---|")?;
     for s in &comparison.models {
         writeln!(
             text,
-            "| {} | {} | {} | {:.0} % | {} | {} | {:.0} | {} | {} |",
+            "| {} | {} | {} | {:.5} | {:.0} % | {} | {} | {:.0} | {} | {} |",
             s.model,
             s.label,
             spread(&s.mse, 5),
+            s.mse_median,
             100.0 * s.mse.mean / s.variance,
             s.bound.as_ref().map_or(String::new(), |b| spread(b, 0)),
             spread(&s.seconds, 1),

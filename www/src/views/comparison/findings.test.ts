@@ -6,7 +6,7 @@ import type { Correlation, ModelSummary } from "../../protocol";
 const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", rank, settings, points: [] });
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
 const summary = (mse: number, error: number, bound: number | null, folds = 3): ModelSummary => ({
-  model: "tmp", label: "", mse: spread(mse, error), variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
+  model: "tmp", label: "", mse: spread(mse, error), mseMedian: mse, variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
 });
 const [ERROR, BOUND] = [MEASURES[0]!, MEASURES[1]!];
 

@@ -49,3 +49,8 @@ export function bestOf(measure: Measure, models: readonly ModelSummary[]): numbe
   if (means.length < 2) return null;
   return measure.best === "least" ? Math.min(...means) : Math.max(...means);
 }
+
+/** Whether a few trials make most of the error, such as a rollout that goes astray: then the median says more than the mean. */
+export function isSkewed({ mse, mseMedian }: ModelSummary): boolean {
+  return mseMedian > 0 && mse.mean > 1.5 * mseMedian;
+}

@@ -3,9 +3,9 @@ import { html, nothing, svg } from "lit";
 import { errorBar, inColour, MARK, mark } from "./chart";
 import { ComparisonFigure } from "./comparison-figure";
 import { foldWords } from "./findings";
-import { bestOf, ends, type Measure, MEASURES, scaleOf } from "./measures";
+import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
 import { modelStyle } from "./model-style";
-import { spreadWords } from "./numbers";
+import { plain, spreadWords } from "./numbers";
 import type { Scale } from "./scale";
 import { textWidth } from "./text-width";
 import type { Comparison, ModelSummary, Spread } from "../../protocol";
@@ -51,11 +51,11 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
     const fields = (of: Spread | null) => (of ? [of.mean, of.standardError, of.count] : [null, null, null]);
     return {
       header: [
-        "model", "settings", ...spread("DTW MSE", "squared units of the columns"), "MSE of a prediction that does not move (squared units of the columns)",
+        "model", "settings", ...spread("DTW MSE", "squared units of the columns"), "DTW MSE median (squared units of the columns)", "MSE of a prediction that does not move (squared units of the columns)",
         ...spread("bound", "nats"), ...spread("training", "s"), ...spread("numbers stored", "numbers"), "folds", "runs",
       ],
       rows: models.map((m) => [
-        modelStyle(m.model).name, m.label, ...fields(m.mse), m.variance, ...fields(m.bound), ...fields(m.seconds), ...fields(m.storedNumbers), m.folds, m.runs,
+        modelStyle(m.model).name, m.label, ...fields(m.mse), m.mseMedian, m.variance, ...fields(m.bound), ...fields(m.seconds), ...fields(m.storedNumbers), m.folds, m.runs,
       ]),
     };
   }
@@ -88,7 +88,8 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
     const still = drawing.at(summary.variance);
     return html`
       <td class=${best ? "best" : ""}><div class="measure">
-        <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}</span>
+        <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}
+          ${unit === "DTW MSE" && isSkewed(summary) ? html`<small>median ${plain(summary.mseMedian)}</small>` : nothing}</span>
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
           ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
           ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
