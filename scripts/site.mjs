@@ -21,7 +21,7 @@ export function weigh() {
     .map((file) => ({ name: relative(dist, file).split(sep).join("/"), size: gzipSync(readFileSync(file)).length }))
     .sort((a, b) => b.size - a.size);
   const sum = (/** @type {typeof files} */ some) => some.reduce((total, { size }) => total + size, 0);
-  const later = files.filter(({ name }) => name.startsWith("assets/on-demand/"));
+  const later = files.filter(({ name }) => name.startsWith("assets/on-demand/") || name.startsWith("comparison/"));
   const first = files.filter((file) => !later.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */

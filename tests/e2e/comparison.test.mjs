@@ -80,6 +80,21 @@ describe("comparing models", () => {
     await leave();
   });
 
+  it("brings the results of ten recorded walks, of all models", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=compare" });
+    await page.getByTestId("open-walks").and(page.locator(":enabled")).click({ timeout: 30_000 });
+    const table = page.locator("comparison-figures table").first();
+    await table.waitFor({ timeout: 30_000 });
+    for (const name of ["vCGPDM", "vGPDM", "MAP GPDM", "MAP CGPDM", "TMP", "DMP (discrete)", "DMP (rhythmic)"]) {
+      await table.getByText(name, { exact: true }).first().waitFor();
+    }
+    await page.getByText("rank correlation −").first().waitFor();
+    await page.getByText(/exponent \d/).first().waitFor();
+    assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("plays up to four models side by side under one clock", async () => {
     const { page, problems, leave } = await site.visit({ settings: `${SMALL}&heldout=2`, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });

@@ -157,10 +157,17 @@ export class Studying {
     this.app.tell("study");
   }
 
+  /** Shows the results that come with the page: all models on ten recorded walks. */
+  async openWalks(): Promise<void> {
+    const answer = await fetch(new URL("comparison/walks.results.json", document.baseURI));
+    if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+    await this.open(await answer.text());
+  }
+
   /** Shows the results that a file holds: from this page or from the terminal. */
-  async open(file: File): Promise<void> {
+  async open(text: string): Promise<void> {
     if (this.busy) throw new Error("A comparison is running: cancel it before opening results.");
-    const results = readResults(await file.text());
+    const results = readResults(text);
     const { desk } = await comparing();
     const comparison = await desk.run((worker) => worker.compare(results));
     const titles = results.setting.trials.map(({ name }) => name);

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
-import { bestOf, MEASURES, scaleOf } from "./measures";
+import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
 import type { Correlation, ModelSummary } from "../../protocol";
 
 const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", rank, settings, points: [] });
@@ -42,4 +42,9 @@ it("keeps room for all means where an error bar comes near zero", () => {
   expect(scale.low).toBeGreaterThan(0.0001);
   expect(scale.high).toBeGreaterThan(0.03);
   expect([scale.at(0), scale.at(1)]).toEqual([6, 114]);
+});
+
+it("knows when one trial makes most of the error", () => {
+  expect(isSkewed(summary(1, 0.1, null))).toBe(false);
+  expect(isSkewed({ ...summary(1, 0.1, null), mseMedian: 0.1 })).toBe(true);
 });

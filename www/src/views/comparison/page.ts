@@ -150,16 +150,22 @@ export class ComparisonPage extends View {
     return studies.status === "idle" ? studies.ending : "";
   }
 
-  private open(event: Event): void {
+  private openFile(event: Event): void {
     const input = event.target as HTMLInputElement;
     const [file] = input.files ?? [];
-    if (!file) return;
-    this.problem = "";
-    studying(this.app).open(file).catch((problem: unknown) => {
-      this.problem = `${file.name}: ${problem instanceof Error ? problem.message : String(problem)}`;
-      this.requestUpdate();
-    });
     input.value = "";
+    if (file) void this.opening(file.name, async () => studying(this.app).open(await file.text()));
+  }
+
+  /** Opens results; what is shown stays when they cannot be. */
+  private async opening(name: string, open: () => Promise<void>): Promise<void> {
+    this.problem = "";
+    try {
+      await open();
+    } catch (problem) {
+      this.problem = `${name}: ${problem instanceof Error ? problem.message : String(problem)}`;
+      this.requestUpdate();
+    }
   }
 
   private setup() {
@@ -211,8 +217,10 @@ export class ComparisonPage extends View {
       <div class="files">
         <label class="small file-button">${icon("open")} Open results
           <input type="file" class="visually-hidden" data-testid="open-results" accept=".json,application/json" ?disabled=${studies.busy}
-            aria-label="Open results (.json) of this page or of the terminal" @change=${(event: Event) => this.open(event)} /></label>
+            aria-label="Open results (.json) of this page or of the terminal" @change=${(event: Event) => this.openFile(event)} /></label>
         <button class="small" data-testid="save-results" ?disabled=${!studies.study?.results.finished.length} @click=${() => studies.save()}>${icon("save")} Save results</button>
+        <button class="small" data-testid="open-walks" ?disabled=${studies.busy || !app.engine} title="All models, ten walks of one person, 30 frames a second"
+          @click=${() => void this.opening("Ten recorded walks", () => studies.openWalks())}>${icon("eye")} Ten recorded walks</button>
       </div>`;
   }
 
