@@ -75,6 +75,13 @@ describe("comparing models", () => {
     await other.page.getByTestId("open-results").setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
     await other.page.getByText("expected the results of an evaluation").waitFor();
     assert.equal(await there.innerText(), await table.innerText(), "what was open stays");
+    // With the same trials and settings it goes on: only the first trial's models are trained, for their motions.
+    await other.page.evaluate((hash) => { location.hash = hash; }, SMALL);
+    await tick(other.page, 3);
+    await other.page.getByTestId("compare").click();
+    assert.match(await over(other.page), /4 of 4 trainings done/);
+    assert.equal(JSON.parse((await saved(other.page, "save-results")).text).finished.length, 12);
+    assert.equal(await other.page.locator(".column-heads li").count(), 4);
     assert.deepEqual([...problems, ...other.problems], []);
     await other.leave();
     await leave();
@@ -114,6 +121,36 @@ describe("comparing models", () => {
     await page.locator(".picks .chip[aria-pressed=true]").last().click();
     assert.equal(await page.locator(".column-heads li").count(), 3);
     assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("keeps what was found under other settings, and the stage moves after each comparison", async () => {
+    const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
+    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 2);
+    const stage = page.getByTestId("compare-stage");
+    const compare = async () => {
+      await page.getByTestId("compare").click();
+      await over(page);
+    };
+    const drawn = () => page.waitForFunction(() => Number(document.querySelector(".columns canvas")?.getAttribute("data-frames-drawn")) > 3);
+    await compare();
+    await drawn();
+    await page.locator("pg-comparison .advanced summary").click();
+    const rate = page.getByTestId("compare-framesPerSecond");
+    await rate.fill("10");
+    await rate.press("Tab");
+    assert.match(await page.getByTestId("compare-progress").innerText(), /2 trainings\..*a comparison of its own/s);
+    await compare();
+    await drawn();
+    assert.ok(await changes(stage), "the figures move again");
+    await rate.fill("15");
+    await rate.press("Tab");
+    await compare();
+    assert.match(await page.getByTestId("compare-progress").innerText(), /finished before/);
+    await drawn();
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -170,6 +207,12 @@ describe("comparing models", () => {
     assert.match(await over(page), /cancelled/);
     const results = JSON.parse((await saved(page, "save-results")).text);
     assert.deepEqual(results.finished.map((/** @type {any} */ f) => f.job.candidate.model), ["dmp-rhythmic", "dmp-rhythmic"]);
+    // A quicker one instead: what was finished is not done again.
+    await page.getByTestId("model-map-cgpdm").uncheck();
+    await page.getByTestId("model-dmp-discrete").check();
+    assert.match(await page.getByTestId("compare-progress").innerText(), /2 trainings, 2 finished before/);
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /2 of 2 trainings done/);
     assert.deepEqual(problems, []);
     await leave();
   });

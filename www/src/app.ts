@@ -101,6 +101,8 @@ export class App {
   rollout: RolloutResult | null = null;
 
   clips: ClipEntry[] = [];
+  /** Whether all clips that come with the page are there. */
+  samplesLoaded = false;
   /** Why the ticked clips cannot be trained on together; empty when they can. */
   clash = "";
   training: Training = { status: "idle", runs: [], stop: new AbortController(), work: [], picked: false, ending: "", failed: false };

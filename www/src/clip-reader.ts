@@ -50,8 +50,11 @@ export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
           set.add(clip);
         } else {
           const piece = clip.cut(one.first, one.end);
-          set.add(piece);
-          piece.free();
+          try {
+            set.add(piece);
+          } finally {
+            piece.free();
+          }
         }
       }
       return set;

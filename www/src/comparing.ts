@@ -72,10 +72,15 @@ let workers: Promise<Workers> | null = null;
 
 /** Loads the whole program, once. */
 export function comparing(): Promise<Workers> {
-  workers ??= compile(new URL("../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then((wasm) => ({
-    pool: new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm)),
-    desk: new Pool(1, () => hire(wasm)),
-  }));
+  workers ??= compile(new URL("../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then(
+    (wasm) => ({
+      pool: new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm)),
+      desk: new Pool(1, () => hire(wasm)),
+    }),
+    (problem: unknown) => {
+      throw new Error(`the program for it could not be loaded (${problem instanceof Error ? problem.message : String(problem)}). Try again when you are online.`);
+    },
+  );
   // A failed download may be tried again.
   workers.catch(() => (workers = null));
   return workers;

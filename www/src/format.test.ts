@@ -6,7 +6,7 @@ it("writes numbers shortly", () => {
     .toEqual(["0", "1.2e-4", "0.012", "0.46", "4.6", "45.6", "456", "4.6e4"]);
   expect([0, 0.001, 0.5, 1].map(weight)).toEqual(["0.00", "<0.01", "0.50", "1.00"]);
   expect(grouped(-124275.4)).toBe("−124,275");
-  expect([duration(4.4), duration(80)]).toEqual(["4 s", "1 min 20 s"]);
+  expect([4.4, 80, 7510].map(duration)).toEqual(["4 s", "1 min 20 s", "2 h 5 min"]);
 });
 
 it("rounds the time left, and does not promise one too early", () => {

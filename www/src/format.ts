@@ -19,17 +19,18 @@ export function grouped(value: number): string {
   return groups.format(value).replace("-", "\u2212");
 }
 
-/** "3.2 s", "1 min 20 s" */
+/** "3 s", "1 min 20 s", "2 h 5 min" */
 export function duration(seconds: number): string {
   const whole = Math.round(seconds);
+  if (whole >= 3600) return `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
   return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }
 
 /** Time left, rounded so that it does not flicker; null: not known yet. */
-export function timeLeft(left: number | null): string {
+export function timeLeft(left: number | null, word = "at most"): string {
   if (left === null) return "estimating the time left";
   const step = left > 60 ? 10 : left > 20 ? 5 : 1;
-  return `at most ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
+  return `${word} ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
 }
 
 /** A clip's name without the ending of its file. */

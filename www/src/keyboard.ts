@@ -3,7 +3,7 @@
 export interface KeyActions {
   togglePlay(): void;
   step(direction: 1 | -1): void;
-  resetCouplings(): void;
+  resetCouplings(): unknown;
   help(): void;
   projector(): void;
 }

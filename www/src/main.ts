@@ -27,7 +27,7 @@ const page = document.querySelector("pg-page") as PageView;
 listenToKeys({
   togglePlay: () => page.clock?.togglePlay(),
   step: (direction) => page.clock?.step(direction),
-  resetCouplings: () => resetCouplings(app),
+  resetCouplings: () => page.clock === page.timeline && resetCouplings(app),
   help: () => page.help.open(),
   projector: () => root.toggleAttribute("data-large"),
 });

@@ -35,6 +35,7 @@ export type {
   Provenance,
   Results,
   SampleInfo,
+  Setting,
   Spread,
   SyntheticFindings,
   SyntheticFit,

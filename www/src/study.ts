@@ -1,6 +1,6 @@
 // A comparison of models: which trainings it asks for, how far they are, and what came of them. No rendering, no worker.
-import type { Candidate, Evaluated, Finished, Job, ModelId, PartSpec, Results, TrainingClip } from "./protocol";
-import type { Settings } from "./state";
+import type { Candidate, Figure, Job, ModelId, PartSpec, Results, Setting, TrainingClip } from "./protocol";
+import { MODELS, type Settings } from "./state";
 
 /** One model in one fold with one seed. */
 export interface StudyJob {
@@ -10,18 +10,33 @@ export interface StudyJob {
   fraction: number;
   /** Seconds of its training so far. */
   elapsed: number;
+  /** Why it failed, in words. */
+  why: string;
+}
+
+/** World positions of a motion [frames x nodes x 3]. */
+export interface Positions {
+  positions: Float32Array;
+  /** Seconds between frames. */
+  frameTime: number;
 }
 
 /** What was compared on what, and what came of it. */
 export interface Study {
+  /** Tells studies of other trials, parts or frame rates apart. */
+  key: string;
+  /** None: the results are from a file. */
   clips: TrainingClip[];
   titles: string[];
-  parts: PartSpec[];
+  body: { figure: Figure; joints: string[]; parts: PartSpec[] } | null;
   framesPerSecond: number;
   results: Results;
+  /** What the last press of Compare asked for. */
   jobs: StudyJob[];
-  /** What the models predict, by the job's key. */
-  predictions: Map<string, Evaluated>;
+  /** What models trained on all other trials predict, by the job's key. */
+  predictions: Map<string, Positions>;
+  /** The trials held out, by their number. */
+  actual: Map<number, Positions>;
 }
 
 /** Tells one job from another, in whatever order its entries stand. */
@@ -30,10 +45,44 @@ export function jobKey({ candidate, held_out, training_trials, seed }: Job): str
   return JSON.stringify([entries.sort(([a], [b]) => (a < b ? -1 : 1)), held_out, training_trials, seed]);
 }
 
-/** The models with all settings that are asked for. */
-export function candidates(settings: Settings): Candidate[] {
+/** The order of tables: by model, then by the size of the settings, then by seed; whatever was finished first. */
+export function inOrder(a: Job, b: Job): number {
+  const size = ({ candidate }: Job) => ("bases" in candidate ? candidate.bases : "dynamics_ips" in candidate ? candidate.dynamics_ips : 0);
+  const model = ({ candidate }: Job) => MODELS.indexOf(candidate.model);
+  return model(a) - model(b) || size(a) - size(b) || a.seed - b.seed;
+}
+
+/** The same for these clips, parts and rate, whenever they are asked for. */
+export function studyKey(clips: readonly TrainingClip[], parts: readonly PartSpec[], framesPerSecond: number): string {
+  return JSON.stringify([clips.map(({ id, first, end }) => [id, first, end]), parts, framesPerSecond]);
+}
+
+/** Whether results of two places go together. */
+export function sameSetting(a: Setting, b: Setting): boolean {
+  const of = ({ trials, parts, frames_per_second, start_frames }: Setting) =>
+    JSON.stringify([trials.map(({ sha256, piece }) => [sha256, piece ?? null]), parts.map(({ joints }) => joints), frames_per_second, start_frames]);
+  return of(a) === of(b);
+}
+
+/** The jobs that still have to be done: those without an outcome, and of the first fold those of which there is no motion to show. */
+export function openJobs(asked: readonly Job[], study: Pick<Study, "results" | "predictions"> | null): Job[] {
+  if (!study) return [...asked];
+  const known = new Set(study.results.finished.filter(({ outcome }) => outcome).map(({ job }) => jobKey(job)));
+  const all = study.results.setting.trials.length - 1;
+  return asked.filter((job) => {
+    const key = jobKey(job);
+    if (!known.has(key)) return true;
+    return job.held_out === asked[0]!.held_out && job.training_trials === all && !study.predictions.has(key);
+  });
+}
+
+/** Coupled models need parts to couple. */
+export const isCoupled = (model: ModelId): boolean => model === "vcgpdm" || model === "map-cgpdm";
+
+/** The models with all settings that are asked for, of a body in so many parts. */
+export function candidates(settings: Settings, parts: number): Candidate[] {
   const { latent, order, comparedIterations: max_iterations, ips, bases, balanced } = settings;
-  return settings.models.flatMap((model): Candidate[] => {
+  return settings.models.filter((model) => parts > 1 || !isCoupled(model)).flatMap((model): Candidate[] => {
     switch (model) {
       case "vcgpdm":
       case "vgpdm":
@@ -52,12 +101,9 @@ export function candidates(settings: Settings): Candidate[] {
 /** Whether another seed gives another model. */
 const isRandom = ({ model }: Candidate) => model.endsWith("gpdm");
 
-/** Whether a model is trained on fewer trials too, when it is asked how time grows. */
-const grows = ({ model }: Candidate) => model === "vcgpdm" || model === "map-cgpdm";
-
-/** The jobs that the settings ask for on so many trials: fold after fold, so that the first tables come early. */
-export function jobs(settings: Settings, trials: number): Job[] {
-  const all = candidates(settings);
+/** The jobs that the settings ask for on so many trials, of a body in so many parts: fold after fold, so that the first tables come early. */
+export function jobs(settings: Settings, trials: number, parts: number): Job[] {
+  const all = candidates(settings, parts);
   const held = settings.heldOut >= 1 && settings.heldOut <= trials ? [settings.heldOut] : Array.from({ length: trials }, (_, k) => k + 1);
   const seeds = (candidate: Candidate) =>
     isRandom(candidate) ? Array.from({ length: settings.seeds }, (_, k) => (settings.seed + k) % 2 ** 32) : [0];
@@ -66,7 +112,7 @@ export function jobs(settings: Settings, trials: number): Job[] {
   if (!settings.growth) return asked;
   // The middle one of the numbers of inducing points stands for all.
   const one = (model: ModelId) => {
-    const of = all.filter((candidate) => candidate.model === model && grows(candidate));
+    const of = all.filter((candidate) => candidate.model === model);
     return of.slice(of.length >> 1, (of.length >> 1) + 1);
   };
   const fewer = ["vcgpdm" as const, "map-cgpdm" as const].flatMap(one).flatMap((candidate) =>
@@ -74,12 +120,6 @@ export function jobs(settings: Settings, trials: number): Job[] {
       candidate, held_out: held[0] ?? 1, training_trials: k + 1, seed: settings.seed,
     })));
   return [...asked, ...fewer];
-}
-
-/** What is known of a job. */
-export function find(results: Results, job: Job): Finished | undefined {
-  const key = jobKey(job);
-  return results.finished.find((finished) => jobKey(finished.job) === key);
 }
 
 /** The candidate's settings, as short as a figure needs them. */

@@ -4,9 +4,10 @@ import { clipTitle, sentence } from "../format";
 import { partsFor } from "../parts";
 import type { SampleInfo } from "../protocol";
 import { messageOf, showRollout, takeUp } from "./couplings";
+import { changeSettings } from "./settings";
 
 /** Files beyond this are no motion clips; reading them would only fill the memory. */
-const LARGEST_FILE = 200e6;
+export const LARGEST_FILE = 200e6;
 
 /** The clips that the project makes itself; the plain walks are ticked. */
 export async function loadSamples(app: App, samples: SampleInfo[]): Promise<void> {
@@ -15,6 +16,8 @@ export async function loadSamples(app: App, samples: SampleInfo[]): Promise<void
     const source = { sample: id };
     add(app, { key: `made-${id}`, title, origin: "made", movement, source, loaded, ticked: movement === "walk" });
   }
+  app.samplesLoaded = true;
+  app.tell("clips");
 }
 
 function add(app: App, entry: Omit<ClipEntry, "first" | "end">): void {
@@ -35,7 +38,7 @@ export async function openFiles(app: App, files: readonly File[], at: { x: numbe
     try {
       if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
       if (/\.json$/i.test(file.name)) {
-        await openModel(app, await file.text());
+        await openJson(app, await file.text());
       } else if (/\.bvh$/i.test(file.name)) {
         opened += 1;
         await openClip(app, file, opened === 1);
@@ -47,6 +50,14 @@ export async function openFiles(app: App, files: readonly File[], at: { x: numbe
     }
   }
   if (opened > 0) await checkClash(app);
+}
+
+/** A model, or the results of a comparison: those say so themselves. */
+async function openJson(app: App, text: string): Promise<void> {
+  if (!/"format"\s*:\s*"vcgpdm-evaluation"/.test(text.slice(0, 200))) return openModel(app, text);
+  const { studying } = await import("./study");
+  await studying(app).open(text);
+  changeSettings(app, { view: "compare" });
 }
 
 async function openModel(app: App, text: string): Promise<void> {

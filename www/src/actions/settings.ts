@@ -26,6 +26,8 @@ export function changeSettings(app: App, change: Partial<Settings>): void {
     const value = withinLimits(name, change[name] as never);
     if (value !== null) Object.assign(next, { [name]: value });
   }
+  // Another view is another page to whoever presses Back.
+  if (next.view !== app.settings.view) history.pushState(null, "");
   app.settings = next;
   app.player.speed = next.speed;
   app.player.loops = next.loop;

@@ -3,12 +3,25 @@ import type { App } from "../app";
 import { comparing } from "../comparing";
 import { download } from "../download";
 import { partsFor } from "../parts";
-import type { Comparison, Job, Results, TrainingClip } from "../protocol";
-import { find, jobKey, jobs, type Study, type StudyJob } from "../study";
+import type { Comparison, Evaluated, Job, PartSpec, Results, TrainingClip } from "../protocol";
+import { isCoupled, jobKey, jobs, openJobs, sameSetting, type Study, type StudyJob, studyKey } from "../study";
 import { messageOf } from "./couplings";
 
 /** Milliseconds between two redraws of what workers report. */
 const TELL_EVERY = 150;
+/** Studies that are kept, so that settings can be changed to and fro. */
+const MOST_STUDIES = 4;
+/** Motions that are kept of a study: some hundred kilobytes each. */
+const MOST_MOTIONS = 400;
+
+/** What the settings ask to compare on. */
+interface Asked {
+  clips: TrainingClip[];
+  parts: PartSpec[];
+  framesPerSecond: number;
+  key: string;
+  jobs: Job[];
+}
 
 /** The comparison of this visit, and how it is going. */
 export class Studying {
@@ -18,8 +31,12 @@ export class Studying {
   /** How it ended, or why it could not start. */
   ending = "";
   failed = false;
+  /** What is looked at: the trial held out (0: the first there is), the models (null: the first of each kind), and whether it plays. */
+  readonly look: { fold: number; picked: string[] | null; playing: boolean | null } = { fold: 0, picked: null, playing: null };
+  private readonly studies = new Map<string, { study: Study; comparison: Comparison | null }>();
   private stop = new AbortController();
   private telling = false;
+  private counting: Promise<void> | null = null;
   private workers = 1;
 
   constructor(private readonly app: App) {}
@@ -38,72 +55,100 @@ export class Studying {
     const { app } = this;
     if (app.engineState === "loading") return "Getting ready";
     if (!app.engine) return "The models cannot run in this browser";
-    if (app.tickedClips().length < 2) return "Tick at least two clips: one is held out, the others are trained on";
+    if (!app.samplesLoaded) return "Getting the sample clips ready";
+    const { models, heldOut } = app.settings;
+    const ticked = app.tickedClips().length;
+    if (ticked < 2) return "Tick at least two clips: one is held out, the others are trained on";
     if (app.clash) return app.clash;
-    return app.settings.models.length === 0 ? "Tick at least one model" : "";
+    if (heldOut > ticked) return `There is no trial ${heldOut}: ${ticked} clips are ticked`;
+    if (models.length === 0) return "Tick at least one model";
+    if (models.every(isCoupled) && this.parts().length < 2) return "The ticked models need two parts or more";
+    return "";
   }
 
-  /** The jobs that the settings ask for now. */
-  asked(): Job[] {
-    return jobs(this.app.settings, this.app.tickedClips().length);
+  private parts(): PartSpec[] {
+    const [clip] = this.app.tickedClips();
+    const { parts, split } = this.app.settings;
+    return clip ? partsFor(clip.loaded.info, parts, split) : [];
+  }
+
+  private asked(): Asked {
+    const { app } = this;
+    const ticked = app.tickedClips();
+    const clips = ticked.map(({ loaded, source, first, end }): TrainingClip => ({ id: loaded.id, source, first, end }));
+    const parts = this.parts();
+    const { framesPerSecond } = app.settings;
+    return { clips, parts, framesPerSecond, key: studyKey(clips, parts, framesPerSecond), jobs: jobs(app.settings, clips.length, parts.length) };
+  }
+
+  /** What a press of Compare would do: how many trainings there are, how many of them are open, and whether it goes on with what is shown. */
+  outlook(): { all: number; open: number; goesOn: boolean } {
+    const asked = this.asked();
+    const known = this.studies.get(asked.key)?.study ?? null;
+    return { all: asked.jobs.length, open: openJobs(asked.jobs, known).length, goesOn: !this.study || this.study.key === asked.key };
   }
 
   /** Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is kept. */
   async begin(): Promise<void> {
     if (this.busy || this.whyNot()) return;
-    const { app } = this;
     this.status = "starting";
     [this.ending, this.failed, this.stop] = ["", false, new AbortController()];
+    const { signal } = this.stop;
     this.app.tell("study");
     try {
       const { pool, desk } = await comparing();
       this.workers = pool.width;
-      const ticked = app.tickedClips();
-      const clips = ticked.map(({ loaded, source, first, end }): TrainingClip => ({ id: loaded.id, source, first, end }));
-      const { parts, split, framesPerSecond } = app.settings;
-      const specs = partsFor(ticked[0]!.loaded.info, parts, split);
-      const settings = { parts: specs, framesPerSecond };
-      const empty = await desk.run((worker) => worker.emptyResults(clips, settings), this.stop.signal);
-      const before = this.study;
-      // Pieces of a clip have the whole clip's name and checksum: what is cut counts too.
-      const same = before !== null && JSON.stringify([before.results.setting, before.clips.map(cutOf)]) === JSON.stringify([empty.setting, clips.map(cutOf)]);
-      const results = same ? before.results : empty;
-      const open = this.asked().filter((job) => !find(results, job));
-      this.study = {
-        clips, parts: specs, framesPerSecond, results,
-        titles: ticked.map(({ title }) => title),
-        jobs: open.map((job) => ({ job, state: "waiting", fraction: 0, elapsed: 0 })),
-        predictions: same ? before.predictions : new Map(),
-      };
-      if (!same) this.comparison = null;
+      const asked = this.asked();
+      const { clips, parts, framesPerSecond } = asked;
+      const empty = await desk.run((worker) => worker.emptyResults(clips, { parts, framesPerSecond }), signal);
+      signal.throwIfAborted();
+      const study = this.takeUp(asked, empty);
+      study.jobs = openJobs(asked.jobs, study).map((job) => ({ job, state: "waiting", fraction: 0, elapsed: 0, why: "" }));
       this.status = "running";
-      app.tell("study");
-      await Promise.all(this.study.jobs.map((one) => this.carryOut(one)));
-      this.ending = this.summary();
+      this.app.tell("study");
+      await Promise.all(study.jobs.map((one) => this.carryOut(study, one, signal)));
+      await this.counting;
+      this.ending = summary(study.jobs);
     } catch (problem) {
-      const stopped = problem === this.stop.signal.reason;
+      const stopped = signal.aborted;
       [this.ending, this.failed] = stopped ? ["You cancelled before it began.", false] : [messageOf(problem), true];
     }
     this.status = "idle";
-    app.tell("study");
+    this.app.tell("study");
   }
 
-  private summary(): string {
-    const all = this.study!.jobs;
-    if (all.length === 0) return "All of this was finished before.";
-    const count = (state: StudyJob["state"]) => all.filter((one) => one.state === state).length;
-    const failed = count("failed") > 0 ? `, ${count("failed")} failed` : "";
-    const whole = count("cancelled") === 0;
-    return `${count("done")} of ${all.length} trainings done${failed}${whole ? "." : "; the others were cancelled."}`;
-  }
-
-  private async carryOut(one: StudyJob): Promise<void> {
-    const study = this.study!;
-    const { signal } = this.stop;
-    const { job } = one;
-    const finish = (outcome: Results["finished"][number]["outcome"], failure: string | null) => {
-      study.results.finished.push({ job, engine: `vcgpdm ${this.app.version}`, outcome, failure });
+  /** The study of what is asked for: as it was left, with the results of an opened file, or a new one. */
+  private takeUp({ clips, parts, framesPerSecond, key }: Asked, empty: Results): Study {
+    const known = this.studies.get(key);
+    const opened = this.study?.clips.length === 0 && sameSetting(this.study.results.setting, empty.setting) ? this.study : null;
+    const ticked = this.app.tickedClips();
+    const { figure, joints } = ticked[0]!.loaded.info;
+    const study = known?.study ?? {
+      key, clips, framesPerSecond,
+      titles: ticked.map(({ title }) => title),
+      body: { figure, joints: joints.map(({ name }) => name), parts },
+      results: opened?.results ?? empty,
+      jobs: [],
+      predictions: new Map(),
+      actual: new Map(),
     };
+    if (this.study?.key !== key) this.comparison = known?.comparison ?? (opened ? this.comparison : null);
+    this.study = study;
+    this.keep();
+    return study;
+  }
+
+  /** The newest studies stay, so that settings can be changed to and fro. */
+  private keep(): void {
+    const { study, comparison } = this;
+    if (!study || study.clips.length === 0) return;
+    this.studies.delete(study.key);
+    this.studies.set(study.key, { study, comparison });
+    for (const key of [...this.studies.keys()].slice(0, -MOST_STUDIES)) this.studies.delete(key);
+  }
+
+  private async carryOut(study: Study, one: StudyJob, signal: AbortSignal): Promise<void> {
+    const { job } = one;
     try {
       const { pool } = await comparing();
       const evaluated = await pool.run((worker) => {
@@ -114,30 +159,52 @@ export class Studying {
           one.elapsed = (performance.now() - start) / 1000;
           this.tellSoon();
         };
-        const { clips, parts, framesPerSecond } = study;
-        const { candidate, held_out, training_trials, seed } = job;
-        const settings = { parts, framesPerSecond };
-        return worker.evaluate({ clips, settings, candidate, heldOut: held_out, trainingTrials: training_trials, seed }, report, signal);
+        const { clips, framesPerSecond } = study;
+        const { candidate, held_out: heldOut, training_trials: trainingTrials, seed } = job;
+        const settings = { parts: study.body!.parts, framesPerSecond };
+        return worker.evaluate({ clips, settings, candidate, heldOut, trainingTrials, seed }, report, signal);
       }, signal);
       one.state = evaluated ? "done" : "cancelled";
-      if (evaluated) {
-        study.predictions.set(jobKey(job), evaluated);
-        finish(evaluated.outcome, null);
-        await this.compare(study.results);
-      }
+      if (evaluated) this.finish(study, job, evaluated);
     } catch (problem) {
-      one.state = problem === signal.reason ? "cancelled" : "failed";
-      if (one.state === "failed") finish(null, messageOf(problem));
+      // Only what came of a training is a result; one that was stopped or could not be done may be asked for again.
+      one.state = signal.aborted ? "cancelled" : "failed";
+      one.why = messageOf(problem);
     }
     this.tellSoon();
   }
 
-  /** What results say; the newest count, in whatever order the answers come. */
-  private async compare(results: Results): Promise<void> {
-    const told = results.finished.length;
-    const { desk } = await comparing();
-    const comparison = await desk.run((worker) => worker.compare(results));
-    if (this.study?.results === results && told === results.finished.length) this.comparison = comparison;
+  private finish(study: Study, job: Job, { outcome, predicted, actual, frameTime }: Evaluated): void {
+    const key = jobKey(job);
+    const { results, predictions } = study;
+    if (job.training_trials === results.setting.trials.length - 1) {
+      predictions.set(key, { positions: predicted, frameTime });
+      study.actual.set(job.held_out, { positions: actual, frameTime });
+      if (predictions.size > MOST_MOTIONS) predictions.delete(predictions.keys().next().value!);
+    }
+    const before = results.finished.findIndex((finished) => jobKey(finished.job) === key);
+    if (before >= 0 && results.finished[before]!.outcome) return; // done again for its motion
+    if (before >= 0) results.finished.splice(before, 1);
+    results.finished.push({ job, engine: `vcgpdm ${this.app.version}`, outcome, failure: null });
+    this.counting ??= this.count(study);
+  }
+
+  /** Asks what the results say, again while more come in. */
+  private async count(study: Study): Promise<void> {
+    try {
+      const { desk } = await comparing();
+      for (let told = -1; told !== study.results.finished.length; ) {
+        told = study.results.finished.length;
+        const comparison = await desk.run((worker) => worker.compare(study.results));
+        if (this.study === study) this.comparison = comparison;
+      }
+      this.keep();
+    } catch (problem) {
+      this.app.notify({ kind: "error", title: "The tables could not be made", text: messageOf(problem), at: null });
+    } finally {
+      this.counting = null;
+      this.tellSoon();
+    }
   }
 
   private tellSoon(): void {
@@ -170,9 +237,10 @@ export class Studying {
     const results = readResults(text);
     const { desk } = await comparing();
     const comparison = await desk.run((worker) => worker.compare(results));
-    const titles = results.setting.trials.map(({ name }) => name);
-    const { parts, frames_per_second } = results.setting;
-    this.study = { clips: [], titles, parts, framesPerSecond: frames_per_second, results, jobs: [], predictions: new Map() };
+    const { trials, frames_per_second: framesPerSecond } = results.setting;
+    this.study = {
+      key: "", clips: [], titles: trials.map(({ name }) => name), body: null, framesPerSecond, results, jobs: [], predictions: new Map(), actual: new Map(),
+    };
     this.comparison = comparison;
     [this.ending, this.failed] = [`${results.finished.length} results opened.`, false];
     this.app.tell("study");
@@ -183,7 +251,12 @@ export class Studying {
   }
 }
 
-const cutOf = ({ id, first, end }: TrainingClip) => [id, first, end];
+function summary(all: readonly StudyJob[]): string {
+  if (all.length === 0) return "All of this was finished before.";
+  const count = (state: StudyJob["state"]) => all.filter((one) => one.state === state).length;
+  const failed = count("failed") > 0 ? `, ${count("failed")} failed` : "";
+  return `${count("done")} of ${all.length} trainings done${failed}${count("cancelled") === 0 ? "." : "; the others were cancelled."}`;
+}
 
 function readResults(text: string): Results {
   try {

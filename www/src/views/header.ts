@@ -3,7 +3,7 @@ import { html } from "lit";
 import { openFiles } from "../actions/clips";
 import { saveModel, saveMotion } from "../actions/saving";
 import { changeSettings } from "../actions/settings";
-import type { Settings } from "../state";
+import { type Settings, writeSettings } from "../state";
 import { icon } from "./icons";
 import { View } from "./view";
 
@@ -23,7 +23,7 @@ export class HeaderView extends View {
     return html`
       <nav class="segments" aria-label="Views">
         ${VIEWS.map(([view, title]) => html`
-          <a href="#view=${view}" data-testid="view-${view}" aria-current=${app.settings.view === view ? "page" : "false"}
+          <a href="#${writeSettings({ ...app.settings, view })}" data-testid="view-${view}" aria-current=${app.settings.view === view ? "page" : "false"}
             @click=${(event: MouseEvent) => {
               if (event.ctrlKey || event.metaKey || event.shiftKey) return;
               event.preventDefault();

@@ -18,7 +18,7 @@ it("writes a mean with as many digits as its standard error leaves", () => {
 });
 
 it("says where no standard error is known", () => {
-  expect(spreadWords({ mean: 0.0104, standardError: null, count: 1 })).toEqual({ mean: "0.0104", error: "one run" });
+  expect(spreadWords({ mean: 0.0104, standardError: null, count: 1 })).toEqual({ mean: "0.0104", error: "one trial" });
   expect(spreadWords({ mean: 0.0104, standardError: Number.NaN, count: 3 })).toEqual({ mean: "0.0104", error: "" });
   expect(spreadWords({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({ mean: "unknown", error: "" });
 });

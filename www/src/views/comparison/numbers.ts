@@ -33,7 +33,7 @@ export function plain(value: number): string {
 /** A mean, and what is known about its error: as many digits as the error leaves. */
 export function spreadWords({ mean, standardError, count }: Spread): { mean: string; error: string } {
   if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
-  if (standardError === null || !Number.isFinite(standardError)) return { mean: plain(mean), error: count === 1 ? "one run" : "" };
+  if (standardError === null || !Number.isFinite(standardError)) return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
   const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
   if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };

@@ -1,13 +1,13 @@
 // Comparing models: what to compare, how far it is, the models side by side, and what came of them.
 import { html, nothing } from "lit";
-import { tickClip } from "../../actions/clips";
+import { LARGEST_FILE, tickClip } from "../../actions/clips";
 import { changeSettings } from "../../actions/settings";
 import { studying } from "../../actions/study";
 import { sentence, timeLeft } from "../../format";
 import { partsFor } from "../../parts";
 import { BY_HAND, MODELS, type NumberSetting, SETTINGS, type SettingName } from "../../state";
 import "../../styles/comparison.css";
-import { find, secondsLeft, share } from "../../study";
+import { isCoupled, secondsLeft, share } from "../../study";
 import { icon } from "../icons";
 import { noticeCard } from "../notices";
 import { View } from "../view";
@@ -124,37 +124,51 @@ export class ComparisonPage extends View {
   }
 
   private words() {
-    const { app } = this;
-    const studies = studying(app);
-    const why = studies.whyNot();
+    const studies = studying(this.app);
+    if (this.problem) return html`<span class="bad" role="alert">${sentence(this.problem)}</span>`;
     if (studies.status === "starting") return "Loading the other models";
+    if (studies.status === "cancelling") return "Cancelling";
     if (studies.busy) {
       const { jobs } = studies.study!;
       const done = jobs.filter(({ state }) => state === "done" || state === "failed").length;
-      return html`<span>${done} of ${jobs.length} trainings done</span><span>${sentence(timeLeft(secondsLeft(jobs, studies.width)))}</span>`;
+      return html`<span>${done} of ${jobs.length} trainings done</span><span>${sentence(timeLeft(secondsLeft(jobs, studies.width), "about"))}</span>`;
     }
-    if (studies.failed) return html`<span class="bad">The comparison failed. ${sentence(studies.ending)}</span>`;
-    if (this.problem) return html`<span class="bad">${sentence(this.problem)}</span>`;
-    if (why) return sentence(why);
-    const asked = studies.asked();
-    const { study } = studies;
-    const same = study && study.clips.length === app.tickedClips().length;
-    const open = same ? asked.filter((job) => !find(study.results, job)).length : asked.length;
-    const words = `${open} ${open === 1 ? "training" : "trainings"}${open < asked.length ? `, ${asked.length - open} finished before` : ""}.`;
-    return html`<span>${sentence(studies.ending)}</span><span>${open > 0 ? words : ""}</span>`;
+    const ended = studies.failed
+      ? html`<span class="bad" role="alert">The comparison failed. ${sentence(studies.ending)}</span>`
+      : html`<span>${sentence(studies.ending)}</span>`;
+    const why = studies.whyNot();
+    if (why) return html`${ended}<span>${sentence(why)}</span>`;
+    const { all, open, goesOn } = studies.outlook();
+    const known = open < all ? `, ${all - open} finished before` : "";
+    const words = open > 0 ? `${open} ${open === 1 ? "training" : "trainings"}${known}.` : "";
+    return html`${ended}<span>${words}${goesOn ? "" : " Other trials, parts or frame rate than below: a comparison of its own."}</span>`;
   }
 
   private announcement(): string {
     const studies = studying(this.app);
     if (studies.status === "running") return `Comparing, ${Math.floor(share(studies.study!.jobs) * 10) * 10} per cent done`;
-    return studies.status === "idle" ? studies.ending : "";
+    if (studies.status === "cancelling") return "Cancelling";
+    return studies.status === "idle" && !studies.failed ? studies.ending : "";
+  }
+
+  /** What is missing for the figure of learning time. */
+  private growthWords(): string {
+    const { settings } = this.app;
+    if (!settings.growth) return "";
+    const some = settings.models.some(isCoupled);
+    if (!some || this.app.tickedClips().length < 4) return "Needs the vCGPDM or the MAP CGPDM, and four trials or more.";
+    return "Times are taken with all workers busy; the terminal can measure alone.";
   }
 
   private openFile(event: Event): void {
     const input = event.target as HTMLInputElement;
     const [file] = input.files ?? [];
     input.value = "";
-    if (file) void this.opening(file.name, async () => studying(this.app).open(await file.text()));
+    if (!file) return;
+    void this.opening(file.name, async () => {
+      if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected the results of a comparison.");
+      await studying(this.app).open(await file.text());
+    });
   }
 
   /** Opens results; what is shown stays when they cannot be. */
@@ -202,6 +216,7 @@ export class ComparisonPage extends View {
         ${this.count("heldOut", "Only trial (0: each)", "The trial held out, counted from 1; 0: each in turn")}
       </div>
       ${this.flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
+      <p class="hint">${this.growthWords()}</p>
       <details class="advanced">
         <summary>Advanced</summary>
         <div class="fields">
@@ -225,10 +240,12 @@ export class ComparisonPage extends View {
   }
 
   private failures() {
-    const failed = studying(this.app).study?.results.finished.filter(({ failure }) => failure) ?? [];
+    const { study } = studying(this.app);
+    const known = study?.results.finished.filter(({ failure }) => failure).map(({ job, failure }) => ({ job, why: failure ?? "" })) ?? [];
+    const failed = [...known, ...(study?.jobs.filter(({ state }) => state === "failed") ?? [])];
     if (failed.length === 0) return nothing;
-    return html`<ul class="failures">${failed.map(({ job, failure }) => html`
-      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.held_out} held out: ${sentence(failure ?? "")}</li>`)}</ul>`;
+    return html`<ul class="failures card">${failed.map(({ job, why }) => html`
+      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.held_out} held out: ${sentence(why)}</li>`)}</ul>`;
   }
 
   protected override render() {

@@ -3,11 +3,11 @@ import { html, nothing } from "lit";
 import { studying } from "../../actions/study";
 import { distances } from "../../motion";
 import { Player } from "../../player";
-import type { Evaluated, Finished, Motion } from "../../protocol";
-import { jobKey, labelOf } from "../../study";
+import type { Finished, Motion } from "../../protocol";
+import { inOrder, jobKey, labelOf, type Positions } from "../../study";
 import { icon } from "../icons";
 import { View } from "../view";
-import { type Body, type ColumnMotion, Columns } from "./columns";
+import { type ColumnMotion, Columns } from "./columns";
 import "./distance";
 import type { Distances, DistanceFigure } from "./distance";
 import { modelStyle } from "./model-style";
@@ -19,37 +19,30 @@ const MOST = 4;
 interface Shown {
   key: string;
   finished: Finished;
-  evaluated: Evaluated;
+  predicted: Positions;
 }
 
-const motionOf = (positions: Float32Array, nodes: number, frameTime: number): Motion => ({
+const motionOf = ({ positions, frameTime }: Positions, nodes: number): Motion => ({
   positions, nodes, frameTime, frames: positions.length / (3 * nodes),
 });
 
 export class SideBySide extends View {
   static override topics = ["study"] as const;
-  static override properties = { fold: { state: true }, picked: { state: true }, frame: { state: true } };
-  /** The trial held out, counted from 1; 0: the first there is. */
-  declare fold: number;
-  /** Keys of the candidates that were picked, with the seed; null: the first of each kind. */
-  declare picked: string[] | null;
-  declare frame: number;
+  /** The whole frame that the controls show, and where the clock was when the columns were last drawn. */
+  private frame = 0;
+  private drawnAt = -1;
   private readonly player = new Player();
   private columns: Columns | null = null;
   private problem = "";
-  private onStage = "";
+  /** What the columns show: of which study, which trial, which models. */
+  private onStage: { of: unknown; what: string } = { of: null, what: "" };
   private apart: Distances | null = null;
   private lastTick = 0;
   private timer = 0;
 
-  constructor() {
-    super();
-    [this.fold, this.picked, this.frame] = [0, null, 0];
-    this.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
-  }
-
   override connectedCallback(): void {
     super.connectedCallback();
+    this.player.playing = studying(this.app).look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
     const tick = (now: number) => {
       this.timer = requestAnimationFrame(tick);
       this.tick(Math.min(0.25, (now - this.lastTick) / 1000));
@@ -62,28 +55,63 @@ export class SideBySide extends View {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     cancelAnimationFrame(this.timer);
+    this.leave();
+  }
+
+  /** Gives the canvas up. */
+  private leave(): void {
     this.columns?.dispose();
-    [this.columns, this.onStage] = [null, ""];
+    this.columns = null;
+    this.onStage = { of: null, what: "" };
   }
 
   togglePlay(): void {
     if (this.player.playing) this.player.pause();
     else this.player.play();
-    this.requestUpdate();
+    this.remember();
   }
 
   step(direction: 1 | -1): void {
     this.player.step(direction);
-    this.frame = this.player.frame;
+    this.showFrame();
+    this.remember();
+  }
+
+  private scrub(event: Event): void {
+    this.player.pause();
+    this.player.scrub(Number((event.target as HTMLInputElement).value));
+    this.showFrame();
+    this.remember();
+  }
+
+  /** Whether it plays is as it was left when the view is opened again. */
+  private remember(): void {
+    studying(this.app).look.playing = this.player.playing;
+    this.requestUpdate();
   }
 
   private tick(seconds: number): void {
-    const at = this.player.frame;
     this.player.advance(seconds);
-    const changed = this.player.frame !== at || Math.floor(at) !== this.frame;
-    if (changed) this.frame = Math.floor(this.player.frame + 1e-6);
-    if (changed) this.querySelector<DistanceFigure>("comparison-distance")?.at(this.frame);
+    const changed = this.player.frame !== this.drawnAt;
+    this.drawnAt = this.player.frame;
+    if (Math.floor(this.player.frame + 1e-6) !== this.frame) this.showFrame();
     this.columns?.draw(this.player.frame, changed, seconds, this.player.playing);
+  }
+
+  /** Moves what follows the clock; all else stays as it is drawn. */
+  private showFrame(): void {
+    const frame = Math.floor(this.player.frame + 1e-6);
+    this.frame = frame;
+    const [range, clock] = [this.querySelector<HTMLInputElement>(".scrub input"), this.querySelector(".clock b")];
+    if (!range || !clock) return;
+    range.value = String(frame);
+    range.setAttribute("aria-valuetext", this.frameWords());
+    clock.textContent = String(frame + 1);
+    this.querySelector<DistanceFigure>("comparison-distance")?.at(frame);
+  }
+
+  private frameWords(): string {
+    return `Frame ${this.frame + 1} of ${this.player.last + 1}`;
   }
 
   /** Trials of which there are predictions. */
@@ -98,16 +126,17 @@ export class SideBySide extends View {
     const { study } = studying(this.app);
     if (!study) return [];
     const all = study.results.setting.trials.length - 1;
-    return study.results.finished.flatMap((finished) => {
+    const found = study.results.finished.flatMap((finished) => {
       const { job } = finished;
-      const evaluated = study.predictions.get(jobKey(job));
-      if (!evaluated || job.held_out !== fold || job.training_trials !== all) return [];
-      return [{ key: jobKey({ ...job, held_out: 0 }), finished, evaluated }];
+      if (job.held_out !== fold || job.training_trials !== all) return [];
+      const predicted = study.predictions.get(jobKey(job));
+      return predicted ? [{ key: jobKey({ ...job, held_out: 0 }), finished, predicted }] : [];
     });
+    return found.sort((a, b) => inOrder(a.finished.job, b.finished.job));
   }
 
   private chosen(of: readonly Shown[]): Shown[] {
-    const picked = this.picked?.flatMap((key) => of.filter((one) => one.key === key)) ?? [];
+    const picked = studying(this.app).look.picked?.flatMap((key) => of.filter((one) => one.key === key)) ?? [];
     if (picked.length > 0) return picked.slice(0, MOST);
     const kinds = new Map<string, Shown>();
     for (const one of of) {
@@ -120,7 +149,8 @@ export class SideBySide extends View {
   private toggle(of: readonly Shown[], key: string): void {
     const now = this.chosen(of).map((one) => one.key);
     const next = now.includes(key) ? now.filter((one) => one !== key) : [...now, key];
-    if (next.length >= 1 && next.length <= MOST) this.picked = next;
+    if (next.length >= 1 && next.length <= MOST) studying(this.app).look.picked = next;
+    this.requestUpdate();
   }
 
   private nameOf({ finished: { job } }: Shown): string {
@@ -132,6 +162,7 @@ export class SideBySide extends View {
 
   override updated(): void {
     const canvas = this.querySelector("canvas");
+    if (this.columns && this.columns.canvas !== canvas) this.leave();
     if (!canvas) return;
     if (!this.columns && !this.problem) {
       try {
@@ -142,45 +173,35 @@ export class SideBySide extends View {
         return;
       }
     }
+    const { study } = studying(this.app);
     const fold = this.foldNow();
+    const actual = study?.actual.get(fold);
+    if (!study?.body || !actual) return;
     const shown = this.chosen(this.candidates(fold));
-    const stage = JSON.stringify([fold, shown.map(({ key }) => key)]);
-    if (stage === this.onStage) return;
-    this.onStage = stage;
-    const body = this.body();
-    if (!body) return;
-    const nodes = body.figure.nodes.length;
-    const motions = shown.map(({ evaluated }): ColumnMotion => ({
-      predicted: motionOf(evaluated.predicted, nodes, evaluated.frameTime),
-      actual: motionOf(evaluated.actual, nodes, evaluated.frameTime),
-    }));
-    this.columns?.show(body, motions);
+    const what = JSON.stringify([fold, shown.map(({ key }) => key)]);
+    if (this.onStage.of === study && this.onStage.what === what) return;
+    this.onStage = { of: study, what };
+    const nodes = study.body.figure.nodes.length;
+    const trial = motionOf(actual, nodes);
+    const motions = shown.map(({ predicted }): ColumnMotion => ({ predicted: motionOf(predicted, nodes), actual: trial }));
+    this.columns?.show(study.body, motions);
     this.apart = {
-      frameTime: motions[0]?.actual.frameTime ?? 1,
-      trial: studying(this.app).study?.titles[fold - 1] ?? "",
+      frameTime: trial.frameTime,
+      trial: study.titles[fold - 1] ?? "",
       lines: shown.map((one, i) => ({
         model: one.finished.job.candidate.model,
         label: this.nameOf(one),
-        metres: distances(motions[i]!.predicted, motions[i]!.actual),
+        metres: distances(motions[i]!.predicted, trial),
       })),
     };
+    this.player.load(trial.frames, trial.frameTime, trial.frames - 1);
     this.requestUpdate();
-    const first = motions[0]?.actual;
-    if (first) this.player.load(first.frames, first.frameTime, first.frames - 1);
   }
 
   private foldNow(): number {
+    const { fold } = studying(this.app).look;
     const folds = this.folds();
-    return folds.includes(this.fold) ? this.fold : (folds[0] ?? 0);
-  }
-
-  /** The body of the clips that are compared on. */
-  private body(): Body | null {
-    const { study } = studying(this.app);
-    const clip = this.app.clips.find(({ loaded }) => loaded.id === study?.clips[0]?.id);
-    if (!study || !clip) return null;
-    const { figure, joints } = clip.loaded.info;
-    return { figure, joints: joints.map(({ name }) => name), parts: study.parts };
+    return folds.includes(fold) ? fold : (folds[0] ?? 0);
   }
 
   private controls() {
@@ -193,14 +214,9 @@ export class SideBySide extends View {
         <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => this.step(1)}>${icon("forward")}</button>
         <div class="scrub">
           <input type="range" aria-label="Frame" data-testid="compare-scrub" min="0" max=${player.last} step="1" .value=${String(this.frame)}
-            aria-valuetext="Frame ${this.frame + 1} of ${player.last + 1}" @input=${(event: Event) => {
-              player.pause();
-              player.scrub(Number((event.target as HTMLInputElement).value));
-              this.frame = player.frame;
-              this.requestUpdate();
-            }} />
+            aria-valuetext=${this.frameWords()} @input=${this.scrub} />
         </div>
-        <output class="clock" aria-hidden="true">${this.frame + 1}<span> of ${player.last + 1}</span></output>
+        <output class="clock" aria-hidden="true"><b .textContent=${String(this.frame + 1)}></b><span> of ${player.last + 1}</span></output>
       </div>`;
   }
 
@@ -219,7 +235,10 @@ export class SideBySide extends View {
     return html`
       <div class="which">
         <label>Trial held out
-          <select data-testid="compare-fold" @change=${(event: Event) => (this.fold = Number((event.target as HTMLSelectElement).value))}>
+          <select data-testid="compare-fold" @change=${(event: Event) => {
+            studying(this.app).look.fold = Number((event.target as HTMLSelectElement).value);
+            this.requestUpdate();
+          }}>
             ${folds.map((k) => html`<option value=${k} ?selected=${k === fold}>${study.titles[k - 1] ?? k}</option>`)}
           </select>
         </label>
@@ -242,7 +261,7 @@ export class SideBySide extends View {
             <li>
               <strong>${modelStyle(one.finished.job.candidate.model).name}</strong>
               <span>${this.nameOf(one)}</span>
-              <span>MSE ${plain(one.evaluated.outcome.score.dtw_mse)}</span>
+              <span>MSE ${plain(one.finished.outcome?.score.dtw_mse ?? NaN)}</span>
             </li>`)}
         </ol>
       </div>
