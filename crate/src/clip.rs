@@ -22,6 +22,8 @@ pub struct Clip {
     /// SHA-256 of the file's bytes in lower-case hexadecimal; of the written text for a clip that never was a file.
     /// A cut or resampled clip keeps that of the file it came from.
     pub sha256: String,
+    /// The frames of the whole clip that a cut left, from the first up to but not including the end; absent: not cut.
+    pub piece: Option<(usize, usize)>,
 }
 
 /// Why a clip could not be cut or resampled.
@@ -81,6 +83,7 @@ impl Clip {
             values,
             warnings: Vec::new(),
             sha256: String::new(),
+            piece: None,
         };
         clip.sha256 = sha256(crate::bvh::write(&clip).as_bytes());
         clip
@@ -126,7 +129,12 @@ impl Clip {
             let (name, frames) = (self.name.clone(), self.frames());
             return Err(ClipError::Range { name, frames, first, end });
         }
-        Ok(self.with_values(self.values.rows(first, end - first).into_owned(), self.frame_time))
+        let mut cut = self.with_values(self.values.rows(first, end - first).into_owned(), self.frame_time);
+        if end - first < self.frames() {
+            let (start, _) = self.piece.unwrap_or((0, 0));
+            cut.piece = Some((start + first, start + end));
+        }
+        Ok(cut)
     }
 
     /// The same motion at about `fps` frames a second.
@@ -207,6 +215,7 @@ impl Clip {
             values,
             warnings: self.warnings.clone(),
             sha256: self.sha256.clone(),
+            piece: self.piece,
         }
     }
 }

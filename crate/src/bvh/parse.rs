@@ -34,6 +34,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
         values: DMatrix::from_row_slice(motion.frames, channels, &motion.values),
         warnings,
         sha256: sha256(bytes),
+        piece: None,
     })
 }
 

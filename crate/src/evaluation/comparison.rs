@@ -249,7 +249,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     fn setting(trials: usize) -> Setting {
-        let trial = |k: usize| Trial { name: format!("walk {k}"), sha256: String::new() };
+        let trial = |k: usize| Trial { name: format!("walk {k}"), sha256: format!("sha {k}"), piece: None };
         Setting {
             trials: (0..trials).map(trial).collect(),
             parts: vec![],

@@ -46,6 +46,9 @@ pub enum EvaluationError {
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
+    /// Training ended nowhere.
+    #[error("training ended with an objective that is no finite number")]
+    NotFinite,
     /// The prediction could not be scored.
     #[error("the prediction cannot be scored: {0}")]
     Score(#[from] ScoreError),
@@ -175,6 +178,10 @@ impl Fold {
         training: &LearningProgress,
         seconds: f64,
     ) -> Result<Outcome, EvaluationError> {
+        // dtw_mse refuses a prediction that is not finite; a file of results could not hold such numbers.
+        if !training.best.is_finite() || model.bound().is_some_and(|bound| !bound.is_finite()) {
+            return Err(EvaluationError::NotFinite);
+        }
         Ok(Outcome {
             score: dtw_mse(&self.predict(model)?, &self.actual)?,
             bound: model.bound(),

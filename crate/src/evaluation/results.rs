@@ -19,6 +19,17 @@ pub struct Trial {
     pub name: String,
     /// SHA-256 of the clip's file, hexadecimal.
     pub sha256: String,
+    /// The frames of the clip that were used, from the first up to but not including the end; absent: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(optional))]
+    pub piece: Option<(usize, usize)>,
+}
+
+impl Trial {
+    /// Whether it is the same motion, whatever it is called.
+    fn is(&self, other: &Trial) -> bool {
+        (&self.sha256, self.piece) == (&other.sha256, other.piece)
+    }
 }
 
 /// A group of joints.
@@ -50,7 +61,8 @@ pub struct Setting {
 impl Setting {
     /// Of these clips, split so, at this rate.
     pub fn new(clips: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> Self {
-        let trial = |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone() };
+        let trial =
+            |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone(), piece: clip.piece };
         let part = |part: &PartSpec| ResultsPart { name: part.name.clone(), joints: part.joints.clone() };
         Self {
             trials: clips.iter().map(trial).collect(),
@@ -58,6 +70,49 @@ impl Setting {
             frames_per_second,
             start_frames: START_FRAMES,
         }
+    }
+
+    /// In what the other is not of the same; absent when results of both go together. What trials and parts are called does
+    /// not count.
+    fn difference(&self, other: &Setting) -> Option<&'static str> {
+        let joints = |setting: &Setting| -> Vec<Vec<usize>> {
+            setting.parts.iter().map(|part| part.joints.clone()).collect()
+        };
+        let same = self.trials.len() == other.trials.len()
+            && self.trials.iter().zip(&other.trials).all(|(a, b)| a.is(b));
+        if !same {
+            Some("other trials")
+        } else if joints(self) != joints(other) {
+            Some("other parts")
+        } else if self.frames_per_second != other.frames_per_second {
+            Some("another frame rate")
+        } else if self.start_frames != other.start_frames {
+            Some("predictions from another number of first frames")
+        } else {
+            None
+        }
+    }
+
+    /// Two trials that are the same motion: whichever is held out, the other would be trained on. Counted from 1.
+    fn twice(&self) -> Option<(usize, usize)> {
+        let trials = &self.trials;
+        let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is(&trials[*other]));
+        (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
+    }
+
+    /// Whether models can be compared so.
+    pub fn check(&self) -> Result<(), ResultsError> {
+        if self.trials.len() < 2 {
+            return Err(ResultsError::Trials(self.trials.len()));
+        }
+        if let Some((first, second)) = self.twice() {
+            let name = self.trials[first - 1].name.clone();
+            return Err(ResultsError::Twice { name, first, second });
+        }
+        if !self.frames_per_second.is_finite() || self.frames_per_second <= 0.0 {
+            return Err(ResultsError::Rate(self.frames_per_second));
+        }
+        Ok(())
     }
 }
 
@@ -92,7 +147,7 @@ pub struct Finished {
 }
 
 /// Why results cannot be used.
-#[derive(Debug, Error, PartialEq, Eq)]
+#[derive(Debug, Error, PartialEq)]
 pub enum ResultsError {
     /// Another document.
     #[error("expected {FORMAT} version {VERSION}, found {format:?} version {version}")]
@@ -119,6 +174,45 @@ pub enum ResultsError {
     /// Results of something else.
     #[error("these results are of {0}")]
     Differs(&'static str),
+    /// Too few trials to hold one out.
+    #[error("expected at least two trials, found {0}")]
+    Trials(usize),
+    /// The same motion twice.
+    #[error(
+        "trials {first} and {second} are the same motion ({name}): the one held out would be trained on; leave one out"
+    )]
+    Twice {
+        /// What the first is called.
+        name: String,
+        /// Counted from 1.
+        first: usize,
+        /// Counted from 1.
+        second: usize,
+    },
+    /// No rate.
+    #[error("expected a positive number of frames a second, found {0}")]
+    Rate(f64),
+    /// The same job twice.
+    #[error("result {index}: the same training stands there twice, found before as result {before}")]
+    Repeated {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Where it was before.
+        before: usize,
+    },
+    /// Neither an outcome nor a failure, or both.
+    #[error("result {0}: expected an outcome or the reason why there is none, found both or neither")]
+    Ending(usize),
+    /// A number that none can be.
+    #[error("result {index}: expected {what} that is finite and not negative, found {found}")]
+    Number {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Which number.
+        what: &'static str,
+        /// What stands there.
+        found: f64,
+    },
 }
 
 /// All of an evaluation so far.
@@ -145,11 +239,30 @@ impl Results {
         if self.format != FORMAT || self.version != VERSION {
             return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
         }
+        self.setting.check()?;
         let trials = self.setting.trials.len();
-        for (k, Finished { job, .. }) in self.finished.iter().enumerate() {
+        for (k, Finished { job, outcome, failure, .. }) in self.finished.iter().enumerate() {
+            let index = k + 1;
             let (held_out, training_trials) = (job.held_out, job.training_trials);
             if !(1..=trials).contains(&held_out) || !(1..trials).contains(&training_trials) {
-                return Err(ResultsError::Job { index: k + 1, trials, held_out, training_trials });
+                return Err(ResultsError::Job { index, trials, held_out, training_trials });
+            }
+            if let Some(before) = self.finished[..k].iter().position(|other| other.job == *job) {
+                return Err(ResultsError::Repeated { index, before: before + 1 });
+            }
+            if outcome.is_some() == failure.is_some() {
+                return Err(ResultsError::Ending(index));
+            }
+            let Some(outcome) = outcome else { continue };
+            for (what, found) in [
+                ("an error", outcome.score.dtw_mse),
+                ("an error", outcome.score.mse),
+                ("a variance", outcome.score.variance),
+                ("a time", outcome.seconds),
+            ] {
+                if !found.is_finite() || found < 0.0 {
+                    return Err(ResultsError::Number { index, what, found });
+                }
             }
         }
         Ok(())
@@ -162,14 +275,8 @@ impl Results {
 
     /// Takes over what the other knows and this one does not; both must be of the same setting.
     pub fn merge(&mut self, other: Results) -> Result<(), ResultsError> {
-        if other.setting != self.setting {
-            return Err(ResultsError::Differs(if other.setting.trials != self.setting.trials {
-                "other trials"
-            } else if other.setting.parts != self.setting.parts {
-                "other parts"
-            } else {
-                "another frame rate"
-            }));
+        if let Some(difference) = self.setting.difference(&other.setting) {
+            return Err(ResultsError::Differs(difference));
         }
         for finished in other.finished {
             if self.find(&finished.job).is_none() {
@@ -185,7 +292,8 @@ mod tests {
     use super::*;
 
     fn setting() -> Setting {
-        let trial = |name: &str| Trial { name: name.to_owned(), sha256: String::new() };
+        let trial =
+            |name: &str| Trial { name: name.to_owned(), sha256: format!("sha of {name}"), piece: None };
         Setting {
             trials: vec![trial("a"), trial("b")],
             parts: vec![],
@@ -223,8 +331,41 @@ mod tests {
             let error = results.check().unwrap_err().to_string();
             assert!(error.starts_with("result 1: expected trials from 1 to 2"), "{error}");
         }
+        results.finished = vec![finished(1, 1), finished(2, 1), finished(1, 1)];
+        let error = results.check().unwrap_err().to_string();
+        assert_eq!(error, "result 3: the same training stands there twice, found before as result 1");
+        results.finished[1].failure = None;
+        assert_eq!(results.check(), Err(ResultsError::Ending(2)));
         results.version = 2;
         let error = results.check().unwrap_err().to_string();
         assert_eq!(error, "expected vcgpdm-evaluation version 1, found \"vcgpdm-evaluation\" version 2");
+    }
+
+    #[test]
+    fn trials_are_what_they_are_not_what_they_are_called() {
+        let mut results = Results::new(setting());
+        // A page calls a clip by its title, the terminal by its file.
+        let mut renamed = setting();
+        renamed.trials[0].name = "a.bvh".to_owned();
+        assert_eq!(results.merge(Results::new(renamed)), Ok(()));
+        let mut cut = setting();
+        cut.trials[0].piece = Some((0, 60));
+        let error = results.merge(Results::new(cut)).unwrap_err().to_string();
+        assert_eq!(error, "these results are of other trials");
+        let text = serde_json::to_string(&setting()).unwrap();
+        assert!(!text.contains("piece"), "as in files before there were pieces: {text}");
+    }
+
+    #[test]
+    fn a_trial_cannot_be_held_out_and_trained_on() {
+        let mut twice = setting();
+        twice.trials.push(Trial { name: "again".to_owned(), ..twice.trials[1].clone() });
+        let error = twice.check().unwrap_err().to_string();
+        assert!(error.starts_with("trials 2 and 3 are the same motion (b)"), "{error}");
+        // Another piece of the same clip is another trial.
+        twice.trials[2].piece = Some((10, 20));
+        assert_eq!(twice.check(), Ok(()));
+        twice.trials.truncate(1);
+        assert_eq!(twice.check(), Err(ResultsError::Trials(1)));
     }
 }

@@ -32,6 +32,7 @@ impl ComparisonSettings {
 pub fn empty_results(clips: &TrainingSet, common: Ts<ComparisonSettings>) -> Result<Ts<Results>, JsError> {
     let common = read("settings", &common)?;
     let setting = Setting::new(&clips.clips, &common.parts(), common.frames_per_second);
+    setting.check().map_err(error)?;
     Results::new(setting).into_ts().map_err(error)
 }
 
@@ -62,6 +63,11 @@ impl Fold {
         let common = read("settings", &common)?;
         let place = held_out.checked_sub(1).ok_or_else(|| error("expected a trial from 1, found 0"))?;
         let rate = common.frames_per_second;
+        let others = clips.clips.len().saturating_sub(1);
+        if !(1..=others).contains(&training_trials) {
+            let words = format!("expected from 1 to {others} trials to train on, found {training_trials}");
+            return Err(error(words));
+        }
         let fold =
             HeldOut::new(&clips.clips, place, training_trials, &common.parts(), rate).map_err(error)?;
         Ok(Fold { fold: Rc::new(fold) })

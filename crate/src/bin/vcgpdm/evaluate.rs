@@ -75,6 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
     let setting = Setting::new(&clips, &parts, arguments.fps);
+    setting.check()?;
     let all = jobs(arguments, clips.len())?;
     // Whatever cannot be used is found before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();

@@ -100,7 +100,9 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
 
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     for f in results.finished.iter().filter(|f| f.failure.is_some()) {
-        let (job, why) = (&f.job, f.failure.as_deref().unwrap_or_default());
+        // One line of Markdown, whatever stands in the file.
+        let words: Vec<&str> = f.failure.as_deref().unwrap_or_default().split_whitespace().collect();
+        let (job, why) = (&f.job, words.join(" ").replace('|', "\\|"));
         let (kind, label) = (job.candidate.kind().id(), job.candidate.label());
         writeln!(
             text,
