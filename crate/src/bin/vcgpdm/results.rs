@@ -28,13 +28,25 @@ impl Store {
     /// Opens the file, or will write a new one.
     pub fn open(path: &Path, setting: Setting) -> Result<Self> {
         let mut store = Self { path: path.to_owned(), results: Results::new(setting) };
-        files::check_writable(path)?;
+        let _lock = store.lock()?;
+        if path.exists() {
+            files::check_writable(path)?;
+        }
         store.take_over()?;
         Ok(store)
     }
 
     pub fn results(&self) -> &Results {
         &self.results
+    }
+
+    /// Keeps other processes out until it is dropped. The locked file stays beside the results for good: deleted while others
+    /// wait for it, it would be one file for them and another for whoever comes next.
+    fn lock(&self) -> Result<File> {
+        let path = self.beside("lock");
+        let lock = File::create(&path).map_err(|error| files::about(&path, &error))?;
+        lock.lock().map_err(|error| files::about(&path, &error))?;
+        Ok(lock)
     }
 
     fn take_over(&mut self) -> Result<()> {
@@ -46,13 +58,12 @@ impl Store {
 
     /// Adds a finished job. Another process may have added some meanwhile; they stay.
     pub fn add(&mut self, finished: Finished) -> Result<()> {
-        let lock_path = self.beside("lock");
-        let lock = File::create(&lock_path).map_err(|error| files::about(&lock_path, &error))?;
-        lock.lock().map_err(|error| files::about(&lock_path, &error))?;
+        let _lock = self.lock()?;
         self.take_over()?;
         self.results.finished.push(finished);
-        // A new file takes the old one's place at once: nobody ever sees half of it.
-        let new = self.beside("new");
+        // A new file takes the old one's place at once: nobody ever sees half of it. Its name is this process's own, so that a disk
+        // that cannot lock does not mix two processes' texts.
+        let new = self.beside(&format!("{}.new", std::process::id()));
         files::write_text(&new, &(serde_json::to_string(&self.results)? + "\n"))?;
         fs::rename(&new, &self.path).map_err(|error| files::about(&self.path, &error))
     }
@@ -65,8 +76,51 @@ impl Store {
     }
 }
 
-impl Drop for Store {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(self.beside("lock"));
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use vcgpdm::evaluation::{Candidate, Job};
+    use vcgpdm::samples;
+
+    fn setting() -> Setting {
+        let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();
+        Setting::new(&clips, &[], 30.0)
+    }
+
+    fn finished(seed: u32) -> Finished {
+        let job =
+            Job { candidate: Candidate::Tmp { primitives: None }, held_out: 1, training_trials: 1, seed };
+        Finished { job, engine: String::new(), outcome: None, failure: Some("a test".to_owned()) }
+    }
+
+    /// A folder that is there for one test.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("vcgpdm-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn those_who_come_and_go_lose_no_job_of_others() {
+        let folder = folder("store");
+        let path = folder.join("results.json");
+        std::thread::scope(|scope| {
+            for worker in 0..8 {
+                let (path, setting) = (&path, setting());
+                scope.spawn(move || {
+                    for k in 0..10 {
+                        let mut store = Store::open(path, setting.clone()).unwrap();
+                        store.add(finished(10 * worker + k)).unwrap();
+                    }
+                });
+            }
+        });
+        assert_eq!(read(&path).unwrap().finished.len(), 80);
+        let mut left: Vec<_> = fs::read_dir(&folder).unwrap().map(|e| e.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, ["results.json", "results.json.lock"]);
+        fs::remove_dir_all(&folder).unwrap();
     }
 }
