@@ -247,6 +247,16 @@ mod tests {
     }
 
     #[test]
+    fn a_cut_knows_which_piece_of_the_whole_it_is() {
+        let clip = turning(40, 0.1, 3.0);
+        assert_eq!(clip.cut(0, 40).unwrap().piece, None);
+        let piece = clip.cut(10, 30).unwrap();
+        assert_eq!(piece.piece, Some((10, 30)));
+        assert_eq!(piece.cut(5, 20).unwrap().piece, Some((15, 30)));
+        assert_eq!(piece.resample(5.0).unwrap().cut(0, 10).unwrap().piece, Some((10, 30)));
+    }
+
+    #[test]
     fn whole_multiples_of_the_rate_keep_frames_as_they_are() {
         for (frame_time, fps, step) in [
             (0.0083333, 30.0, 4),

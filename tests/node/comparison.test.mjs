@@ -73,6 +73,12 @@ describe("comparing models from Node", () => {
     assert.throws(() => compare(other), /expected vcgpdm-evaluation version 1, found "vcgpdm-evaluation" version 9/);
     const fold = new Fold(clips, common, 1, 1);
     assert.throws(() => new Evaluation(fold, /** @type {any} */ ({ model: "gplvm" }), 0), /candidate: unknown variant `gplvm`/);
+    assert.throws(() => new Fold(clips, common, 1, 3), /expected from 1 to 2 trials to train on, found 3/);
+    assert.throws(() => emptyResults(clips, { ...common, framesPerSecond: NaN }), /expected a positive number of frames a second, found NaN/);
+    const twice = new TrainingSet();
+    twice.add(Clip.sample("walk-1"));
+    twice.add(Clip.sample("walk-1"));
+    assert.throws(() => emptyResults(twice, common), /trials 1 and 2 are the same motion/);
     const one = new TrainingSet();
     one.add(Clip.sample("walk-1"));
     one.add(Clip.sample("walk-2").cut(0, 2));

@@ -46,7 +46,8 @@ async function evaluate(job: EvaluationJob, report: (fraction: number) => void):
       if (run.cancelled) return null;
     }
     const prediction = own(training.prediction());
-    const outcome = prediction.outcome((performance.now() - start - paused) / 1000);
+    const seconds = (performance.now() - start - paused) / 1000;
+    const outcome = prediction.outcome(seconds);
     const [predicted, actual] = [prediction.positions(), fold.actual()];
     const evaluated = { outcome, predicted, actual, frameTime: fold.frameTime };
     return Comlink.transfer(evaluated, [predicted.buffer, actual.buffer]);

@@ -5,7 +5,6 @@ use super::{PartSpec, error, read};
 use crate::evaluation::{Candidate, Comparison, Fold as HeldOut, Outcome, Results, Setting};
 use crate::learner::{Learner, LearningProgress, MovementModel};
 use crate::parts::PartSpec as Part;
-use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use tsify::{Ts, Tsify};
@@ -127,8 +126,7 @@ impl Evaluation {
     /// The best model so far, put to the test.
     pub fn prediction(&self) -> Result<Prediction, JsError> {
         let model = self.learner.model().map_err(error)?;
-        let y = self.fold.predict(&*model).map_err(error)?;
-        Ok(Prediction { fold: self.fold.clone(), training: self.learner.progress(), model, y })
+        Ok(Prediction { fold: self.fold.clone(), training: self.learner.progress(), model })
     }
 }
 
@@ -138,7 +136,6 @@ pub struct Prediction {
     fold: Rc<HeldOut>,
     training: LearningProgress,
     model: Box<dyn MovementModel>,
-    y: DMatrix<f64>,
 }
 
 #[wasm_bindgen]
@@ -151,6 +148,7 @@ impl Prediction {
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Result<Vec<f32>, JsError> {
-        self.fold.body().positions(&self.y).map_err(error)
+        let y = self.fold.predict(&*self.model).map_err(error)?;
+        self.fold.body().positions(&y).map_err(error)
     }
 }
