@@ -82,19 +82,16 @@ impl Candidate {
         }
     }
 
-    /// What sets it apart from others of its kind, in a few words.
-    pub fn label(&self) -> String {
-        match self {
-            Candidate::Vcgpdm(s) | Candidate::Vgpdm(s) => {
-                format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips)
-            }
-            Candidate::MapGpdm(s) | Candidate::MapCgpdm(s) => {
-                format!("Q = {}{}", s.latent, if s.balanced { ", balanced" } else { "" })
-            }
-            Candidate::Tmp { primitives: None } => "primitives by the bound".to_owned(),
-            Candidate::Tmp { primitives: Some(count) } => format!("{count} primitives"),
-            Candidate::DmpDiscrete { bases } | Candidate::DmpRhythmic { bases } => format!("{bases} bases"),
+    /// The same without its size (inducing points, primitives, bases): equal for candidates that differ in size alone.
+    pub(super) fn of_any_size(&self) -> Candidate {
+        let mut all = self.clone();
+        match &mut all {
+            Candidate::Vcgpdm(s) | Candidate::Vgpdm(s) => (s.dynamics_ips, s.pose_ips) = (0, 0),
+            Candidate::MapGpdm(_) | Candidate::MapCgpdm(_) => {}
+            Candidate::Tmp { primitives } => *primitives = None,
+            Candidate::DmpDiscrete { bases } | Candidate::DmpRhythmic { bases } => *bases = 0,
         }
+        all
     }
 
     /// Whether another seed gives another model.

@@ -1,9 +1,12 @@
 //! The claims of Velychko et al. (2017, 2018) about the models, held against results.
 
 use super::candidate::Candidate;
-use super::comparison::{Correlation, Growth, ModelSummary, Row};
-use crate::learner::ModelKind;
+use super::comparison::{Growth, correlation};
+use super::labels::Labels;
+use super::rows::{Row, common_folds, groups};
+use crate::learner::ModelKind::{self, MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// What the papers say, and what these results say to it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -21,24 +24,53 @@ fn is_balanced(candidate: &Candidate) -> bool {
     matches!(candidate, Candidate::MapGpdm(s) | Candidate::MapCgpdm(s) if s.balanced)
 }
 
-/// The claims about which there are results.
-pub(super) fn claims(rows: &[Row], correlations: &[Correlation], growth: &[Growth]) -> Vec<Claim> {
-    use ModelKind::{MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
+/// The settings of a kind that are compared with each other, and the one that is held against other kinds.
+struct Contender<'a, 'r> {
+    settings: Vec<&'a Row<'r>>,
+    /// The setting that the bound prefers: whoever trains does not know the error on the trial held out.
+    chosen: &'a Row<'r>,
+}
+
+/// Of the plain or balanced settings of a kind; absent where there is nothing to choose by.
+fn contender<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Option<Contender<'a, 'r>> {
+    let settings = settings(rows, kind, balanced);
+    let chosen = match settings[..] {
+        [only] => only,
+        _ => {
+            // A bound sums over frames: those of different trials cannot be compared.
+            let folds = common_folds(&settings);
+            let bounds = settings.iter().filter_map(|row| Some((*row, row.bound(&folds)?)));
+            bounds.max_by(|(_, a), (_, b)| a.total_cmp(b))?.0
+        }
+    };
+    Some(Contender { settings, chosen })
+}
+
+/// The plain or balanced settings of a kind that differ in size alone: of several such groups the one with most results, of
+/// equally many the first.
+fn settings<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Vec<&'a Row<'r>> {
+    let of = |row: &&Row| row.candidate.kind() == kind && is_balanced(row.candidate) == balanced;
+    let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
+    groups(rows.iter().filter(of)).into_iter().rev().max_by_key(runs).unwrap_or_default()
+}
+
+/// The one with the least error over these folds, and that.
+fn least<'a, 'r>(rows: &[&'a Row<'r>], folds: &BTreeSet<usize>) -> Option<(&'a Row<'r>, f64)> {
+    let errors = rows.iter().filter_map(|row| Some((*row, row.mse(folds)?)));
+    errors.min_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+/// The claims about which there are results. All that a claim compares is compared over the same trials held out.
+pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &Labels) -> Vec<Claim> {
     let mut claims = Vec::new();
+    // Says so where not all trials count.
+    let over = |folds: usize| {
+        if folds < trials { format!(" (over {folds} of {trials} trials)") } else { String::new() }
+    };
     let mut say = |claim: &str, found: String, holds: bool| {
         claims.push(Claim { claim: claim.to_owned(), found, holds });
     };
-    let of = |kind: ModelKind, balanced: bool| {
-        rows.iter().filter(move |(c, _)| c.kind() == kind && is_balanced(c) == balanced).map(|(_, s)| s)
-    };
-    // The setting that the bound prefers: whoever trains does not know the error on the trial held out.
-    let chosen = |kind: ModelKind, balanced: bool| {
-        let bound = |s: &ModelSummary| s.bound.as_ref().map_or(f64::NEG_INFINITY, |b| b.mean);
-        of(kind, balanced).max_by(|a, b| bound(a).total_cmp(&bound(b)))
-    };
-    let chosen_mse = |kind: ModelKind| chosen(kind, false).map(|s| s.mse.mean);
-    let best = |kind: ModelKind| of(kind, false).min_by(|a, b| a.mse.mean.total_cmp(&b.mse.mean));
-    let variational = (chosen_mse(Vcgpdm), chosen_mse(Vgpdm));
+    let (vcgpdm, vgpdm) = (contender(rows, Vcgpdm, false), contender(rows, Vgpdm, false));
     for (balanced, what) in [
         (false, "Both variational models predict better than both MAP models (2017, 2018)"),
         (
@@ -46,53 +78,69 @@ pub(super) fn claims(rows: &[Row], correlations: &[Correlation], growth: &[Growt
             "The same beside MAP models whose dynamics are balanced (Urtasun, Fleet & Fua 2006; not in the papers)",
         ),
     ] {
-        if let ((Some(a), Some(b)), Some(c), Some(d)) =
-            (variational, chosen(MapGpdm, balanced), chosen(MapCgpdm, balanced))
-        {
+        let (gpdm, cgpdm) = (contender(rows, MapGpdm, balanced), contender(rows, MapCgpdm, balanced));
+        let (Some(a), Some(b), Some(c), Some(d)) = (&vcgpdm, &vgpdm, gpdm, cgpdm) else { continue };
+        let all = [a.chosen, b.chosen, c.chosen, d.chosen];
+        let folds = common_folds(&all);
+        let [Some(a), Some(b), Some(c), Some(d)] = all.map(|row| row.mse(&folds)) else { continue };
+        let [_, _, Some(c_median), Some(d_median)] = all.map(|row| row.mse_median(&folds)) else { continue };
+        say(
+            what,
+            format!(
+                "MSE vCGPDM {a:.5}, vGPDM {b:.5} beside MAP GPDM {c:.5} (median {c_median:.5}), MAP CGPDM {d:.5} (median {d_median:.5}){}",
+                over(folds.len())
+            ),
+            a.max(b) < c.min(d),
+        );
+    }
+    if let Some(a) = &vcgpdm {
+        let kinds = ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm);
+        let others: Vec<&Row> = kinds.flat_map(|kind| settings(rows, kind, false)).collect();
+        let folds = common_folds(&[&others[..], &[a.chosen]].concat());
+        if let (Some(mse), Some((best, least))) = (a.chosen.mse(&folds), least(&others, &folds)) {
+            let (model, label) = (best.candidate.kind().id(), labels.label(best.candidate));
             say(
-                what,
+                "The two-part vCGPDM predicts best of all models (2017, 2018)",
                 format!(
-                    "MSE vCGPDM {a:.5}, vGPDM {b:.5} beside MAP GPDM {:.5} (median {:.5}), MAP CGPDM {:.5} (median {:.5})",
-                    c.mse.mean, c.mse_median, d.mse.mean, d.mse_median
+                    "MSE {mse:.5}; of the others at best {least:.5}: {model}, {label}{}",
+                    over(folds.len())
                 ),
-                a.max(b) < c.mse.mean.min(d.mse.mean),
+                mse < least,
             );
         }
     }
-    let others = ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm).filter_map(best);
-    if let (Some(a), Some(other)) = (variational.0, others.min_by(|a, b| a.mse.mean.total_cmp(&b.mse.mean))) {
-        say(
-            "The two-part vCGPDM predicts best of all models (2017, 2018)",
-            format!(
-                "MSE {a:.5}; of the others at best {:.5}: {}, {}",
-                other.mse.mean, other.model, other.label
-            ),
-            a < other.mse.mean,
-        );
-    }
-    if let (Some(a), Some(b)) = variational {
-        let ratio = a / b;
-        say(
-            "Parts cost no precision: the vCGPDM's MSE is at most 1.1 times the vGPDM's (2018)",
-            format!("{ratio:.2} times"),
-            ratio <= 1.1,
-        );
-    }
-    for kind in [Vcgpdm, Vgpdm] {
-        let settings = of(kind, false).count();
-        if let (Some(a), Some(least)) = (chosen_mse(kind), best(kind).filter(|_| settings > 2)) {
-            let ratio = a / least.mse.mean;
+    if let (Some(a), Some(b)) = (&vcgpdm, &vgpdm) {
+        let folds = common_folds(&[a.chosen, b.chosen]);
+        if let (Some(a), Some(b)) = (a.chosen.mse(&folds), b.chosen.mse(&folds))
+            && b > 0.0
+        {
+            let ratio = a / b;
             say(
-                "Where the bound is highest, the MSE is nearly the lowest: at most 1.1 times it (2017, 2018)",
-                format!("{} over {settings} settings: {ratio:.2} times", kind.id()),
+                "Parts cost no precision: the vCGPDM's MSE is at most 1.1 times the vGPDM's (2018)",
+                format!("{ratio:.2} times{}", over(folds.len())),
                 ratio <= 1.1,
             );
         }
     }
-    for Correlation { model, settings, rank, .. } in correlations {
-        if [Vcgpdm.id(), Vgpdm.id()].contains(&model.as_str()) {
+    let several = || [&vcgpdm, &vgpdm].into_iter().flatten().filter(|kind| kind.settings.len() > 2);
+    for Contender { settings, chosen } in several() {
+        let folds = common_folds(settings);
+        if let (Some(a), Some((_, least))) = (chosen.mse(&folds), least(settings, &folds))
+            && least > 0.0
+        {
+            let (ratio, kind, count) = (a / least, chosen.candidate.kind().id(), settings.len());
+            say(
+                "Where the bound is highest, the MSE is nearly the lowest: at most 1.1 times it (2017, 2018)",
+                format!("{kind} over {count} settings: {ratio:.2} times{}", over(folds.len())),
+                ratio <= 1.1,
+            );
+        }
+    }
+    for Contender { settings, .. } in several() {
+        if let Some(c) = correlation(settings, String::new(), labels) {
             let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
-            say(claim, format!("{model} over {settings} settings: {rank:.2}"), *rank < -0.5);
+            let found = format!("{} over {} settings: {:.2}{}", c.model, c.settings, c.rank, over(c.folds));
+            say(claim, found, c.rank < -0.5);
         }
     }
     let exponent = |kind: ModelKind| growth.iter().find(|g| g.model == kind.id()).and_then(|g| g.exponent);

@@ -2,9 +2,10 @@
 
 use super::candidate::Candidate;
 use super::claims::{Claim, claims};
-use super::cross_validation::Outcome;
-use super::results::{Finished, Results};
-use super::stats::{exponent, mean, median, rank_correlation, standard_error};
+use super::labels::Labels;
+use super::results::Results;
+use super::rows::{Row, common_folds, groups, rows};
+use super::stats::{exponent, mean, rank_correlation};
 use crate::learner::ModelKind;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -30,7 +31,10 @@ pub struct ModelSummary {
     /// The kind's id.
     #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
     pub model: String,
-    /// Its settings, in a few words.
+    /// Its settings.
+    #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate"))]
+    pub candidate: Candidate,
+    /// Those that set it apart, in a few words.
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.
     pub mse: Spread,
@@ -62,15 +66,19 @@ pub struct BoundAndError {
     pub mse: f64,
 }
 
-/// Bound and error of one kind of model over its settings: figure 6B of Velychko et al. (2018).
+/// Bound and error of one kind of model over its inducing points (primitives of the TMP), all other settings being the same: figure 6B of Velychko et al. (2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Correlation {
     /// The kind's id.
     #[cfg_attr(all(target_arch = "wasm32", feature = "comparison"), tsify(type = "Candidate[\"model\"]"))]
     pub model: String,
+    /// What these settings have in common, in a few words, where the kind has several such groups; else empty.
+    pub label: String,
     /// How many settings.
     pub settings: usize,
+    /// Trials held out that all of these settings have: bounds and errors are means over these.
+    pub folds: usize,
     /// Spearman's rank correlation of bound and error.
     pub rank: f64,
     /// The settings.
@@ -108,7 +116,7 @@ pub struct Growth {
 pub struct Comparison {
     /// Every model with every setting.
     pub models: Vec<ModelSummary>,
-    /// For every kind of model with a bound and at least three settings.
+    /// For every kind of model with a bound and at least three settings that differ in size alone.
     pub correlations: Vec<Correlation>,
     /// For every kind of model that was trained on at least three numbers of trials.
     pub growth: Vec<Growth>,
@@ -119,87 +127,44 @@ pub struct Comparison {
 impl Comparison {
     /// Of these results.
     pub fn of(results: &Results) -> Self {
-        let rows = rows(results);
-        let (correlations, growth) = (correlations(&rows), growth(results));
-        let claims = claims(&rows, &correlations, &growth);
-        Self { models: rows.into_iter().map(|(_, summary)| summary).collect(), correlations, growth, claims }
+        let (rows, labels) = (rows(results), Labels::of(results));
+        let growth = growth(results, &labels);
+        let claims = claims(&rows, results.setting.trials.len(), &growth, &labels);
+        let models = rows.iter().filter_map(|row| row.summary(labels.label(row.candidate))).collect();
+        Self { models, correlations: correlations(&rows, &labels), growth, claims }
     }
 }
 
-pub(super) type Row<'a> = (&'a Candidate, ModelSummary);
-
-fn place(kind: ModelKind) -> Option<usize> {
-    ModelKind::ALL.iter().position(|other| *other == kind)
-}
-
-/// Candidates that were trained on all other trials, in the order of tables.
-fn rows(results: &Results) -> Vec<Row<'_>> {
-    let all = results.setting.trials.len().saturating_sub(1);
-    let whole: Vec<&Finished> = results.finished.iter().filter(|f| f.job.training_trials == all).collect();
-    let mut candidates: Vec<&Candidate> = Vec::new();
-    for finished in &whole {
-        if !candidates.contains(&&finished.job.candidate) {
-            candidates.push(&finished.job.candidate);
-        }
-    }
-    candidates.sort_by_key(|c| place(c.kind()));
-    let row = |candidate: &'_ &Candidate| summary(candidate, &whole);
-    candidates.iter().filter_map(|c| row(c).map(|summary| (*c, summary))).collect()
-}
-
-fn summary(candidate: &Candidate, whole: &[&Finished]) -> Option<ModelSummary> {
-    let of: Vec<(usize, &Outcome)> = whole
-        .iter()
-        .filter(|f| f.job.candidate == *candidate)
-        .filter_map(|f| Some((f.job.held_out, f.outcome.as_ref()?)))
-        .collect();
-    let folds: BTreeSet<usize> = of.iter().map(|(fold, _)| *fold).collect();
-    let means = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Vec<f64> {
-        let fold = |fold: &usize| {
-            let values: Vec<f64> =
-                of.iter().filter(|(other, _)| other == fold).filter_map(|(_, o)| value(o)).collect();
-            (!values.is_empty()).then(|| mean(&values))
-        };
-        folds.iter().filter_map(fold).collect()
-    };
-    let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
-        let means = means(value);
-        (!means.is_empty()).then(|| Spread {
-            mean: mean(&means),
-            standard_error: standard_error(&means),
-            count: means.len(),
-        })
-    };
-    Some(ModelSummary {
-        model: candidate.kind().id().to_owned(),
-        label: candidate.label(),
-        mse: spread(&|o| Some(o.score.dtw_mse))?,
-        mse_median: median(&means(&|o| Some(o.score.dtw_mse))),
-        variance: spread(&|o| Some(o.score.variance))?.mean,
-        bound: spread(&|o| o.bound),
-        seconds: spread(&|o| Some(o.seconds))?,
-        stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
-        folds: folds.len(),
-        runs: of.len(),
-    })
-}
-
-fn correlations(rows: &[Row]) -> Vec<Correlation> {
+/// Of every kind and all settings but its size.
+fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
     let of = |kind: ModelKind| {
-        let rows = rows.iter().filter(|(candidate, _)| candidate.kind() == kind);
-        let point = |(_, s): &Row| {
-            Some(BoundAndError { label: s.label.clone(), bound: s.bound.as_ref()?.mean, mse: s.mse.mean })
+        let groups = groups(rows.iter().filter(|row| row.candidate.kind() == kind));
+        let several = groups.len() > 1;
+        let one = |group: &Vec<&Row>| {
+            let label = if several { labels.besides_size(group[0].candidate) } else { String::new() };
+            correlation(group, label, labels)
         };
-        let points: Vec<BoundAndError> = rows.filter_map(point).collect();
-        let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
-        let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
-        Some(Correlation { model: kind.id().to_owned(), settings: points.len(), rank, points })
+        groups.iter().filter_map(one).collect::<Vec<_>>()
     };
-    ModelKind::ALL.into_iter().filter_map(of).collect()
+    ModelKind::ALL.into_iter().flat_map(of).collect()
+}
+
+/// Over the folds that all of these settings of a kind have; absent for fewer than three.
+pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Option<Correlation> {
+    let folds = common_folds(rows);
+    let point = |row: &&Row| {
+        let (bound, mse) = (row.bound(&folds)?, row.mse(&folds)?);
+        Some(BoundAndError { label: labels.label(row.candidate), bound, mse })
+    };
+    let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
+    let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
+    let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
+    let model = rows[0].candidate.kind().id().to_owned();
+    Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, points })
 }
 
 /// Of each kind the candidate that was trained on most numbers of trials; only folds that all of these have are compared.
-fn growth(results: &Results) -> Vec<Growth> {
+fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
     let counts = |candidate: &Candidate| -> BTreeSet<usize> {
         let of = results.finished.iter().filter(|f| f.job.candidate == *candidate && f.outcome.is_some());
         of.map(|f| f.job.training_trials).collect()
@@ -232,7 +197,7 @@ fn growth(results: &Results) -> Vec<Growth> {
             points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
         (points.len() > 2).then(|| Growth {
             model: kind.id().to_owned(),
-            label: candidate.label(),
+            label: labels.label(candidate),
             points,
             exponent: exponent(&pairs),
         })
@@ -243,8 +208,9 @@ fn growth(results: &Results) -> Vec<Growth> {
 #[cfg(test)]
 mod tests {
     use super::super::candidate::{GpdmSettings, PointSettings};
+    use super::super::cross_validation::Outcome;
     use super::super::dtw::Score;
-    use super::super::results::{Job, Setting, Trial};
+    use super::super::results::{Finished, Job, Setting, Trial};
     use super::*;
     use approx::assert_relative_eq;
 
@@ -334,6 +300,95 @@ mod tests {
         assert!(found.claims[2].found.contains("0.20000: vgpdm, 16 + 16"), "{:?}", found.claims);
         assert!(found.claims[4].found.contains("1.50 times"), "{:?}", found.claims);
         assert_relative_eq!(found.correlations[0].rank, -0.5);
+    }
+
+    /// What a cancelled run leaves: the hard trials 2 and 3 are there for the first model alone.
+    #[test]
+    fn models_are_compared_over_the_trials_that_all_of_them_have() {
+        let mut results = Results::new(setting(3));
+        let mut add = |candidate: Candidate, fold: usize, mse: f64| {
+            results.finished.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
+        };
+        for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
+            add(Candidate::Vcgpdm(variational(12)), fold, mse);
+        }
+        add(Candidate::Vgpdm(variational(12)), 1, 0.25);
+        add(Candidate::MapGpdm(point(false)), 1, 0.4);
+        add(Candidate::MapCgpdm(point(false)), 1, 0.5);
+        let found = Comparison::of(&results);
+        let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
+        assert_eq!(holds, [true, true, true], "{:?}", found.claims);
+        assert!(found.claims[1].found.starts_with("MSE 0.20000; of the others at best 0.25000"));
+        assert!(found.claims.iter().all(|claim| claim.found.ends_with(" (over 1 of 3 trials)")));
+        // The table shows all that each of them has.
+        assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
+        assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
+        // Held against another trial than all others, a model says nothing.
+        for finished in results.finished.iter_mut().filter(|f| f.job.candidate.kind() == ModelKind::Vgpdm) {
+            finished.job.held_out = 2;
+        }
+        let found = Comparison::of(&results);
+        let claims: Vec<&str> = found.claims.iter().map(|claim| &claim.claim[..15]).collect();
+        assert_eq!(claims, ["Parts cost no p"], "over trial 2, which both of them have");
+    }
+
+    #[test]
+    fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
+        let mut results = Results::new(setting(3));
+        let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = Candidate::Vgpdm(variational(ips));
+            results.finished.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher, and hard.
+        for (ips, mse, bound) in [(4, 0.3, 10.0), (8, 0.2, 20.0), (12, 0.1, 30.0)] {
+            add(ips, 1, mse, bound);
+        }
+        add(4, 2, 0.9, 500.0);
+        add(8, 2, 0.8, 600.0);
+        let found = Comparison::of(&results);
+        let correlation = &found.correlations[0];
+        assert_relative_eq!(correlation.rank, -1.0);
+        assert_eq!((correlation.settings, correlation.folds), (3, 1));
+        assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
+        // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
+        assert!(found.claims[0].found.starts_with("vgpdm over 3 settings: 1.00 times"), "{:?}", found.claims);
+        // A setting that has only another trial: nothing to compare.
+        results.finished[0].job.held_out = 3;
+        results.finished.retain(|f| f.job.held_out != 2);
+        let found = Comparison::of(&results);
+        assert!(found.correlations.is_empty() && found.claims.is_empty(), "{:?}", found.claims);
+    }
+
+    #[test]
+    fn settings_besides_the_size_are_never_mixed() {
+        let mut results = Results::new(setting(2));
+        let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = Candidate::Vgpdm(GpdmSettings { max_iterations, ..variational(ips) });
+            results.finished.push(finished(candidate, fold, 1, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // A few iterations find worse models; those of many iterations have more results.
+        for (ips, mse, bound) in [(4, 0.7, 1.0), (8, 0.8, 2.0), (12, 0.9, 3.0)] {
+            add(ips, 10, 1, mse, bound);
+        }
+        for (ips, mse, bound) in [(4, 0.3, 11.0), (8, 0.2, 12.0), (12, 0.1, 13.0)] {
+            add(ips, 800, 1, mse, bound);
+            add(ips, 800, 2, mse, bound);
+        }
+        let found = Comparison::of(&results);
+        let groups: Vec<(&str, f64)> = found.correlations.iter().map(|c| (&c.label[..], c.rank)).collect();
+        assert_eq!(
+            groups.iter().map(|(label, _)| *label).collect::<Vec<_>>(),
+            ["10 iterations", "800 iterations"]
+        );
+        assert_relative_eq!(groups[0].1, 1.0);
+        assert_relative_eq!(groups[1].1, -1.0);
+        assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
+        assert_eq!(
+            found.models[5].candidate,
+            Candidate::Vgpdm(GpdmSettings { max_iterations: 800, ..variational(12) })
+        );
+        let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
+        assert_eq!(said, ["vgpdm over 3 settings: 1.00 times", "vgpdm over 3 settings: -1.00"]);
     }
 
     #[test]

@@ -5,7 +5,9 @@ mod claims;
 mod comparison;
 mod cross_validation;
 mod dtw;
+mod labels;
 mod results;
+mod rows;
 pub mod stats;
 
 pub use candidate::{Candidate, GpdmSettings, PointSettings};
@@ -13,4 +15,5 @@ pub use claims::Claim;
 pub use comparison::{BoundAndError, Comparison, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
 pub use dtw::{Score, ScoreError, dtw_mse};
+pub use labels::Labels;
 pub use results::{Finished, Job, Results, ResultsError, ResultsPart, Setting, Trial};

@@ -4,7 +4,7 @@ use crate::{files, results};
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
-use vcgpdm::evaluation::{Comparison, Results, Spread};
+use vcgpdm::evaluation::{Comparison, Labels, Results, Spread};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
 #[derive(clap::Args)]
@@ -79,7 +79,8 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
     }
     writeln!(text, "| model | settings compared | rank correlation of bound and MSE |\n|---|---|---|")?;
     for c in &comparison.correlations {
-        writeln!(text, "| {} | {} | {:.2} |", c.model, c.settings, c.rank)?;
+        let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
+        writeln!(text, "| {}{comma}{label} | {} | {:.2} |", c.model, c.settings, c.rank)?;
     }
     writeln!(text)
 }
@@ -99,11 +100,12 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
 }
 
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
+    let labels = Labels::of(results);
     for f in results.finished.iter().filter(|f| f.failure.is_some()) {
         // One line of Markdown, whatever stands in the file.
         let words: Vec<&str> = f.failure.as_deref().unwrap_or_default().split_whitespace().collect();
         let (job, why) = (&f.job, words.join(" ").replace('|', "\\|"));
-        let (kind, label) = (job.candidate.kind().id(), job.candidate.label());
+        let (kind, label) = (job.candidate.kind().id(), labels.label(&job.candidate));
         writeln!(
             text,
             "Failed: {kind}, {label}, trial {} held out, seed {}: {why}\n",
