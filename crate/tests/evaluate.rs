@@ -66,6 +66,24 @@ fn a_finished_fold_is_never_computed_twice() {
 }
 
 #[test]
+fn what_failed_is_tried_again() {
+    let out = file("failed");
+    let models = ["--models", "dmp-rhythmic", "--folds", "1,2"];
+    summary(&evaluate(&out, &models));
+    let whole = results(&out);
+    let mut failed = whole.clone();
+    failed["finished"][0]["outcome"] = Value::Null;
+    failed["finished"][0]["failure"] = "a bug that is mended by now".into();
+    fs::write(&out, failed.to_string()).unwrap();
+    let again = summary(&evaluate(&out, &models));
+    assert_eq!((again["computed"].as_u64(), again["known_before"].as_u64()), (Some(1), Some(1)));
+    let mended = results(&out);
+    assert_eq!(mended["finished"].as_array().unwrap().len(), 2);
+    assert_eq!(mended["finished"][0]["outcome"]["score"], whole["finished"][0]["outcome"]["score"]);
+    assert_eq!(mended["finished"][0]["failure"], Value::Null);
+}
+
+#[test]
 fn shares_together_are_the_whole() {
     let (one, whole) = (file("share"), file("whole"));
     let models = ["--models", "vgpdm,dmp-discrete", "--ips", "4,5", "--threads", "1"];

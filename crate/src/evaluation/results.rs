@@ -268,9 +268,14 @@ impl Results {
         Ok(())
     }
 
-    /// What is known of a job.
+    /// What is known of a job: its outcome, or why it failed when it was last tried.
     pub fn find(&self, job: &Job) -> Option<&Finished> {
         self.finished.iter().find(|finished| finished.job == *job)
+    }
+
+    /// Whether there is nothing left to do for a job: a failure may be tried again.
+    pub fn has_outcome(&self, job: &Job) -> bool {
+        self.find(job).is_some_and(|finished| finished.outcome.is_some())
     }
 
     /// Takes over what the other knows and this one does not; both must be of the same setting.
@@ -279,16 +284,29 @@ impl Results {
             return Err(ResultsError::Differs(difference));
         }
         for finished in other.finished {
-            if self.find(&finished.job).is_none() {
-                self.finished.push(finished);
+            if self
+                .find(&finished.job)
+                .is_none_or(|known| known.outcome.is_none() && finished.outcome.is_some())
+            {
+                self.add(finished);
             }
         }
         Ok(())
+    }
+
+    /// Keeps what came of a job, in place of what is known of the same job; only an outcome stays what it is.
+    pub fn add(&mut self, finished: Finished) {
+        match self.finished.iter_mut().find(|known| known.job == finished.job) {
+            Some(known) if known.outcome.is_none() => *known = finished,
+            Some(_) => {}
+            None => self.finished.push(finished),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::dtw::Score;
     use super::*;
 
     fn setting() -> Setting {
@@ -307,6 +325,19 @@ mod tests {
         Finished { job, engine: String::new(), outcome: None, failure: Some("why".to_owned()) }
     }
 
+    fn outcome(dtw_mse: f64) -> Outcome {
+        Outcome {
+            score: Score { dtw_mse, mse: dtw_mse, variance: 0.05 },
+            bound: Some(-10.0),
+            objective: -10.0,
+            iterations: 10,
+            seconds: 1.0,
+            frames: 100,
+            stored_numbers: 700,
+            reason: None,
+        }
+    }
+
     #[test]
     fn merging_keeps_what_was_known_first() {
         let mut results = Results::new(setting());
@@ -320,6 +351,26 @@ mod tests {
         let slower = Setting { frames_per_second: 25.0, ..setting() };
         let error = results.merge(Results::new(slower)).unwrap_err().to_string();
         assert_eq!(error, "these results are of another frame rate");
+    }
+
+    #[test]
+    fn a_failure_is_replaced_and_an_outcome_stays() {
+        let mut results = Results::new(setting());
+        let of = |mse: f64| Finished { outcome: Some(outcome(mse)), failure: None, ..finished(1, 1) };
+        results.add(finished(1, 1));
+        assert!(!results.has_outcome(&finished(1, 1).job));
+        results.add(of(0.5));
+        assert_eq!(results.finished, [of(0.5)]);
+        assert!(results.has_outcome(&finished(1, 1).job));
+        for later in [of(0.7), finished(1, 1)] {
+            results.add(later);
+            assert_eq!(results.finished, [of(0.5)]);
+        }
+        // What failed here has an outcome in the other file.
+        let mut failed = Results::new(setting());
+        failed.add(finished(1, 1));
+        failed.merge(results).unwrap();
+        assert_eq!(failed.finished, [of(0.5)]);
     }
 
     #[test]

@@ -65,7 +65,7 @@ pub struct Arguments {
     /// Jobs at a time; absent: as many as there are cores.
     #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// Keep the results in this file; jobs that are finished in it are not computed again.
+    /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that failed are.
     #[arg(long, value_name = "RESULTS.json")]
     out: PathBuf,
 }
@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let share = share(arguments, all.len())?;
     let store = Store::open(&arguments.out, setting)?;
     let (known, open): (Vec<Job>, Vec<Job>) =
-        share.map(|k| all[k].clone()).partition(|job| store.results().find(job).is_some());
+        share.map(|k| all[k].clone()).partition(|job| store.results().has_outcome(job));
 
     let work = Work::new(open, store)?;
     let cores = std::thread::available_parallelism().map_or(1, usize::from);

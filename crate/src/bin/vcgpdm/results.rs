@@ -60,7 +60,7 @@ impl Store {
     pub fn add(&mut self, finished: Finished) -> Result<()> {
         let _lock = self.lock()?;
         self.take_over()?;
-        self.results.finished.push(finished);
+        self.results.add(finished);
         // A new file takes the old one's place at once: nobody ever sees half of it. Its name is this process's own, so that a disk
         // that cannot lock does not mix two processes' texts.
         let new = self.beside(&format!("{}.new", std::process::id()));
