@@ -3,5 +3,5 @@
 export const budget = {
   firstVisit: 500_000,
   wasm: 250_000,
-  onDemand: 410_000,
+  onDemand: 430_000,
 };

@@ -39,10 +39,15 @@ export interface Study {
   actual: Map<number, Positions>;
 }
 
-/** Tells one job from another, in whatever order its entries stand. */
-export function jobKey({ candidate, held_out, training_trials, seed }: Job): string {
+/** Tells one model with its settings from another, in whatever order its entries stand. */
+export function candidateKey(candidate: Candidate): string {
   const entries = Object.entries(candidate).filter(([, value]) => value !== null && value !== undefined);
-  return JSON.stringify([entries.sort(([a], [b]) => (a < b ? -1 : 1)), held_out, training_trials, seed]);
+  return JSON.stringify(entries.sort(([a], [b]) => (a < b ? -1 : 1)));
+}
+
+/** Tells one job from another. */
+export function jobKey({ candidate, held_out, training_trials, seed }: Job): string {
+  return JSON.stringify([candidateKey(candidate), held_out, training_trials, seed]);
 }
 
 /** The order of tables: by model, then by the size of the settings, then by seed; whatever was finished first. */
@@ -120,22 +125,6 @@ export function jobs(settings: Settings, trials: number, parts: number): Job[] {
       candidate, held_out: held[0] ?? 1, training_trials: k + 1, seed: settings.seed,
     })));
   return [...asked, ...fewer];
-}
-
-/** The candidate's settings, as short as a figure needs them. */
-export function labelOf(candidate: Candidate): string {
-  switch (candidate.model) {
-    case "vcgpdm":
-    case "vgpdm":
-      return `${candidate.dynamics_ips} + ${candidate.pose_ips} inducing points`;
-    case "map-gpdm":
-    case "map-cgpdm":
-      return candidate.balanced ? "balanced" : "";
-    case "tmp":
-      return candidate.primitives === null ? "" : `${candidate.primitives} primitives`;
-    default:
-      return `${candidate.bases} bases`;
-  }
 }
 
 /** How much work a job is beside others, roughly: only used to say how long the rest takes before any of its kind has run. */

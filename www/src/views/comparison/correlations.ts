@@ -50,7 +50,7 @@ export class CorrelationsFigure extends ComparisonFigure<Comparison> {
     return html`
       <div class="panel-figure" style=${inColour(model)}>
         <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
-          <span class="name">${modelStyle(model).name}</span> <small>${rankWords(correlation)}</small></p>
+          <span class="name">${modelStyle(model).name}</span> <small>${[correlation.label, rankWords(correlation)].filter(Boolean).join(", ")}</small></p>
         <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
           ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
           ${places.map((place) => mark(model, place.x, place.y, MARK * type))}

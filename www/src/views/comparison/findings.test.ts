@@ -3,10 +3,10 @@ import { correlationFinding, foldWords, growthFinding, rankWords } from "./findi
 import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
 import type { Correlation, ModelSummary } from "../../protocol";
 
-const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", rank, settings, points: [] });
+const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", label: "", rank, settings, folds: 3, points: [] });
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
 const summary = (mse: number, error: number, bound: number | null, folds = 3): ModelSummary => ({
-  model: "tmp", label: "", mse: spread(mse, error), mseMedian: mse, variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
+  model: "tmp", candidate: { model: "tmp", primitives: null }, label: "", mse: spread(mse, error), mseMedian: mse, variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
 });
 const [ERROR, BOUND] = [MEASURES[0]!, MEASURES[1]!];
 

@@ -4,7 +4,7 @@ import { studying } from "../../actions/study";
 import { distances } from "../../motion";
 import { Player } from "../../player";
 import type { Finished, Motion } from "../../protocol";
-import { inOrder, jobKey, labelOf, type Positions } from "../../study";
+import { candidateKey, inOrder, jobKey, type Positions } from "../../study";
 import { icon } from "../icons";
 import { View } from "../view";
 import { type ColumnMotion, Columns } from "./columns";
@@ -154,10 +154,12 @@ export class SideBySide extends View {
   }
 
   private nameOf({ finished: { job } }: Shown): string {
-    const { study } = studying(this.app);
+    const { study, comparison } = studying(this.app);
+    const key = candidateKey(job.candidate);
+    const label = comparison?.models.find(({ candidate }) => candidateKey(candidate) === key)?.label ?? "";
     const alike = study?.results.finished.filter((one) => one.job.candidate.model === job.candidate.model) ?? [];
     const seed = new Set(alike.map((one) => one.job.seed)).size > 1 ? `seed ${job.seed}` : "";
-    return [labelOf(job.candidate), seed].filter(Boolean).join(", ");
+    return [label, seed].filter(Boolean).join(", ");
   }
 
   override updated(): void {
@@ -178,7 +180,7 @@ export class SideBySide extends View {
     const actual = study?.actual.get(fold);
     if (!study?.body || !actual) return;
     const shown = this.chosen(this.candidates(fold));
-    const what = JSON.stringify([fold, shown.map(({ key }) => key)]);
+    const what = JSON.stringify([fold, shown.map((one) => [one.key, this.nameOf(one)])]);
     if (this.onStage.of === study && this.onStage.what === what) return;
     this.onStage = { of: study, what };
     const nodes = study.body.figure.nodes.length;
