@@ -22,8 +22,11 @@ pub struct Clip {
     /// SHA-256 of the file's bytes in lower-case hexadecimal; of the written text for a clip that never was a file.
     /// A cut or resampled clip keeps that of the file it came from.
     pub sha256: String,
-    /// The frames of the whole clip that a cut left, from the first up to but not including the end; absent: not cut.
+    /// The frames of the file that a cut left, from the first up to but not including the end; absent: not cut. Counted at the
+    /// file's rate, without a leading T-pose, which is dropped in reading.
     pub piece: Option<(usize, usize)>,
+    /// Seconds from one frame of the file to the next; those of a resampled clip are others.
+    pub file_frame_time: f64,
 }
 
 /// Why a clip could not be cut or resampled.
@@ -84,6 +87,7 @@ impl Clip {
             warnings: Vec::new(),
             sha256: String::new(),
             piece: None,
+            file_frame_time: frame_time,
         };
         clip.sha256 = sha256(crate::bvh::write(&clip).as_bytes());
         clip
@@ -132,7 +136,9 @@ impl Clip {
         let mut cut = self.with_values(self.values.rows(first, end - first).into_owned(), self.frame_time);
         if end - first < self.frames() {
             let (start, _) = self.piece.unwrap_or((0, 0));
-            cut.piece = Some((start + first, start + end));
+            let step = self.frame_time / self.file_frame_time;
+            let of_file = |frame: usize| start + (frame as f64 * step).round() as usize;
+            cut.piece = Some((of_file(first), of_file(end - 1) + 1));
         }
         Ok(cut)
     }
@@ -216,6 +222,7 @@ impl Clip {
             warnings: self.warnings.clone(),
             sha256: self.sha256.clone(),
             piece: self.piece,
+            file_frame_time: self.file_frame_time,
         }
     }
 }
@@ -253,7 +260,13 @@ mod tests {
         let piece = clip.cut(10, 30).unwrap();
         assert_eq!(piece.piece, Some((10, 30)));
         assert_eq!(piece.cut(5, 20).unwrap().piece, Some((15, 30)));
-        assert_eq!(piece.resample(5.0).unwrap().cut(0, 10).unwrap().piece, Some((10, 30)));
+        // At another rate it is the same piece; cut there, it still counts the file's frames: 12 and 14.
+        let slow = piece.resample(5.0).unwrap();
+        assert_eq!(slow.cut(0, 10).unwrap().piece, Some((10, 30)));
+        assert_eq!(slow.cut(1, 3).unwrap().piece, Some((12, 15)));
+        let slow = clip.resample(2.5).unwrap();
+        assert_eq!((slow.frames(), slow.piece), (10, None));
+        assert_eq!(slow.cut(3, 10).unwrap().piece, Some((12, 37)));
     }
 
     #[test]

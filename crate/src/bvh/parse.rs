@@ -35,6 +35,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
         warnings,
         sha256: sha256(bytes),
         piece: None,
+        file_frame_time: motion.frame_time,
     })
 }
 
