@@ -131,6 +131,7 @@ fn bad_input_is_refused_before_anything_is_computed() {
     assert!(refusal(&evaluate(&out, &["--job", "3", "of", "2"])).contains("K of N with K from 1 to N"));
     assert!(refusal(&evaluate(&out, &["--training-trials", "3"])).contains("from 1 to 2 trials"));
     assert!(refusal(&evaluate(&out, &["--primitives", "some"])).contains("expected bound, or a number"));
+    assert!(refusal(&evaluate(&out, &["sample:walk-2"])).contains("trials 2 and 4 are the same motion"));
     assert!(!out.exists());
     summary(&evaluate(&out, &["--models", "dmp-rhythmic", "--folds", "1"]));
     let other = [

@@ -46,9 +46,17 @@ pub enum EvaluationError {
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
-    /// Training ended nowhere.
-    #[error("training ended with an objective that is no finite number")]
-    NotFinite,
+    /// A number that went astray, though the predicted columns are finite.
+    #[error("the prediction is not finite: {what} is {found}")]
+    NotFinite {
+        /// Which number of the outcome.
+        what: &'static str,
+        /// What it is.
+        found: f64,
+    },
+    /// A time that no training takes.
+    #[error("expected the seconds of the training, from 0, found {0}")]
+    Seconds(f64),
     /// The prediction could not be scored.
     #[error("the prediction cannot be scored: {0}")]
     Score(#[from] ScoreError),
@@ -178,11 +186,10 @@ impl Fold {
         training: &LearningProgress,
         seconds: f64,
     ) -> Result<Outcome, EvaluationError> {
-        // dtw_mse refuses a prediction that is not finite; a file of results could not hold such numbers.
-        if !training.best.is_finite() || model.bound().is_some_and(|bound| !bound.is_finite()) {
-            return Err(EvaluationError::NotFinite);
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            return Err(EvaluationError::Seconds(seconds));
         }
-        Ok(Outcome {
+        let outcome = Outcome {
             score: dtw_mse(&self.predict(model)?, &self.actual)?,
             bound: model.bound(),
             objective: training.best,
@@ -191,7 +198,20 @@ impl Fold {
             frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
             reason: training.reason.clone(),
-        })
+        };
+        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do not.
+        for (what, found) in [
+            ("its mean squared error after time warping", Some(outcome.score.dtw_mse)),
+            ("its mean squared error", Some(outcome.score.mse)),
+            ("the trial's variance", Some(outcome.score.variance)),
+            ("the model's bound", outcome.bound),
+            ("what the training maximised", Some(outcome.objective)),
+        ] {
+            if let Some(found) = found.filter(|found| !found.is_finite()) {
+                return Err(EvaluationError::NotFinite { what, found });
+            }
+        }
+        Ok(outcome)
     }
 }
 
@@ -199,6 +219,7 @@ impl Fold {
 mod tests {
     use super::super::candidate::{GpdmSettings, PointSettings};
     use super::*;
+    use crate::learner::ModelKind;
     use crate::{presets, samples};
 
     fn trials() -> Vec<Clip> {
@@ -255,5 +276,60 @@ mod tests {
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
         assert!(Fold::new(&trials[..1], 0, usize::MAX, parts, 20.0).is_err());
+    }
+
+    /// Predicts that all columns fly away.
+    struct Astray {
+        columns: Vec<usize>,
+        to: f64,
+    }
+
+    impl MovementModel for Astray {
+        fn kind(&self) -> ModelKind {
+            ModelKind::DmpRhythmic
+        }
+
+        fn rollout(&self, _: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+            let flight = |t: usize| if t.is_multiple_of(2) { self.to } else { -self.to };
+            Ok(self.columns.iter().map(|&d| DMatrix::from_fn(frames, d, |t, _| flight(t))).collect())
+        }
+
+        fn stored_numbers(&self) -> usize {
+            0
+        }
+
+        fn bound(&self) -> Option<f64> {
+            None
+        }
+    }
+
+    #[test]
+    fn no_outcome_holds_what_is_no_number() {
+        let trials = trials();
+        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
+        let of = |to: f64, best: f64, seconds: f64| {
+            let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();
+            let training = LearningProgress {
+                iteration: 1,
+                max_iterations: 1,
+                objective: best,
+                best,
+                done: true,
+                reason: None,
+                fraction: 1.0,
+            };
+            fold.outcome(&Astray { columns, to }, &training, seconds).map_err(|error| error.to_string())
+        };
+        assert!(of(1.0, 0.0, 1.0).is_ok());
+        let far = of(1e200, 0.0, 1.0).unwrap_err();
+        assert_eq!(far, "the prediction is not finite: its mean squared error after time warping is inf");
+        assert!(of(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
+        let unbegun = of(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
+        assert_eq!(unbegun, "the prediction is not finite: what the training maximised is -inf");
+        for seconds in [-1.0, f64::NAN] {
+            let error = of(1.0, 0.0, seconds).unwrap_err();
+            assert_eq!(error, format!("expected the seconds of the training, from 0, found {seconds}"));
+        }
     }
 }

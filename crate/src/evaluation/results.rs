@@ -30,6 +30,10 @@ impl Trial {
     fn is(&self, other: &Trial) -> bool {
         (&self.sha256, self.piece) == (&other.sha256, other.piece)
     }
+
+    fn frames(&self) -> String {
+        self.piece.map_or("the whole".to_owned(), |(first, end)| format!("frames {first} to {end}"))
+    }
 }
 
 /// A group of joints.
@@ -74,23 +78,34 @@ impl Setting {
 
     /// In what the other is not of the same; absent when results of both go together. What trials and parts are called does
     /// not count.
-    fn difference(&self, other: &Setting) -> Option<&'static str> {
-        let joints = |setting: &Setting| -> Vec<Vec<usize>> {
-            setting.parts.iter().map(|part| part.joints.clone()).collect()
-        };
-        let same = self.trials.len() == other.trials.len()
-            && self.trials.iter().zip(&other.trials).all(|(a, b)| a.is(b));
-        if !same {
-            Some("other trials")
-        } else if joints(self) != joints(other) {
-            Some("other parts")
-        } else if self.frames_per_second != other.frames_per_second {
-            Some("another frame rate")
-        } else if self.start_frames != other.start_frames {
-            Some("predictions from another number of first frames")
-        } else {
-            None
+    fn difference(&self, other: &Setting) -> Option<String> {
+        let (trials, parts) = (&self.trials, &self.parts);
+        if other.trials.len() != trials.len() {
+            return Some(format!("other trials: expected {}, found {}", trials.len(), other.trials.len()));
         }
+        if let Some(k) = (0..trials.len()).find(|&k| !trials[k].is(&other.trials[k])) {
+            let (number, expected, found) = (k + 1, &trials[k], &other.trials[k]);
+            return Some(if expected.sha256 == found.sha256 {
+                let (a, b) = (expected.frames(), found.frames());
+                format!("other trials: expected {a} of {} as trial {number}, found {b}", expected.name)
+            } else {
+                let same_name = expected.name == found.name;
+                let b = if same_name { "another file of that name" } else { &found.name };
+                format!("other trials: expected {} as trial {number}, found {b}", expected.name)
+            });
+        }
+        if other.parts.len() != parts.len() {
+            return Some(format!("other parts: expected {}, found {}", parts.len(), other.parts.len()));
+        }
+        if let Some((part, _)) = parts.iter().zip(&other.parts).find(|(a, b)| a.joints != b.joints) {
+            return Some(format!("other parts: {} has other joints", part.name));
+        }
+        let (a, b) = (self.frames_per_second, other.frames_per_second);
+        if a != b {
+            return Some(format!("another frame rate: expected {a} frames a second, found {b}"));
+        }
+        let (a, b) = (self.start_frames, other.start_frames);
+        (a != b).then(|| format!("predictions from another number of first frames: expected {a}, found {b}"))
     }
 
     /// Two trials that are the same motion: whichever is held out, the other would be trained on. Counted from 1.
@@ -173,7 +188,7 @@ pub enum ResultsError {
     },
     /// Results of something else.
     #[error("these results are of {0}")]
-    Differs(&'static str),
+    Differs(String),
     /// Too few trials to hold one out.
     #[error("expected at least two trials, found {0}")]
     Trials(usize),
@@ -203,6 +218,16 @@ pub enum ResultsError {
     /// Neither an outcome nor a failure, or both.
     #[error("result {0}: expected an outcome or the reason why there is none, found both or neither")]
     Ending(usize),
+    /// A bound or an objective that went astray.
+    #[error("result {index}: expected {what} that is finite, found {found}")]
+    NotFinite {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Which number.
+        what: &'static str,
+        /// What stands there.
+        found: f64,
+    },
     /// A number that none can be.
     #[error("result {index}: expected {what} that is finite and not negative, found {found}")]
     Number {
@@ -264,6 +289,11 @@ impl Results {
                     return Err(ResultsError::Number { index, what, found });
                 }
             }
+            for (what, found) in [("a bound", outcome.bound), ("an objective", Some(outcome.objective))] {
+                if let Some(found) = found.filter(|found| !found.is_finite()) {
+                    return Err(ResultsError::NotFinite { index, what, found });
+                }
+            }
         }
         Ok(())
     }
@@ -314,7 +344,7 @@ mod tests {
             |name: &str| Trial { name: name.to_owned(), sha256: format!("sha of {name}"), piece: None };
         Setting {
             trials: vec![trial("a"), trial("b")],
-            parts: vec![],
+            parts: vec![ResultsPart { name: "lower".to_owned(), joints: vec![0, 1] }],
             frames_per_second: 30.0,
             start_frames: START_FRAMES,
         }
@@ -348,9 +378,6 @@ mod tests {
         results.merge(other).unwrap();
         assert_eq!(results.finished.len(), 2);
         assert_eq!(results.finished[0].failure.as_deref(), Some("why"));
-        let slower = Setting { frames_per_second: 25.0, ..setting() };
-        let error = results.merge(Results::new(slower)).unwrap_err().to_string();
-        assert_eq!(error, "these results are of another frame rate");
     }
 
     #[test]
@@ -393,16 +420,61 @@ mod tests {
     }
 
     #[test]
+    fn numbers_that_are_none_are_refused() {
+        let refused = |change: &dyn Fn(&mut Outcome)| {
+            let mut odd = outcome(0.5);
+            change(&mut odd);
+            let mut results = Results::new(setting());
+            results.add(Finished { outcome: Some(odd), failure: None, ..finished(1, 1) });
+            results.check().map_err(|error| error.to_string())
+        };
+        assert_eq!(refused(&|_| {}), Ok(()));
+        for (change, words) in [
+            (&(|o: &mut Outcome| o.seconds = -1.0) as &dyn Fn(&mut Outcome), "a time"),
+            (&|o| o.score.variance = f64::NAN, "a variance"),
+            (&|o| o.score.dtw_mse = f64::INFINITY, "an error"),
+            (&|o| o.score.mse = -0.1, "an error"),
+            (&|o| o.bound = Some(f64::NAN), "a bound"),
+            (&|o| o.objective = f64::NEG_INFINITY, "an objective"),
+        ] {
+            let error = refused(change).unwrap_err();
+            assert!(error.starts_with(&format!("result 1: expected {words} that is finite")), "{error}");
+        }
+    }
+
+    #[test]
     fn trials_are_what_they_are_not_what_they_are_called() {
         let mut results = Results::new(setting());
+        let mut merge = |change: &dyn Fn(&mut Setting)| {
+            let mut other = setting();
+            change(&mut other);
+            results.merge(Results::new(other)).map_err(|error| error.to_string())
+        };
         // A page calls a clip by its title, the terminal by its file.
-        let mut renamed = setting();
-        renamed.trials[0].name = "a.bvh".to_owned();
-        assert_eq!(results.merge(Results::new(renamed)), Ok(()));
-        let mut cut = setting();
-        cut.trials[0].piece = Some((0, 60));
-        let error = results.merge(Results::new(cut)).unwrap_err().to_string();
-        assert_eq!(error, "these results are of other trials");
+        assert_eq!(merge(&|other| other.trials[0].name = "a.bvh".to_owned()), Ok(()));
+        assert_eq!(merge(&|other| other.parts[0].name = "legs".to_owned()), Ok(()));
+        let mut refused = |change: &dyn Fn(&mut Setting), why: &str| {
+            assert_eq!(merge(change), Err(format!("these results are of {why}")));
+        };
+        refused(
+            &|other| other.trials[1].sha256 = "sha of c".to_owned(),
+            "other trials: expected b as trial 2, found another file of that name",
+        );
+        refused(&|other| other.trials.truncate(1), "other trials: expected 2, found 1");
+        refused(
+            &|other| other.trials[0].piece = Some((0, 60)),
+            "other trials: expected the whole of a as trial 1, found frames 0 to 60",
+        );
+        refused(&|other| other.parts.clear(), "other parts: expected 1, found 0");
+        refused(&|other| other.parts[0].joints = vec![0], "other parts: lower has other joints");
+        refused(
+            &|other| other.frames_per_second = 25.0,
+            "another frame rate: expected 30 frames a second, found 25",
+        );
+        refused(
+            &|other| other.start_frames = 3,
+            "predictions from another number of first frames: expected 5, found 3",
+        );
         let text = serde_json::to_string(&setting()).unwrap();
         assert!(!text.contains("piece"), "as in files before there were pieces: {text}");
     }

@@ -21,7 +21,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let mut text = String::new();
     let setting = &results.setting;
-    let names: Vec<&str> = setting.parts.iter().map(|part| part.name.as_str()).collect();
+    let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
     writeln!(
         text,
         "{} trials, parts {}, {} frames a second; predictions start from {} frames.\n",
@@ -99,12 +99,15 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(text)
 }
 
+/// Text that somebody else wrote, as part of a line or a cell of Markdown: without line breaks and bars.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
+}
+
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     let labels = Labels::of(results);
     for f in results.finished.iter().filter(|f| f.failure.is_some()) {
-        // One line of Markdown, whatever stands in the file.
-        let words: Vec<&str> = f.failure.as_deref().unwrap_or_default().split_whitespace().collect();
-        let (job, why) = (&f.job, words.join(" ").replace('|', "\\|"));
+        let (job, why) = (&f.job, one_line(f.failure.as_deref().unwrap_or_default()));
         let (kind, label) = (job.candidate.kind().id(), labels.label(&job.candidate));
         writeln!(
             text,
@@ -125,4 +128,14 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         writeln!(text, "| {} | {} | {} |", c.claim, c.found, if c.holds { "yes" } else { "no" })?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::one_line;
+
+    #[test]
+    fn failures_do_not_break_the_tables() {
+        assert_eq!(one_line("expected a | b,\n\n| found |\r\n c"), "expected a \\| b, \\| found \\| c");
+    }
 }
