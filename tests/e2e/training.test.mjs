@@ -63,7 +63,7 @@ describe("training", () => {
     const before = await provenance(page);
     const iterations = await watchIterations(page);
     await page.getByTestId("train").click();
-    await page.getByRole("progressbar", { name: "Training" }).waitFor();
+    await page.getByRole("progressbar", { name: "Training", exact: true }).waitFor();
     assert.ok(await changes(page.getByTestId("stage")), "the figure moves while the model learns");
     while (Math.max(...(await iterations()), 0) < 2) await page.waitForTimeout(100);
     await page.getByTestId("cancel").click();
