@@ -84,6 +84,9 @@ export interface Training {
   failed: boolean;
 }
 
+/** Milliseconds between two redraws of what workers report, however many work. */
+const TELL_EVERY = 100;
+
 export class App {
   engine: Engine | null = null;
   pool: Pool<TrainingWorker> | null = null;
@@ -115,6 +118,7 @@ export class App {
   notices: Notice[] = [];
 
   private readonly listeners = new Map<Topic, Set<() => void>>();
+  private readonly soon = new Set<Topic>();
   private lastNotice = 0;
 
   constructor(
@@ -132,6 +136,16 @@ export class App {
       this.listeners.get(topic)!.add(listener);
     }
     return () => topics.forEach((topic) => this.listeners.get(topic)?.delete(listener));
+  }
+
+  /** Tells of a topic once in a while, however often this is called: workers report more often than is worth a redraw. */
+  tellSoon(topic: Topic): void {
+    if (this.soon.has(topic)) return;
+    this.soon.add(topic);
+    setTimeout(() => {
+      this.soon.delete(topic);
+      this.tell(topic);
+    }, TELL_EVERY);
   }
 
   tell(...topics: Topic[]): void {

@@ -64,8 +64,3 @@ export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
     }
   }
 }
-
-/** Lets waiting messages in. */
-export function breathe(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, 0));
-}

@@ -1,6 +1,7 @@
 // Promises over the workers of the whole program, which is loaded when it is asked for. No wasm import.
 import * as Comlink from "comlink";
-import { compile, inWords, watched } from "./engine";
+import { cancellable, compile, watched } from "./engine";
+import { messageOf } from "./format";
 import { type Hired, Pool } from "./pool";
 import type {
   Comparer,
@@ -25,20 +26,6 @@ export interface ComparingWorker {
   draw(job: ExperimentJob): Promise<SyntheticTruth>;
   /** Keeps the best so far when the signal comes. */
   experiment(job: ExperimentJob, report: (report: ExperimentReport) => void, signal: AbortSignal): Promise<TrainingOutcome>;
-}
-
-/** Work under way that `cancel` brings to an early end when the signal comes. */
-async function cancellable<Result>(signal: AbortSignal, cancel: () => unknown, work: () => Promise<Result>): Promise<Result> {
-  signal.throwIfAborted();
-  const stop = () => void cancel();
-  signal.addEventListener("abort", stop);
-  try {
-    return await work();
-  } catch (problem) {
-    throw inWords(problem);
-  } finally {
-    signal.removeEventListener("abort", stop);
-  }
 }
 
 function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
@@ -78,7 +65,7 @@ export function comparing(): Promise<Workers> {
       desk: new Pool(1, () => hire(wasm)),
     }),
     (problem: unknown) => {
-      throw new Error(`the program for it could not be loaded (${problem instanceof Error ? problem.message : String(problem)}). Try again when you are online.`);
+      throw new Error(`the program for it could not be loaded (${messageOf(problem)}). Try again when you are online.`);
     },
   );
   // A failed download may be tried again.

@@ -1,5 +1,6 @@
 // Promises over the workers. The page knows the model only through this.
 import * as Comlink from "comlink";
+import { messageOf } from "./format";
 import { type Hired, Pool } from "./pool";
 import type { Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
@@ -32,9 +33,23 @@ export function watched(worker: Worker) {
 const open = (name: string) => watched(new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name }));
 
 /** A trap of the wasm names an instruction, which is no news to a person. */
-export function inWords(problem: unknown): unknown {
+function inWords(problem: unknown): unknown {
   if (!(problem instanceof Error) || problem.name !== "RuntimeError") return problem;
   return new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
+}
+
+/** Work under way that `cancel` brings to an early end when the signal comes. */
+export async function cancellable<Result>(signal: AbortSignal, cancel: () => unknown, work: () => Promise<Result>): Promise<Result> {
+  signal.throwIfAborted();
+  const stop = () => void cancel();
+  signal.addEventListener("abort", stop);
+  try {
+    return await work();
+  } catch (problem) {
+    throw inWords(problem);
+  } finally {
+    signal.removeEventListener("abort", stop);
+  }
 }
 
 function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
@@ -42,18 +57,8 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
   const remote = Comlink.wrap<Trainee>(worker);
   return {
     worker: {
-      async train(job, report, signal) {
-        signal.throwIfAborted();
-        const cancel = () => void remote.cancelTraining();
-        signal.addEventListener("abort", cancel);
-        try {
-          return await remote.train(job, Comlink.proxy(report));
-        } catch (problem) {
-          throw inWords(problem);
-        } finally {
-          signal.removeEventListener("abort", cancel);
-        }
-      },
+      train: (job, report, signal) =>
+        cancellable(signal, () => remote.cancelTraining(), () => remote.train(job, Comlink.proxy(report))),
     },
     ready: remote.start(wasm),
     broken,
@@ -76,7 +81,7 @@ export async function startEngine(): Promise<{
   const engine = Comlink.wrap<Workbench>(worker);
   const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));
   const { wasm, version, samples } = await Promise.race([started, broken]).catch((problem: unknown) => {
-    const why = problem instanceof Error ? problem.message : String(problem);
+    const why = messageOf(problem);
     throw new Error(`its program could not be loaded (${why}). Reloading the page may help.`);
   });
   const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm));

@@ -1,11 +1,9 @@
 // What a worker does to compare models: trains one in one fold, step by step, and scores its prediction. No DOM.
 import * as Comlink from "comlink";
 import { Clip, compare, emptyResults, Evaluation, Fold, TrainingSet } from "vcgpdm";
-import { breathe, ClipReader } from "./clip-reader";
+import { ClipReader } from "./clip-reader";
 import type { Comparer, Evaluated, EvaluationJob, Experimenter } from "./protocol";
-
-/** Milliseconds of training before a report, and before messages (a cancel) get their turn. */
-const SLICE = 100;
+import { breathe, SLICE } from "./slices";
 
 const clips = new ClipReader({ Clip, TrainingSet });
 let evaluation: { cancelled: boolean } | null = null;

@@ -1,4 +1,4 @@
-// Numbers as the page writes them.
+// Numbers and words as the page writes them.
 
 /** Three significant digits, without an exponent between 0.001 and 10,000. */
 export function short(value: number): string {
@@ -43,4 +43,9 @@ export function sentence(words: string): string {
   const text = words.trim();
   if (text === "") return "";
   return `${text[0]!.toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
+}
+
+/** What a caught problem says. */
+export function messageOf(problem: unknown): string {
+  return problem instanceof Error ? problem.message : String(problem);
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { headline, inOrder, newTry, readings, secondsLeft, shareOf, tally, times, type Try } from "./lesson";
+import { headline, inOrder, newTry, readings, tally, times, type Try } from "./lesson";
+import { restOf, shareOf } from "./runs";
 import type { SyntheticFindings } from "./protocol";
 
 const RULES = { much: 10, alike: 4 };
@@ -67,13 +68,13 @@ describe("how long it takes", () => {
   const running = tried(1, { state: "running", fraction: 0.25, elapsed: 2 });
 
   it("says nothing before there is something to go by", () => {
-    expect(secondsLeft([newTry({ seed: 0, driving: true })], 1)).toBeNull();
+    expect(restOf([newTry({ seed: 0, driving: true })], 1)).toBeNull();
   });
 
   it("takes those that wait to be as long as those under way", () => {
-    expect(secondsLeft([running], 1)).toBeCloseTo(6);
-    expect(secondsLeft([running, newTry({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
-    expect(secondsLeft([running, newTry({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
+    expect(restOf([running], 1)).toBeCloseTo(6);
+    expect(restOf([running, newTry({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
+    expect(restOf([running, newTry({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
   });
 
   it("counts what ended as done", () => {

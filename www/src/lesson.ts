@@ -1,7 +1,7 @@
 // The synthetic experiment: what was tried, how far it is, and what it found, in words. No rendering, no worker.
 import { grouped } from "./format";
 import type { ExperimentJob, SyntheticFindings, SyntheticTruth } from "./protocol";
-import { type Course, restOf } from "./runs";
+import type { Course } from "./runs";
 
 /** One training: asked for, under way or over. */
 export interface Try extends ExperimentJob, Course {
@@ -77,11 +77,3 @@ export function tally(tries: readonly Try[]): string {
   if (stopped > 0) sentences.push(`${stopped} stopped early, not counted.`);
   return sentences.join(" ");
 }
-
-/** The share of all their iterations that is behind these tries, 0 to 1. */
-export function shareOf(tries: readonly Try[]): number {
-  const behind = tries.map(({ state, fraction }) => (state === "waiting" || state === "running" ? fraction : 1));
-  return behind.reduce((sum, one) => sum + one, 0) / Math.max(1, tries.length);
-}
-
-export const secondsLeft = (tries: readonly Try[], workers: number): number | null => restOf(tries, workers);

@@ -1,11 +1,12 @@
 // Wiring: the first motion, the worker, the views, the clock.
 import { html, render } from "lit";
 import { loadSamples, openFiles } from "./actions/clips";
-import { messageOf, resetCouplings, takeUp } from "./actions/couplings";
+import { resetCouplings, takeUp } from "./actions/couplings";
 import { App } from "./app";
 import { listenToDrops } from "./dropping";
 import { startEngine } from "./engine";
 import { decodeFirstMotion } from "./first-motion.js";
+import { messageOf } from "./format";
 import { listenToKeys } from "./keyboard";
 import { isEmbedded, readSettings } from "./state";
 import "./styles/base.css";

@@ -25,7 +25,7 @@ export interface Run {
   model: TrainedModel | null;
 }
 
-export const isOver = ({ state }: Run): boolean => state !== "waiting" && state !== "running";
+export const isOver = ({ state }: Pick<Run, "state">): boolean => state !== "waiting" && state !== "running";
 
 /** The best bound so far; minus infinity before the first iteration. */
 export function bestBound(run: Run): number {
@@ -88,12 +88,6 @@ export function differences(runs: readonly Run[]): Column[] {
   return COLUMNS.filter(({ key }) => new Set(runs.map(key)).size > 1);
 }
 
-/** The share of all their iterations that is behind these runs, 0 to 1. */
-export function share(runs: readonly Run[]): number {
-  const shares = runs.map((run) => (isOver(run) ? 1 : (run.steps.at(-1)?.fraction ?? 0)));
-  return shares.reduce((sum, one) => sum + one, 0) / Math.max(1, runs.length);
-}
-
 /** How far one of several trainings of about the same length is. */
 export interface Course {
   state: Run["state"];
@@ -103,9 +97,18 @@ export interface Course {
   fraction: number;
 }
 
+const courseOf = ({ state, elapsed, steps }: Run): Course => ({ state, elapsed, fraction: steps.at(-1)?.fraction ?? 0 });
+
+/** The share of all their iterations that is behind these runs, 0 to 1. */
+export const share = (runs: readonly Run[]): number => shareOf(runs.map(courseOf));
+
 /** Seconds that these runs take at most, so many at once; null while it is too early to say. */
-export function secondsLeft(runs: readonly Run[], workers: number): number | null {
-  return restOf(runs.map(({ state, elapsed, steps }) => ({ state, elapsed, fraction: steps.at(-1)?.fraction ?? 0 })), workers);
+export const secondsLeft = (runs: readonly Run[], workers: number): number | null => restOf(runs.map(courseOf), workers);
+
+/** The share of all their iterations that is behind these trainings, 0 to 1. */
+export function shareOf(courses: readonly Course[]): number {
+  const behind = courses.map((course) => (isOver(course) ? 1 : course.fraction));
+  return behind.reduce((sum, one) => sum + one, 0) / Math.max(1, courses.length);
 }
 
 /** Seconds that trainings take at most, so many at once; null while it is too early to say. */

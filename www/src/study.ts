@@ -1,5 +1,6 @@
 // A comparison of models: which trainings it asks for, how far they are, and what came of them. No rendering, no worker.
 import type { Candidate, Figure, Job, ModelId, PartSpec, Results, Setting, TrainingClip } from "./protocol";
+import { seedsFrom } from "./runs";
 import { MODELS, type Settings } from "./state";
 
 /** One model in one fold with one seed. */
@@ -111,7 +112,7 @@ export function jobs(settings: Settings, trials: number, parts: number): Job[] {
   const all = candidates(settings, parts);
   const held = settings.heldOut >= 1 && settings.heldOut <= trials ? [settings.heldOut] : Array.from({ length: trials }, (_, k) => k + 1);
   const seeds = (candidate: Candidate) =>
-    isRandom(candidate) ? Array.from({ length: settings.seeds }, (_, k) => (settings.seed + k) % 2 ** 32) : [0];
+    isRandom(candidate) ? seedsFrom(settings.seed, settings.seeds) : [0];
   const asked = held.flatMap((held_out) =>
     all.flatMap((candidate) => seeds(candidate).map((seed) => ({ candidate, held_out, training_trials: trials - 1, seed }))));
   if (!settings.growth) return asked;
@@ -120,7 +121,7 @@ export function jobs(settings: Settings, trials: number, parts: number): Job[] {
     const of = all.filter((candidate) => candidate.model === model);
     return of.slice(of.length >> 1, (of.length >> 1) + 1);
   };
-  const fewer = ["vcgpdm" as const, "map-cgpdm" as const].flatMap(one).flatMap((candidate) =>
+  const fewer = MODELS.filter(isCoupled).flatMap(one).flatMap((candidate) =>
     Array.from({ length: Math.max(0, trials - 2) }, (_, k) => ({
       candidate, held_out: held[0] ?? 1, training_trials: k + 1, seed: settings.seed,
     })));

@@ -1,10 +1,7 @@
 // What a worker does for the synthetic lesson: makes the data, and trains on them step by step. No DOM.
 import { SyntheticExperiment } from "vcgpdm";
-import { breathe } from "./clip-reader";
 import type { ExperimentJob, Experimenter, ExperimentReport, TrainingOutcome, TrainingProgress } from "./protocol";
-
-/** Milliseconds of training before a report, and before messages (a cancel) get their turn. */
-const SLICE = 100;
+import { breathe, SLICE } from "./slices";
 
 let training: { cancelled: boolean } | null = null;
 

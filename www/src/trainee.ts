@@ -1,10 +1,8 @@
 // What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
 import { Clip, Trainer, TrainingSet } from "vcgpdm/playground";
-import { breathe, ClipReader } from "./clip-reader";
+import { ClipReader } from "./clip-reader";
 import type { Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome, TrainingProgress } from "./protocol";
-
-/** Milliseconds of training before a report, and before messages (a cancel) get their turn. */
-const SLICE = 100;
+import { breathe, SLICE } from "./slices";
 
 let training: { cancelled: boolean } | null = null;
 const clips = new ClipReader({ Clip, TrainingSet });

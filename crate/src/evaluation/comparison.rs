@@ -2,13 +2,14 @@
 
 use super::candidate::Candidate;
 use super::claims::{Claim, claims};
+use super::cross_validation::Outcome;
 use super::labels::Labels;
-use super::results::Results;
+use super::results::{Finished, Results};
 use super::rows::{Row, common_folds, groups, rows};
 use super::stats::{exponent, mean, rank_correlation};
 use crate::learner::ModelKind;
 use serde::Serialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A mean over folds; seeds of the same fold are averaged first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -163,36 +164,33 @@ pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Opti
     Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, points })
 }
 
+/// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
+type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
+
 /// Of each kind the candidate that was trained on most numbers of trials; only folds that all of these have are compared.
 fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
-    let counts = |candidate: &Candidate| -> BTreeSet<usize> {
-        let of = results.finished.iter().filter(|f| f.job.candidate == *candidate && f.outcome.is_some());
-        of.map(|f| f.job.training_trials).collect()
-    };
+    let mut courses: Vec<(&Candidate, Course)> = Vec::new();
+    for Finished { job, outcome, .. } in &results.finished {
+        let Some(outcome) = outcome else { continue };
+        let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
+            courses.push((&job.candidate, Course::new()));
+            courses.len() - 1
+        });
+        courses[place].1.entry(job.training_trials).or_default().push((job.held_out, outcome));
+    }
     let of = |kind: ModelKind| {
-        let candidates =
-            results.finished.iter().map(|f| &f.job.candidate).filter(|candidate| candidate.kind() == kind);
-        let candidate = candidates.max_by_key(|candidate| counts(candidate).len())?;
-        let counts = counts(candidate);
-        let times = |count: usize| {
-            let of = results.finished.iter();
-            of.filter(|f| f.job.candidate == *candidate && f.job.training_trials == count)
-                .filter_map(|f| f.outcome.as_ref().map(|o| (f.job.held_out, o)))
-                .collect::<Vec<_>>()
+        let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
+        let (candidate, course) = of_kind.max_by_key(|(_, course)| course.len())?;
+        let folds =
+            |of: &Vec<(usize, &Outcome)>| of.iter().map(|(fold, _)| *fold).collect::<BTreeSet<usize>>();
+        let common = course.values().map(folds).reduce(|a, b| &a & &b)?;
+        let point = |of: &Vec<(usize, &Outcome)>| {
+            let shared = of.iter().filter(|(fold, _)| common.contains(fold));
+            let (frames, seconds): (Vec<f64>, Vec<f64>) =
+                shared.map(|(_, o)| (o.frames as f64, o.seconds / o.iterations.max(1) as f64)).unzip();
+            (!frames.is_empty()).then(|| FramesAndTime { frames: mean(&frames), seconds: mean(&seconds) })
         };
-        let common = counts
-            .iter()
-            .map(|count| times(*count).iter().map(|(fold, _)| *fold).collect::<BTreeSet<usize>>())
-            .reduce(|a, b| a.intersection(&b).copied().collect())?;
-        let points: Vec<FramesAndTime> = counts
-            .iter()
-            .filter_map(|count| {
-                let of = times(*count).into_iter().filter(|(fold, _)| common.contains(fold));
-                let (frames, seconds): (Vec<f64>, Vec<f64>) =
-                    of.map(|(_, o)| (o.frames as f64, o.seconds / o.iterations.max(1) as f64)).unzip();
-                (!frames.is_empty()).then(|| FramesAndTime { frames: mean(&frames), seconds: mean(&seconds) })
-            })
-            .collect();
+        let points: Vec<FramesAndTime> = course.values().filter_map(point).collect();
         let pairs: Vec<(f64, f64)> =
             points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
         (points.len() > 2).then(|| Growth {
@@ -208,9 +206,8 @@ fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
 #[cfg(test)]
 mod tests {
     use super::super::candidate::{GpdmSettings, PointSettings};
-    use super::super::cross_validation::Outcome;
     use super::super::dtw::Score;
-    use super::super::results::{Finished, Job, Setting, Trial};
+    use super::super::results::{Job, Setting, Trial};
     use super::*;
     use approx::assert_relative_eq;
 

@@ -1,10 +1,9 @@
 //! Comparing models: a trial held out, an evaluation step by step, and what the results say.
 
 use super::training::TrainingSet;
-use super::{PartSpec, error, read};
+use super::{PartSpec, error, parts, read};
 use crate::evaluation::{Candidate, Comparison, Fold as HeldOut, Outcome, Results, Setting};
 use crate::learner::{Learner, LearningProgress, MovementModel};
-use crate::parts::PartSpec as Part;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use tsify::{Ts, Tsify};
@@ -20,17 +19,11 @@ pub struct ComparisonSettings {
     pub frames_per_second: f64,
 }
 
-impl ComparisonSettings {
-    fn parts(&self) -> Vec<Part> {
-        self.parts.iter().map(|p| Part { name: p.name.clone(), joints: p.joints.clone() }).collect()
-    }
-}
-
 /// Results of which none is finished yet; each clip of the set is a trial.
 #[wasm_bindgen(js_name = emptyResults)]
 pub fn empty_results(clips: &TrainingSet, common: Ts<ComparisonSettings>) -> Result<Ts<Results>, JsError> {
     let common = read("settings", &common)?;
-    let setting = Setting::new(&clips.clips, &common.parts(), common.frames_per_second);
+    let setting = Setting::new(&clips.clips, &parts(&common.parts), common.frames_per_second);
     setting.check().map_err(error)?;
     Results::new(setting).into_ts().map_err(error)
 }
@@ -68,7 +61,7 @@ impl Fold {
             return Err(error(words));
         }
         let fold =
-            HeldOut::new(&clips.clips, place, training_trials, &common.parts(), rate).map_err(error)?;
+            HeldOut::new(&clips.clips, place, training_trials, &parts(&common.parts), rate).map_err(error)?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 

@@ -96,6 +96,10 @@ fn part_spec(part: &Part) -> PartSpec {
     PartSpec { name: part.name.clone(), joints: part.joints.clone() }
 }
 
+fn parts(specs: &[PartSpec]) -> Vec<Part> {
+    specs.iter().map(|p| Part { name: p.name.clone(), joints: p.joints.clone() }).collect()
+}
+
 fn terms(terms: &BoundTerms) -> Terms {
     Terms {
         kinematics: terms.kinematics.clone(),

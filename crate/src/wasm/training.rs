@@ -2,11 +2,10 @@
 
 use super::clip::Clip;
 use super::model::Model;
-use super::{PartSpec, Terms, error, flat, read, terms};
+use super::{PartSpec, Terms, error, flat, parts, read, terms};
 use crate::Clip as MotionClip;
 use crate::dataset::{Dataset, Source};
 use crate::motion_model::MotionModel;
-use crate::parts::PartSpec as Part;
 use crate::training::{Trainer as Training, TrainingProgress as Progress, TrainingSettings as Settings};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -121,8 +120,7 @@ impl Trainer {
         let settings = read("settings", &settings)?;
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
-        let parts: Vec<Part> =
-            settings.parts.into_iter().map(|p| Part { name: p.name, joints: p.joints }).collect();
+        let parts = parts(&settings.parts);
         let frames_per_second = settings.frames_per_second;
         let dataset = Dataset::new(&sources, &parts, frames_per_second).map_err(error)?;
         let settings = Settings {

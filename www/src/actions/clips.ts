@@ -1,9 +1,9 @@
 // Opening, ticking, cutting and looking at clips.
 import type { App, ClipEntry } from "../app";
-import { clipTitle, sentence } from "../format";
+import { clipTitle, messageOf, sentence } from "../format";
 import { partsFor } from "../parts";
 import type { SampleInfo } from "../protocol";
-import { messageOf, showRollout, takeUp } from "./couplings";
+import { showRollout, takeUp } from "./couplings";
 import { changeSettings } from "./settings";
 
 /** Files beyond this are no motion clips; reading them would only fill the memory. */

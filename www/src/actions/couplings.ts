@@ -1,5 +1,6 @@
 // Sliders: other couplings, another reading, another start; and the rollouts they ask for.
 import type { App } from "../app";
+import { messageOf } from "../format";
 import { Latest } from "../latest";
 import type { OpenedModel, Reading, RolloutRequest, RolloutResult } from "../protocol";
 import { changeSettings } from "./settings";
@@ -20,10 +21,6 @@ function queueOf(app: App): Latest<RolloutRequest, RolloutResult> {
     queues.set(app, queue);
   }
   return queue;
-}
-
-export function messageOf(problem: unknown): string {
-  return problem instanceof Error ? problem.message : String(problem);
 }
 
 function applyRollout(app: App, result: RolloutResult): void {

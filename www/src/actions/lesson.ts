@@ -1,13 +1,10 @@
 // The synthetic experiment: draw one, train on it, cancel.
 import type { App } from "../app";
 import { comparing } from "../comparing";
+import { messageOf } from "../format";
 import { Latest } from "../latest";
 import { isSame, newTry, type Try } from "../lesson";
 import type { ExperimentJob, SyntheticTruth } from "../protocol";
-import { messageOf } from "./couplings";
-
-/** Milliseconds between two redraws of what workers report. */
-const TELL_EVERY = 100;
 
 /** The experiments of this visit, and how they are going. */
 export class Lesson {
@@ -20,7 +17,6 @@ export class Lesson {
   private drawn: { job: ExperimentJob; truth: SyntheticTruth } | null = null;
   private wanted: ExperimentJob | null = null;
   private stop = new AbortController();
-  private telling = false;
   private workers = 1;
   private readonly drawing: Latest<ExperimentJob, SyntheticTruth>;
 
@@ -111,7 +107,7 @@ export class Lesson {
         one.state = "running";
         return worker.experiment({ seed: one.seed, driving: one.driving }, ({ progress, elapsed, findings }) => {
           Object.assign(one, { iteration: progress.iteration, fraction: progress.fraction, elapsed, findings });
-          this.tellSoon();
+          this.app.tellSoon("lesson");
         }, signal);
       }, signal);
       one.state = cancelled ? "cancelled" : "done";
@@ -121,16 +117,7 @@ export class Lesson {
       if (problem === signal.reason) this.tries = this.tries.filter((other) => other !== one);
       else [one.state, one.ending] = ["failed", messageOf(problem)];
     }
-    this.tellSoon();
-  }
-
-  private tellSoon(): void {
-    if (this.telling) return;
-    this.telling = true;
-    setTimeout(() => {
-      this.telling = false;
-      this.app.tell("lesson");
-    }, TELL_EVERY);
+    this.app.tellSoon("lesson");
   }
 
   /** Stops; what is under way keeps its best so far. */

@@ -1,7 +1,8 @@
 // What a visitor does with the trainings of this visit: look at one, remove one, clear all.
 import type { App, Training } from "../app";
+import { messageOf } from "../format";
 import { bestRun, isOver, type Run } from "../runs";
-import { messageOf, takeUp } from "./couplings";
+import { takeUp } from "./couplings";
 
 /** Milliseconds between two models of trainings under way on the stage. */
 const EVERY = 1000;

@@ -1,8 +1,7 @@
 // Files that leave the page, to the visitor's own disk.
 import type { App } from "../app";
 import { download } from "../download";
-import { clipTitle } from "../format";
-import { messageOf } from "./couplings";
+import { clipTitle, messageOf } from "../format";
 
 function baseName(app: App): string {
   const clip = clipTitle(app.model?.info.sequences[0]?.name ?? "model");

@@ -2,13 +2,11 @@
 import type { App } from "../app";
 import { comparing } from "../comparing";
 import { download } from "../download";
+import { messageOf } from "../format";
 import { partsFor } from "../parts";
 import type { Comparison, Evaluated, Job, PartSpec, Results, TrainingClip } from "../protocol";
 import { isCoupled, jobKey, jobs, openJobs, sameSetting, type Study, type StudyJob, studyKey } from "../study";
-import { messageOf } from "./couplings";
 
-/** Milliseconds between two redraws of what workers report. */
-const TELL_EVERY = 150;
 /** Studies that are kept, so that settings can be changed to and fro. */
 const MOST_STUDIES = 4;
 /** Motions that are kept of a study: some hundred kilobytes each. */
@@ -35,7 +33,6 @@ export class Studying {
   readonly look: { fold: number; picked: string[] | null; playing: boolean | null } = { fold: 0, picked: null, playing: null };
   private readonly studies = new Map<string, { study: Study; comparison: Comparison | null }>();
   private stop = new AbortController();
-  private telling = false;
   private counting: Promise<void> | null = null;
   private workers = 1;
 
@@ -157,7 +154,7 @@ export class Studying {
         const report = (fraction: number) => {
           one.fraction = fraction;
           one.elapsed = (performance.now() - start) / 1000;
-          this.tellSoon();
+          this.app.tellSoon("study");
         };
         const { clips, framesPerSecond } = study;
         const { candidate, held_out: heldOut, training_trials: trainingTrials, seed } = job;
@@ -171,7 +168,7 @@ export class Studying {
       one.state = signal.aborted ? "cancelled" : "failed";
       one.why = messageOf(problem);
     }
-    this.tellSoon();
+    this.app.tellSoon("study");
   }
 
   private finish(study: Study, job: Job, { outcome, predicted, actual, frameTime }: Evaluated): void {
@@ -203,17 +200,8 @@ export class Studying {
       this.app.notify({ kind: "error", title: "The tables could not be made", text: messageOf(problem), at: null });
     } finally {
       this.counting = null;
-      this.tellSoon();
+      this.app.tellSoon("study");
     }
-  }
-
-  private tellSoon(): void {
-    if (this.telling) return;
-    this.telling = true;
-    setTimeout(() => {
-      this.telling = false;
-      this.app.tell("study");
-    }, TELL_EVERY);
   }
 
   /** Stops; finished folds are kept. */

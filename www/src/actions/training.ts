@@ -1,14 +1,12 @@
 // Training: start, follow, cancel.
 import type { App } from "../app";
+import { messageOf } from "../format";
 import { partsFor } from "../parts";
 import type { Report, TrainingSettings } from "../protocol";
 import { bestRun, type Run, seedsFrom } from "../runs";
-import { messageOf, showRollout } from "./couplings";
+import { showRollout } from "./couplings";
 import { followRun, keeping, stageRun } from "./runs";
 import { changeSettings } from "./settings";
-
-/** Milliseconds between two redraws of what trainings report, however many run. */
-const TELL_EVERY = 100;
 
 /** The settings of the training that the page's controls ask for; null without a ticked clip. */
 export function trainingSettings(app: App): TrainingSettings | null {
@@ -38,17 +36,6 @@ function runsFor(app: App, settings: TrainingSettings): Run[] {
   }));
 }
 
-const telling = new WeakSet<App>();
-
-function tellSoon(app: App): void {
-  if (telling.has(app)) return;
-  telling.add(app);
-  setTimeout(() => {
-    telling.delete(app);
-    app.tell("training");
-  }, TELL_EVERY);
-}
-
 /** Carries one run out on a worker of the pool. Its failure is its own. */
 async function carryOut(app: App, run: Run, signal: AbortSignal): Promise<void> {
   const report: Report = ({ steps, elapsed, model }) => {
@@ -56,7 +43,7 @@ async function carryOut(app: App, run: Run, signal: AbortSignal): Promise<void> 
     run.steps.push(...steps);
     run.elapsed = elapsed;
     if (model) run.model = model;
-    tellSoon(app);
+    app.tellSoon("training");
     return followRun(app, run);
   };
   try {

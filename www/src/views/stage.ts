@@ -1,7 +1,5 @@
 // The stage: figure, ghost and ground, seen by a camera that follows the walk.
 import {
-  DirectionalLight,
-  HemisphereLight,
   PCFShadowMap,
   PerspectiveCamera,
   Scene,
@@ -16,6 +14,7 @@ import { onThemeChange, theme } from "../palette";
 import type { Motion } from "../protocol";
 import { type FigureStyle, FigureView } from "./figure";
 import { Ground } from "./ground";
+import { Lights } from "./lights";
 import { type Fineness, Pace } from "./pace";
 import { feetOf, floorOf, SOLE } from "./standing";
 
@@ -29,8 +28,7 @@ export class Stage {
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
   private readonly controls: OrbitControls;
   private readonly ground = new Ground();
-  private readonly sun = new DirectionalLight(0xffffff, 2.1);
-  private readonly sky = new HemisphereLight(0xffffff, 0xb8b2a6, 1.5);
+  private readonly lights = new Lights(this.scene, 1024);
   private figure: FigureView | null = null;
   private ghost: FigureView | null = null;
   private marked: FigureView[] = [];
@@ -56,14 +54,7 @@ export class Stage {
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(1024, 1024);
-    this.sun.shadow.radius = 5;
-    this.sun.shadow.bias = -0.0005;
-    this.sun.shadow.normalBias = 0.02;
-    const view = this.sun.shadow.camera;
-    [view.left, view.right, view.top, view.bottom, view.near, view.far] = [-1.6, 1.6, 1.9, -1.3, 0.5, 9];
-    this.scene.add(this.sky, this.sun, this.sun.target, this.ground.group);
+    this.scene.add(this.ground.group);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, {
       enablePan: false, enableDamping: true, dampingFactor: 0.12, minDistance: 1.6, maxDistance: 12,
@@ -83,11 +74,8 @@ export class Stage {
   }
 
   private recolour(): void {
-    const { dark, ground } = theme();
-    this.renderer.setClearColor(ground);
-    this.sky.intensity = dark ? 1.15 : 1.6;
-    this.sky.groundColor.set(dark ? 0x2a2d33 : 0xc9c3b8);
-    this.sun.intensity = dark ? 2.0 : 2.1;
+    this.renderer.setClearColor(theme().ground);
+    this.lights.recolour();
     this.ground.recolour();
     this.figureOf = null;
     this.rebuild();
@@ -253,8 +241,7 @@ export class Stage {
     this.camera.position.z += dz;
     this.controls.target.copy(this.focus);
     this.ground.follow(x, z);
-    this.sun.target.position.set(x, this.floor + 0.6, z);
-    this.sun.position.set(x + 1.6, this.floor + 4.4, z + 1.3);
+    this.lights.follow(x, this.floor, z);
   }
 }
 

@@ -1,11 +1,12 @@
 // Several figures in one picture, side by side under one clock and one camera, each with the real trial as its ghost.
-import { DirectionalLight, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import { PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { HERE, placeOnto, poseAt } from "../../motion";
 import { onThemeChange, theme } from "../../palette";
 import type { Figure, Motion, PartSpec } from "../../protocol";
 import { FigureView } from "../figure";
 import { Ground } from "../ground";
+import { Lights } from "../lights";
 import { type Fineness, Pace } from "../pace";
 import { feetOf, floorOf, SOLE } from "../standing";
 
@@ -32,8 +33,7 @@ const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
 class Column {
   readonly scene = new Scene();
   private readonly ground = new Ground();
-  private readonly sun = new DirectionalLight(0xffffff, 2.1);
-  private readonly sky = new HemisphereLight(0xffffff, 0xb8b2a6, 1.5);
+  private readonly lights = new Lights(this.scene, 512);
   private readonly figure: FigureView;
   private readonly ghost: FigureView;
   private readonly floor: number;
@@ -53,15 +53,7 @@ class Column {
     this.floor = floorOf(actual) - SOLE;
     this.feet = feetOf(actual, this.floor + SOLE);
     this.ground.group.position.y = this.floor;
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(512, 512);
-    Object.assign(this.sun.shadow, { radius: 5, bias: -0.0005, normalBias: 0.02 });
-    const view = this.sun.shadow.camera;
-    [view.left, view.right, view.top, view.bottom, view.near, view.far] = [-1.6, 1.6, 1.9, -1.3, 0.5, 9];
-    const { dark } = theme();
-    this.sky.intensity = dark ? 1.15 : 1.6;
-    this.sky.groundColor.set(dark ? 0x2a2d33 : 0xc9c3b8);
-    this.scene.add(this.sky, this.sun, this.sun.target, this.ground.group, this.ghost.group, this.figure.group);
+    this.scene.add(this.ground.group, this.ghost.group, this.figure.group);
   }
 
   /** Poses figure and ghost; answers where to look. */
@@ -75,8 +67,7 @@ class Column {
     const [x, z] = [this.pose[0]!, this.pose[2]!];
     this.ground.follow(x, z);
     this.ground.touch(this.pose, this.feet, this.floor);
-    this.sun.target.position.set(x, this.floor + 0.6, z);
-    this.sun.position.set(x + 1.6, this.floor + 4.4, z + 1.3);
+    this.lights.follow(x, this.floor, z);
     return out.set(x, this.floor + LOOK_AT_HEIGHT, z);
   }
 
@@ -91,7 +82,7 @@ class Column {
   dispose(): void {
     this.figure.dispose();
     this.ghost.dispose();
-    this.sun.shadow.dispose();
+    this.lights.dispose();
     this.ground.dispose();
   }
 }

@@ -3,6 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { download } from "../../download";
 import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
+import { messageOf } from "../../format";
 
 /** Told (bubbling, as the event `save-failed`) when a file could not be made. */
 export interface SaveFailure {
@@ -80,7 +81,7 @@ export abstract class ComparisonFigure<Data> extends LitElement {
         : new Blob([csv(this.table(this.data!))], { type: "text/csv;charset=utf-8" });
       download(name, content);
     } catch (problem) {
-      const detail: SaveFailure = { name, message: problem instanceof Error ? problem.message : String(problem) };
+      const detail: SaveFailure = { name, message: messageOf(problem) };
       this.dispatchEvent(new CustomEvent<SaveFailure>("save-failed", { detail, bubbles: true, composed: true }));
     }
   }

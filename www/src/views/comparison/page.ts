@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { LARGEST_FILE, tickClip } from "../../actions/clips";
 import { changeSettings } from "../../actions/settings";
 import { studying } from "../../actions/study";
-import { sentence, timeLeft } from "../../format";
+import { messageOf, sentence, timeLeft } from "../../format";
 import { partsFor } from "../../parts";
 import { BY_HAND, MODELS, type NumberSetting, SETTINGS, type SettingName } from "../../state";
 import "../../styles/comparison.css";
@@ -177,7 +177,7 @@ export class ComparisonPage extends View {
     try {
       await open();
     } catch (problem) {
-      this.problem = `${name}: ${problem instanceof Error ? problem.message : String(problem)}`;
+      this.problem = `${name}: ${messageOf(problem)}`;
       this.requestUpdate();
     }
   }

@@ -3,7 +3,8 @@ import { html, nothing } from "lit";
 import { lessonOf } from "../../actions/lesson";
 import { changeSettings } from "../../actions/settings";
 import { sentence, timeLeft } from "../../format";
-import { headline, secondsLeft, shareOf, tally, TEN_SEEDS } from "../../lesson";
+import { headline, tally, TEN_SEEDS } from "../../lesson";
+import { restOf, shareOf } from "../../runs";
 import { onThemeChange } from "../../palette";
 import { SETTINGS } from "../../state";
 import "../../styles/synthetic.css";
@@ -43,7 +44,7 @@ export class SyntheticPage extends View {
       const where = asked.length === 1
         ? `Iteration ${first!.iteration}`
         : `${asked.filter(({ state }) => state === "done" || state === "failed").length} of ${asked.length} seeds done`;
-      return html`<span>${where}</span><span>${sentence(timeLeft(secondsLeft(asked, lesson.width)))}</span>`;
+      return html`<span>${where}</span><span>${sentence(timeLeft(restOf(asked, lesson.width)))}</span>`;
     }
     if (shown?.state === "failed") return html`<span class="bad">Training failed. ${sentence(shown.ending)}</span>`;
     if (shown?.ending) return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(shown.ending)}</span>`;
