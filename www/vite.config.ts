@@ -5,7 +5,7 @@ import { defineConfig } from "vite";
 const wasmPackage = (folder: string) => fileURLToPath(new URL(`../crate/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
 /** The whole program and the views that need it are loaded when they are opened; scripts/site.mjs counts them by their folder. */
-const isLater = (file: string) => /\/views\/(comparison|synthetic)\/|\/pkg\/web\/|\/(compar(er|ing)|actions\/study)\.ts$/.test(file.replaceAll("\\", "/"));
+const isLater = (file: string) => /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file.replaceAll("\\", "/"));
 const folder = (later: boolean) => (later ? "assets/on-demand" : "assets");
 const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) => `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,

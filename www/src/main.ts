@@ -1,19 +1,19 @@
 // Wiring: the first motion, the worker, the views, the clock.
 import { html, render } from "lit";
-import { loadSamples, openFiles } from "./actions/clips";
-import { resetCouplings, takeUp } from "./actions/couplings";
-import { App } from "./app";
-import { listenToDrops } from "./dropping";
-import { startEngine } from "./engine";
-import { decodeFirstMotion } from "./first-motion.js";
-import { messageOf } from "./format";
-import { listenToKeys } from "./keyboard";
-import { isEmbedded, readSettings } from "./state";
-import "./styles/base.css";
-import "./styles/layout.css";
-import "./styles/panels.css";
-import "./views/page";
-import type { PageView } from "./views/page";
+import { loadSamples, openFiles } from "./clips/clips";
+import { resetCouplings, takeUp } from "./couplings/rollouts";
+import { App } from "./app/app";
+import { listenToDrops } from "./app/dropping";
+import { startEngine } from "./engine/engine";
+import { decodeFirstMotion } from "./stage/first-motion.js";
+import { messageOf } from "./ui/format";
+import { listenToKeys } from "./app/keyboard";
+import { isEmbedded, readSettings } from "./settings/settings";
+import "./ui/base.css";
+import "./app/layout.css";
+import "./app/panels.css";
+import "./app/page";
+import type { PageView } from "./app/page";
 
 const app = new App(readSettings(location.hash), isEmbedded(location.search));
 const root = document.documentElement;

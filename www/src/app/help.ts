@@ -1,0 +1,61 @@
+// Help and keys, and about this page.
+import { html } from "lit";
+import { clipTitle } from "../ui/format";
+import { icon } from "../ui/icons";
+import { View } from "../ui/view";
+
+const KEYS: [string, string][] = [
+  ["space", "play or pause"],
+  ["← →", "one frame back or forward"],
+  ["0", "reset all couplings"],
+  ["delete", "on a slider: reset this coupling"],
+  ["p", "large type, for a projector"],
+  ["w a s d", "on the stage: look from another side"],
+  ["+ −", "on the stage: come closer, go away"],
+  ["?", "this help"],
+];
+
+export const ACKNOWLEDGEMENT =
+  "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
+
+export class HelpView extends View {
+  static override topics = ["model", "engine"] as const;
+
+  open(): void {
+    const dialog = this.querySelector("dialog")!;
+    if (!dialog.open) dialog.showModal();
+  }
+
+  private provenance() {
+    const { model, version } = this.app;
+    if (!model) return "";
+    const { provenance, sequences } = model.info;
+    return html`<p>The model now: trained by ${provenance.engine} with seed ${provenance.settings.seed} on
+      ${sequences.map(({ name }) => clipTitle(name)).join(", ") || "clips it does not name"}. This page runs version ${version}.</p>`;
+  }
+
+  protected override render() {
+    return html`
+      <dialog aria-labelledby="help-title" @click=${(event: Event) => {
+        if (event.target instanceof HTMLDialogElement) event.target.close();
+      }}>
+        <div class="dialog-body">
+          <header><h2 id="help-title">How this works</h2>
+            <form method="dialog"><button class="round" aria-label="Close">${icon("close")}</button></form></header>
+          <p>The model splits a body into parts. Each part’s poses are points in a small latent space, and a walk is a loop in it.
+            Where a part goes next is predicted by every part, from its own last frames; the weights w say whose word counts.
+            A coupling’s α is the variance of one such prediction: small α, large weight.</p>
+          <p>Inducing points are the few examples that the model keeps in place of the data: poses (diamonds), and short pieces of movement (arrows).
+            Point at one to see its pose, and the frames it speaks for on the time line.</p>
+          <p>Training climbs the evidence lower bound: how well the model explains the clips, less what it takes to say so.</p>
+          <h3>Keys</h3>
+          <dl class="keys">${KEYS.map(([key, does]) => html`<dt><kbd>${key}</kbd></dt><dd>${does}</dd>`)}</dl>
+          <h3>About</h3>
+          <p>Nothing you load leaves your machine: everything is computed in this browser.</p>
+          <p>The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 35. ${ACKNOWLEDGEMENT}</p>
+          ${this.provenance()}
+        </div>
+      </dialog>`;
+  }
+}
+customElements.define("pg-help", HelpView);

@@ -1,0 +1,95 @@
+// The clips: made by the project or opened by the visitor; looked at, ticked, cut.
+import { html, nothing } from "lit";
+import { cutClip, endPreview, openFiles, preview, removeClip, tickClip } from "./clips";
+import type { ClipEntry } from "../app/app";
+import { icon } from "../ui/icons";
+import { noticeCard } from "../ui/notices";
+import { View } from "../ui/view";
+
+export class ClipsView extends View {
+  static override topics = ["clips", "shown", "engine", "notices", "training"] as const;
+  private readonly cutting = new Set<string>();
+  /** Where the clips have a tab of their own there is room for all of them. */
+  private readonly unfolded = matchMedia("(max-width: 1179.98px)").matches;
+
+  private choose(event: Event): void {
+    const input = event.target as HTMLInputElement;
+    const files = [...(input.files ?? [])];
+    input.value = "";
+    void openFiles(this.app, files, null);
+  }
+
+  private toggleCut(key: string): void {
+    if (!this.cutting.delete(key)) this.cutting.add(key);
+    this.requestUpdate();
+  }
+
+  private cutFields(clip: ClipEntry) {
+    const { key, first, end, loaded, title } = clip;
+    const frames = loaded.info.frames;
+    const value = (event: Event) => (event.target as HTMLInputElement).valueAsNumber;
+    return html`
+      <div class="cut" role="group" aria-label="Frames of ${title} to use">
+        <label>from <input type="number" min="1" max=${frames} .value=${String(first + 1)} aria-label="First frame of ${title}" ?disabled=${this.app.busy}
+          @change=${(event: Event) => cutClip(this.app, key, value(event) - 1, end)} /></label>
+        <label>to <input type="number" min="1" max=${frames} .value=${String(end)} aria-label="Last frame of ${title}" ?disabled=${this.app.busy}
+          @change=${(event: Event) => cutClip(this.app, key, first, value(event))} /></label>
+        <span>of ${frames} frames</span>
+      </div>`;
+  }
+
+  private row(clip: ClipEntry) {
+    const { key, title, origin, ticked, loaded, first, end } = clip;
+    const { app } = this;
+    const shown = app.shown?.clip === key;
+    const { frameTime, warnings } = loaded.info;
+    const seconds = ((end - first) * frameTime).toFixed(1);
+    return html`
+      <li class="clip ${shown ? "shown" : ""}">
+        <label class="tick-label">
+          <input type="checkbox" aria-label="Train on ${title}" .checked=${ticked} ?disabled=${app.busy}
+            @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} />
+          <span class="clip-title" title=${title}>${title}</span>
+        </label>
+        <span class="clip-length">${seconds} s</span>
+        <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.cutting.has(key) ? "true" : "false"} @click=${() => this.toggleCut(key)}>${icon("cut")}</button>
+        <button class="round" aria-label=${shown ? `Stop showing ${title}` : `Show ${title}`} title=${shown ? "Back to the model" : "Show on the stage"} aria-pressed=${shown ? "true" : "false"}
+          @click=${() => (shown ? endPreview(app) : preview(app, key))}>${icon("eye")}</button>
+        ${origin === "own"
+          ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${app.busy} @click=${() => void removeClip(app, key)}>${icon("close")}</button>`
+          : html`<span class="round"></span>`}
+        ${this.cutting.has(key) ? this.cutFields(clip) : nothing}
+        ${warnings.length > 0
+          ? html`<details class="warnings"><summary>${warnings.length} ${warnings.length === 1 ? "notice" : "notices"}</summary>
+              <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`
+          : nothing}
+      </li>`;
+  }
+
+  protected override render() {
+    const { app } = this;
+    const own = app.clips.filter(({ origin }) => origin === "own");
+    const made = app.clips.filter(({ origin }) => origin === "made");
+    const here = app.notices.filter(({ at }) => at === null);
+    return html`
+      <header class="panel-head">
+        <h2>Clips</h2>
+        <label class="small file-button">
+          ${icon("open")} Open files
+          <input type="file" class="visually-hidden" data-testid="open-files" multiple accept=".bvh,.json,.BVH,.JSON,application/json"
+            aria-label="Open motion clips (.bvh) or a model (.json)" @change=${this.choose} />
+        </label>
+      </header>
+      ${here.map((notice) => noticeCard(app, notice))}
+      ${app.clash ? html`<p class="bad" role="alert" data-testid="clash">${app.clash}</p>` : nothing}
+      ${own.length > 0
+        ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
+        : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.</p>`}
+      ${made.length > 0
+        ? html`<details class="made" ?open=${this.unfolded}>
+            <summary>Made by this project: a procedural walker <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked</small></summary>
+            <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
+        : app.engineState === "loading" ? html`<p class="empty">Getting the sample clips ready</p>` : nothing}`;
+  }
+}
+customElements.define("pg-clips", ClipsView);

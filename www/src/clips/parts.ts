@@ -1,0 +1,43 @@
+// Which joints make which part: from a preset of the clip's skeleton or from a split by hand.
+import type { ClipInfo, JointInfo, PartSpec } from "../engine/protocol";
+import { BY_HAND } from "../settings/settings";
+
+/** The parts for a skeleton: the chosen preset, or the first of its presets when it has no such one. */
+export function partsFor(clip: Pick<ClipInfo, "joints" | "presets">, chosen: string, split: PartSpec[]): PartSpec[] {
+  if (chosen === BY_HAND && split.length > 0) return completeSplit(clip.joints, split);
+  const preset = clip.presets.find(({ id }) => id === chosen) ?? clip.presets[0];
+  return preset?.parts ?? [];
+}
+
+/** A split that names every joint once: a joint it leaves out goes with its parent, the root with the first part. */
+export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
+  const part = new Array<number>(joints.length).fill(-1);
+  split.forEach(({ joints: own }, index) => {
+    for (const joint of own) if (joint < joints.length) part[joint] = index;
+  });
+  joints.forEach(({ parent }, joint) => {
+    if (part[joint] === -1) part[joint] = parent === null ? 0 : part[parent]!;
+  });
+  return split
+    .map(({ name }, index) => ({ name, joints: part.flatMap((of, joint) => (of === index ? [joint] : [])) }))
+    .filter(({ joints: own }) => own.length > 0);
+}
+
+/** Puts a joint and everything below it into a part. */
+export function moveBranch(joints: Pick<JointInfo, "parent">[], split: PartSpec[], joint: number, to: number): PartSpec[] {
+  const moved = new Set([joint]);
+  joints.forEach(({ parent }, child) => {
+    if (parent !== null && moved.has(parent)) moved.add(child);
+  });
+  return split.map(({ name, joints: own }, index) => {
+    const kept = own.filter((one) => !moved.has(one));
+    return { name, joints: index === to ? [...kept, ...moved].sort((a, b) => a - b) : kept };
+  });
+}
+
+/** The part of each joint, -1 where no part has it [joints]. */
+export function partOfJoints(count: number, parts: PartSpec[]): Int16Array {
+  const part = new Int16Array(count).fill(-1);
+  parts.forEach(({ joints }, index) => joints.forEach((joint) => joint < count && (part[joint] = index)));
+  return part;
+}

@@ -1,0 +1,46 @@
+// All figures of a comparison: <comparison-figures .comparison=${comparison}>. Files that could not be made are told as
+// `save-failed`, with a SaveFailure.
+import { html, LitElement } from "lit";
+import "../figures/figures.css";
+import type { Comparison } from "../engine/protocol";
+import "./claims";
+import "./correlations";
+import "./growth";
+import "./models-table";
+
+export type { SaveFailure } from "../figures/figure-element";
+
+export class ComparisonFigures extends LitElement {
+  static override properties = { comparison: { attribute: false } };
+  declare comparison: Comparison | null;
+
+  constructor() {
+    super();
+    this.comparison = null;
+  }
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected override render() {
+    const { comparison } = this;
+    if (!comparison || Object.values(comparison).every((list) => list.length === 0)) {
+      return html`<p class="empty">Nothing to compare yet. Each model appears here when its first trial has been predicted.</p>`;
+    }
+    return html`
+      <div class="figures">
+        <comparison-models .data=${comparison}></comparison-models>
+        <comparison-correlations .data=${comparison}></comparison-correlations>
+        <comparison-growth .data=${comparison}></comparison-growth>
+        <comparison-claims .data=${comparison}></comparison-claims>
+      </div>`;
+  }
+}
+customElements.define("comparison-figures", ComparisonFigures);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "comparison-figures": ComparisonFigures;
+  }
+}

@@ -1,0 +1,74 @@
+// Figure 6B of Velychko et al. 2018: does a higher bound go with a smaller error? A panel for each model that has a bound.
+import { html, svg } from "lit";
+import { axes, inColour, MARK, mark, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { ComparisonFigure } from "../figures/figure-element";
+import { correlationFinding, rankWords } from "./findings";
+import { beside, withoutCommonEnd } from "../figures/labels";
+import { modelStyle } from "./model-style";
+import { linearScale, logScale } from "../figures/scale";
+import { textWidth } from "../figures/text-width";
+import type { Comparison, Correlation } from "../engine/protocol";
+
+const GAP = 28;
+const LEAST = 250;
+
+const drawable = ({ points }: Correlation) => points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
+
+export class CorrelationsFigure extends ComparisonFigure<Comparison> {
+  protected readonly heading = "Error against bound";
+  protected readonly file = "error-against-bound";
+
+  protected missing({ correlations }: Comparison): string | null {
+    return correlations.every((correlation) => drawable(correlation).length === 0)
+      ? "Needs a model with a bound, scored under three or more settings, such as numbers of inducing points."
+      : null;
+  }
+
+  protected table({ correlations }: Comparison) {
+    return {
+      header: ["model", "settings", "bound (nats)", "DTW MSE (squared units of the columns)", "rank correlation of the model"],
+      rows: correlations.flatMap(({ model, rank, points }) => points.map(({ label, bound, mse }) => [modelStyle(model).name, label, bound, mse, rank])),
+    };
+  }
+
+  private panel(correlation: Correlation, width: number) {
+    const { model } = correlation;
+    const points = drawable(correlation);
+    const { type } = this;
+    const height = Math.round(Math.min(0.72 * width, 250) + 2 * type);
+    const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10];
+    const y = logScale(points.map(({ mse }) => mse), bottom, top);
+    const up = ticksUp(y, bottom - top, type);
+    const left = widthOf(up, type);
+    const { short, end } = withoutCommonEnd(points.map(({ label }) => label));
+    const widths = short.map((label) => textWidth(label, type));
+    // The outermost points have their labels beside them, too, unless these are long.
+    const x = linearScale(points.map(({ bound }) => bound), left, right - Math.min(Math.max(...widths), 0.25 * width));
+    const across = ticksAcross(x, right - left, type);
+    const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
+    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK * type, { x: left, y: top, width: right - left, height: bottom - top });
+    return html`
+      <div class="panel-figure" style=${inColour(model)}>
+        <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
+          <span class="name">${modelStyle(model).name}</span> <small>${[correlation.label, rankWords(correlation)].filter(Boolean).join(", ")}</small></p>
+        <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
+          ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
+          ${places.map((place) => mark(model, place.x, place.y, MARK * type))}
+          ${boxes.map((box, i) => svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>`)}
+        </svg>
+        ${end === "" ? "" : html`<small class="panel-note">Labels: ${end}.</small>`}
+      </div>`;
+  }
+
+  protected figure({ correlations }: Comparison) {
+    const drawn = correlations.filter((correlation) => drawable(correlation).length > 0);
+    const columns = Math.max(1, Math.min(3, drawn.length, Math.floor((this.width + GAP) / (LEAST + GAP))));
+    const width = Math.floor(Math.min(440, (this.width - (columns - 1) * GAP) / columns));
+    return html`
+      <div class="panels" style="grid-template-columns:repeat(${columns}, minmax(0, ${width}px));gap:18px ${GAP}px">
+        ${drawn.map((correlation) => this.panel(correlation, width))}
+      </div>
+      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1. Each panel has scales of its own.</figcaption>`;
+  }
+}
+customElements.define("comparison-correlations", CorrelationsFigure);

@@ -1,0 +1,82 @@
+// How far each prediction is from the real trial, frame by frame: where a model goes wrong, and whether it stays so.
+import { html, svg } from "lit";
+import type { ModelId } from "../engine/protocol";
+import { axes, inColour, MARK, mark, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { ComparisonFigure } from "../figures/figure-element";
+import { spread } from "../figures/labels";
+import { modelStyle } from "./model-style";
+import { plain } from "../figures/numbers";
+import { linearScale } from "../figures/scale";
+import { textWidth } from "../figures/text-width";
+
+export interface Distances {
+  /** Seconds between frames. */
+  frameTime: number;
+  /** The title of the trial held out. */
+  trial: string;
+  lines: { model: ModelId; label: string; /** [frames] */ metres: Float64Array }[];
+}
+
+const LEAD = 14;
+/** Below it settings are left to the picture above. */
+const NARROW = 640;
+
+const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+export class DistanceFigure extends ComparisonFigure<Distances> {
+  protected readonly heading = "Distance from the real trial";
+  protected readonly file = "distance-from-the-trial";
+  private place: (frame: number) => number = () => 0;
+
+  protected missing({ lines }: Distances): string | null {
+    return lines.length === 0 ? "Nothing is shown." : null;
+  }
+
+  protected table({ lines, frameTime, trial }: Distances) {
+    const frames = Math.max(...lines.map(({ metres }) => metres.length));
+    return {
+      header: ["trial", "time (s)", ...lines.map(({ model, label }) => `${[modelStyle(model).name, label].filter(Boolean).join(", ")} (cm)`)],
+      rows: Array.from({ length: frames }, (_, frame) => [trial, frame * frameTime, ...lines.map(({ metres }) => 100 * (metres[frame] ?? NaN))]),
+    };
+  }
+
+  /** Moves the line that says where the clock is. */
+  at(frame: number): void {
+    const x = String(this.place(frame));
+    const line = this.querySelector(".playhead");
+    line?.setAttribute("x1", x);
+    line?.setAttribute("x2", x);
+  }
+
+  protected figure({ lines, frameTime }: Distances) {
+    const { type, width } = this;
+    const narrow = width < NARROW;
+    const words = lines.map(({ model, label }) => (narrow || !label ? modelStyle(model).name : `${modelStyle(model).name}, ${label}`));
+    const beyond = LEAD + 1.2 * type + Math.max(...words.map((word) => textWidth(word, type)));
+    const height = Math.round(Math.max(13 * type, lines.length * 1.45 * type + 6 * type));
+    const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - beyond];
+    const y = linearScale([0, ...lines.flatMap(({ metres }) => [...metres].map((one) => 100 * one))], bottom, top);
+    const up = ticksUp(y, bottom - top, type).filter(({ value }) => value >= 0);
+    const left = widthOf(up, type);
+    const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
+    const x = linearScale([0, last * frameTime], left, right);
+    this.place = (frame) => x.at(frame * frameTime);
+    const drawn = lines.map(({ model, metres }) => ({ model, places: [...metres].map((one, frame) => [x.at(frame * frameTime), y.at(100 * one)] as const) }));
+    const ends = spread(drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom), 1.45 * type, top, bottom);
+    const found = lines.map(({ model, metres }) => `${modelStyle(model).name} ${plain(100 * mean(metres))} centimetres`).join(", ");
+    return html`
+      <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label="Mean distance of the joints from the real trial: ${found}.">
+        ${axes({ left, right, bottom, type }, { scale: x, ticks: ticksAcross(x, right - left, type).filter(({ value }) => value >= 0), title: "Time, seconds" },
+          { scale: y, ticks: up, title: "Mean distance of the joints, cm" })}
+        <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
+        ${drawn.map(({ model, places }, i) => svg`<g style=${inColour(model)} font-size=${type}>
+          ${path(places)}
+          <path class="leader" d="M${places.at(-1)?.[0] ?? right} ${places.at(-1)?.[1] ?? bottom}L${right + LEAD} ${ends[i]!}"></path>
+          ${mark(model, right + LEAD, ends[i]!, MARK * type)}
+          <text class="label" x=${right + LEAD + 0.85 * type} y=${ends[i]! + 0.35 * type}>${words[i]}</text>
+        </g>`)}
+      </svg>
+      <figcaption>Of a body 1.7 m tall, with the hips laid on the real ones. The error in the table is that of joint rotations and the root’s movement after warping in time: to be early or late counts here, and little there.</figcaption>`;
+  }
+}
+customElements.define("comparison-distance", DistanceFigure);

@@ -1,0 +1,50 @@
+import { expect, it } from "vitest";
+import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
+import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
+import type { Correlation, ModelSummary } from "../engine/protocol";
+
+const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", label: "", rank, settings, folds: 3, points: [] });
+const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
+const summary = (mse: number, error: number, bound: number | null, folds = 3): ModelSummary => ({
+  model: "tmp", candidate: { model: "tmp", primitives: null }, label: "", mse: spread(mse, error), mseMedian: mse, variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
+});
+const [ERROR, BOUND] = [MEASURES[0]!, MEASURES[1]!];
+
+it("says what a rank correlation says", () => {
+  expect(correlationFinding(of(-0.9))).toBe("vCGPDM, error against bound: rank correlation −0.90 over 5 settings; a higher bound goes with a smaller error.");
+  expect(correlationFinding(of(0.8))).toContain("larger error");
+  expect(correlationFinding(of(-0.2))).toContain("says little");
+});
+
+it("says nothing of a rank correlation that is none", () => {
+  expect(rankWords(of(1, 1))).toBe("no rank correlation over 1 setting");
+  expect(correlationFinding(of(Number.NaN))).toContain("no rank correlation over 5 settings; too few");
+});
+
+it("says how time grows", () => {
+  expect(growthFinding([{ model: "vgpdm", label: "", points: [], exponent: 1.014 }, { model: "tmp", label: "", points: [], exponent: null }])).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
+});
+
+it("says over how many trials means are taken", () => {
+  expect(foldWords([summary(1, 1, 1, 1)])).toMatch(/^One trial/);
+  expect(foldWords([summary(1, 1, 1, 4), summary(1, 1, 1, 10)])).toContain("over 4 to 10 trials");
+});
+
+it("calls the least error and the greatest bound the best, of what is known", () => {
+  const models = [summary(0.002, 0, null), summary(0.001, 0, 20), summary(Number.NaN, 0, 30)];
+  expect(bestOf(ERROR, models)).toBe(0.001);
+  expect(bestOf(BOUND, models)).toBe(30);
+  expect(bestOf(BOUND, models.slice(0, 2))).toBeNull();
+});
+
+it("keeps room for all means where an error bar comes near zero", () => {
+  const scale = scaleOf(ERROR, [summary(0.001, 0.00099999, null), summary(0.002, 0.0001, null)], 120);
+  expect(scale.low).toBeGreaterThan(0.0001);
+  expect(scale.high).toBeGreaterThan(0.03);
+  expect([scale.at(0), scale.at(1)]).toEqual([6, 114]);
+});
+
+it("knows when one trial makes most of the error", () => {
+  expect(isSkewed(summary(1, 0.1, null))).toBe(false);
+  expect(isSkewed({ ...summary(1, 0.1, null), mseMedian: 0.1 })).toBe(true);
+});

@@ -1,0 +1,128 @@
+// Figure 4 of Velychko et al. 2018 as a table: error, bound, time and size of each model, with a dot and its error bar for each number.
+import { html, nothing, svg } from "lit";
+import { errorBar, inColour, MARK, mark } from "../figures/chart";
+import { ComparisonFigure } from "../figures/figure-element";
+import { foldWords } from "./findings";
+import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
+import { modelStyle } from "./model-style";
+import { plain, spreadWords } from "../figures/numbers";
+import type { Scale } from "../figures/scale";
+import { textWidth } from "../figures/text-width";
+import type { Comparison, ModelSummary, Spread } from "../engine/protocol";
+
+/** The drawing in a cell, pixels; as wide as the page lets it. */
+const NARROWEST = 112;
+const WIDEST = 230;
+/** Its height, the width of the first column and the room between columns, in the type's size. */
+const HEIGHT = 1.5;
+const NAMES = 15;
+const BETWEEN = 1.8;
+
+/** The most ticks whose labels stand beside each other; at the ends of the drawing they are moved inwards. */
+function ticksOf(scale: Scale, width: number, type: number) {
+  for (let most = 5; most > 1; most--) {
+    const ticks = scale.ticks(most).map(({ value, label }) => {
+      const half = textWidth(label, type) / 2;
+      const x = scale.at(value);
+      return { x, label, half, text: Math.min(Math.max(x, half), width - half) };
+    });
+    if (ticks.every(({ text, half }, i) => i === 0 || text - half >= ticks[i - 1]!.text + ticks[i - 1]!.half + 5)) return ticks;
+  }
+  return [];
+}
+
+interface Drawn extends Measure {
+  drawing: Scale;
+  width: number;
+  ticks: ReturnType<typeof ticksOf>;
+  winner: number | null;
+}
+
+export class ModelsTable extends ComparisonFigure<Comparison> {
+  protected readonly heading = "Error, bound, time and size of each model";
+  protected readonly file = "models-compared";
+
+  protected missing({ models }: Comparison): string | null {
+    return models.length === 0 ? "No model has been trained and scored yet." : null;
+  }
+
+  protected table({ models }: Comparison) {
+    const spread = (name: string, unit: string) => [`${name} mean (${unit})`, `${name} standard error (${unit})`, `${name} count`];
+    const fields = (of: Spread | null) => (of ? [of.mean, of.standardError, of.count] : [null, null, null]);
+    return {
+      header: [
+        "model", "settings", ...spread("DTW MSE", "squared units of the columns"), "DTW MSE median (squared units of the columns)", "MSE of a prediction that does not move (squared units of the columns)",
+        ...spread("bound", "nats"), ...spread("training", "s"), ...spread("numbers stored", "numbers"), "folds", "runs",
+      ],
+      rows: models.map((m) => [
+        modelStyle(m.model).name, m.label, ...fields(m.mse), m.mseMedian, m.variance, ...fields(m.bound), ...fields(m.seconds), ...fields(m.storedNumbers), m.folds, m.runs,
+      ]),
+    };
+  }
+
+  /** The size of the axes' type. */
+  private get small(): number {
+    return 0.86 * this.type;
+  }
+
+  private axis({ title, unit, ticks, width }: Drawn) {
+    const height = HEIGHT * this.type;
+    return html`
+      <th scope="col"><div class="measure">
+        <span class="number">${title}<small>${unit}</small></span>
+        <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
+          <g class="axes" font-size=${this.small}>${ticks.map(({ x, text, label }) => svg`
+            <line class="axis" x1=${x} x2=${x} y1=${height - 4} y2=${height}></line>
+            <text x=${text} y=${height - 6} text-anchor="middle">${label}</text>`)}</g>
+        </svg></div></th>`;
+  }
+
+  private cell(summary: ModelSummary, { of, unit, word, drawing, width, ticks, winner }: Drawn) {
+    const spread = of(summary);
+    if (!spread) return html`<td><div class="measure"><span class="number none">none</span></div></td>`;
+    const { mean, error } = spreadWords(spread);
+    const best = winner !== null && spread.mean === winner;
+    const [low, high] = ends(spread);
+    const height = HEIGHT * this.type;
+    const y = height / 2;
+    const still = drawing.at(summary.variance);
+    return html`
+      <td class=${best ? "best" : ""}><div class="measure">
+        <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}
+          ${unit === "DTW MSE" && isSkewed(summary) ? html`<small>median ${plain(summary.mseMedian)}</small>` : nothing}</span>
+        <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
+          ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
+          ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
+          ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${mark(summary.model, drawing.at(spread.mean), y, 0.88 * MARK * this.type)}` : nothing}
+        </svg></div></td>`;
+  }
+
+  protected figure({ models }: Comparison) {
+    const room = (this.width - NAMES * this.type) / MEASURES.length - BETWEEN * this.type;
+    const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, room)));
+    const measures: Drawn[] = MEASURES.map((measure) => {
+      const drawing = scaleOf(measure, models, width);
+      return { ...measure, drawing, width, ticks: ticksOf(drawing, width, this.small), winner: bestOf(measure, models) };
+    });
+    return html`
+      <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
+        <table class="models-table">
+          <thead><tr><th scope="col" class="who">Model and settings</th>${measures.map((measure) => this.axis(measure))}</tr></thead>
+          <tbody>${models.map((summary, i) => {
+            const { model, label } = summary;
+            return html`
+              <tr style=${inColour(model)} class=${i > 0 && models[i - 1]!.model !== model ? "next-model" : ""}>
+                <th scope="row" class="who"><div>
+                  <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
+                  <span class="name">${modelStyle(model).name}</span><small>${label}</small></div></th>
+                ${measures.map((measure) => this.cell(summary, measure))}
+              </tr>`;
+          })}</tbody>
+        </table>
+      </div>
+      <figcaption>
+        ${foldWords(models)} The error is the mean squared error after dynamic time warping. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
+      </figcaption>`;
+  }
+}
+customElements.define("comparison-models", ModelsTable);

@@ -1,0 +1,140 @@
+// The couplings as a table of sliders: which part predicts which, and how much its prediction counts.
+import { html, nothing } from "lit";
+import { resetCoupling, resetCouplings, setCoupling, setReading, setStart } from "./rollouts";
+import { clipTitle, short, weight } from "../ui/format";
+import { partColour } from "../ui/palette";
+import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
+import "./body-map";
+import { icon } from "../ui/icons";
+import { swatchStyle, View } from "../ui/view";
+
+const LOG_MIN = Math.log10(ALPHA_MIN);
+const LOG_MAX = Math.log10(ALPHA_MAX);
+
+/** Where on its slider a value lies: 0 at the left, weak end, 1 at the right, strong end. */
+function strength(alpha: number): number {
+  const log = Math.min(LOG_MAX, Math.max(LOG_MIN, Math.log10(alpha)));
+  return (LOG_MAX - log) / (LOG_MAX - LOG_MIN);
+}
+
+export class CouplingsView extends View {
+  static override topics = ["model", "rollout", "settings", "engine", "training"] as const;
+
+  private slide(source: number, target: number) {
+    return (event: Event) => {
+      const slider = event.target as HTMLInputElement;
+      setCoupling(this.app, source, target, 10 ** Number(slider.value));
+    };
+  }
+
+  private keys(source: number, target: number) {
+    return (event: KeyboardEvent) => {
+      if (event.key !== "Backspace" && event.key !== "Delete") return;
+      event.preventDefault();
+      resetCoupling(this.app, source, target);
+    };
+  }
+
+  private cell(source: number, target: number) {
+    const { model, rollout } = this.app;
+    const learned = model!.info.alpha[source]![target]!;
+    const alpha = this.app.couplings()[source]![target]!;
+    const w = rollout?.weights[source]?.[target] ?? 0;
+    const name = (part: number) => model!.info.parts[part]?.name ?? "";
+    const changed = this.app.settings.alpha[`${source}.${target}`] !== undefined;
+    const label = `${name(source)} to ${name(target)}`;
+    return html`
+      <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
+        <div class="slider">
+          <span class="fill" style="--at:${strength(alpha).toFixed(4)}"></span>
+          <span class="tick" style="--at:${strength(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
+          <input type="range" dir="rtl" min=${LOG_MIN} max=${LOG_MAX} step="0.01" .value=${Math.log10(alpha).toFixed(2)}
+            aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
+            data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
+            title="${label}: drag to change, double click to reset"
+            @input=${this.slide(source, target)} @keydown=${this.keys(source, target)}
+            @dblclick=${() => resetCoupling(this.app, source, target)} />
+        </div>
+        <div class="numbers">
+          <span title="alpha, the variance of this prediction: small means influential"><i>α</i> <output data-testid="alpha-${source}-${target}">${short(alpha)}</output></span>
+          <span title="weight of this prediction; the weights into a part sum to 1"><i>w</i> <output data-testid="weight-${source}-${target}">${weight(w)}</output></span>
+        </div>
+      </td>`;
+  }
+
+  private table() {
+    const parts = this.app.model!.info.parts;
+    const head = (name: string, part: number) =>
+      html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
+    return html`
+      <table class="couplings" data-parts=${parts.length}>
+        <thead>
+          <tr>
+            <td></td>
+            ${parts.map(({ name }, target) => html`<th scope="col"><small>predicts</small> ${head(name, target)}</th>`)}
+          </tr>
+        </thead>
+        <tbody>
+          ${parts.map(({ name }, source) => html`
+            <tr>
+              <th scope="row">${head(name, source)}</th>
+              ${parts.map((_, target) => this.cell(source, target))}
+            </tr>`)}
+        </tbody>
+      </table>`;
+  }
+
+  private readings() {
+    const { settings, altered } = this.app;
+    const inferred = settings.reading === "re-inferred";
+    return html`
+      <fieldset class="readings">
+        <legend>When a slider moves</legend>
+        <div class="segments">
+          <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"
+            @click=${() => setReading(this.app, "as learned")}>experts as learned</button>
+          <button type="button" aria-pressed=${inferred ? "true" : "false"} data-testid="reading-inferred"
+            @click=${() => setReading(this.app, "re-inferred")}>experts re-inferred</button>
+        </div>
+        <p>${inferred
+          ? "What the same data would have taught each part’s predictions under these couplings."
+          : "Only the weights change: each part predicts as before, and counts for more or less."}</p>
+        <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!altered} @click=${() => resetCouplings(this.app)}>
+          ${icon("reset")} Reset all <kbd>0</kbd></button>
+      </fieldset>`;
+  }
+
+  private starts() {
+    const sequences = this.app.model!.info.sequences;
+    if (sequences.length < 2) return nothing;
+    return html`
+      <label class="start">Start as
+        <select aria-label="Start as in" @change=${(event: Event) =>
+          void setStart(this.app, Number((event.target as HTMLSelectElement).value))}>
+          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${clipTitle(name)}</option>`)}
+        </select>
+      </label>`;
+  }
+
+  protected override render() {
+    const { model, engineState } = this.app;
+    return html`
+      <header class="panel-head">
+        <h2>Couplings</h2>
+        <p class="hint">Which part predicts which. Right is strong.</p>
+        ${model ? this.starts() : nothing}
+      </header>
+      ${model
+        ? html`
+          <div class="couplings-body">
+            ${model.info.parts.length > 1 ? html`<pg-body-map .app=${this.app}></pg-body-map>` : nothing}
+            <div class="table-box">${this.table()}</div>
+            ${this.readings()}
+          </div>`
+        : html`<p class="empty">${engineState === "failed"
+            ? "The model could not be started, so its couplings cannot be changed."
+            : "How the parts drive each other appears here."}</p>`}
+    `;
+  }
+}
+customElements.define("pg-couplings", CouplingsView);

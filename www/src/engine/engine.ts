@@ -1,0 +1,89 @@
+// Promises over the workers. The page knows the model only through this.
+import * as Comlink from "comlink";
+import { messageOf } from "../ui/format";
+import { type Hired, Pool } from "./pool";
+import type { Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
+
+export type Engine = Comlink.Remote<Workbench>;
+
+/** Trains until it is done, or until the signal asks for the best so far. */
+export interface TrainingWorker {
+  train(job: TrainingJob, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
+}
+
+/** Compiles a program, once for all its workers. */
+export async function compile(place: URL): Promise<WebAssembly.Module> {
+  const answer = await fetch(place);
+  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  // Not every host knows what a .wasm file is.
+  const named = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
+  return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
+}
+
+/** A worker, with a promise that fails when it dies. */
+export function watched(worker: Worker) {
+  const broken = new Promise<never>((_, fail) => {
+    worker.addEventListener("error", (event) => {
+      fail(new Error(`the worker that computed it stopped${event.message ? ` (${event.message})` : ""}`));
+    });
+  });
+  return { worker, broken };
+}
+
+const open = (name: string) => watched(new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }));
+
+/** A trap of the wasm names an instruction, which is no news to a person. */
+function inWords(problem: unknown): unknown {
+  if (!(problem instanceof Error) || problem.name !== "RuntimeError") return problem;
+  return new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
+}
+
+/** Work under way that `cancel` brings to an early end when the signal comes. */
+export async function cancellable<Result>(signal: AbortSignal, cancel: () => unknown, work: () => Promise<Result>): Promise<Result> {
+  signal.throwIfAborted();
+  const stop = () => void cancel();
+  signal.addEventListener("abort", stop);
+  try {
+    return await work();
+  } catch (problem) {
+    throw inWords(problem);
+  } finally {
+    signal.removeEventListener("abort", stop);
+  }
+}
+
+function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
+  const { worker, broken } = open("training");
+  const remote = Comlink.wrap<Trainee>(worker);
+  return {
+    worker: {
+      train: (job, report, signal) =>
+        cancellable(signal, () => remote.cancelTraining(), () => remote.train(job, Comlink.proxy(report))),
+    },
+    ready: remote.start(wasm),
+    broken,
+    dismiss: () => worker.terminate(),
+  };
+}
+
+/** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
+export async function startEngine(): Promise<{
+  engine: Engine;
+  pool: Pool<TrainingWorker>;
+  version: string;
+  samples: SampleInfo[];
+}> {
+  if (typeof WebAssembly !== "object") {
+    throw new Error("this browser has no WebAssembly, which the model needs.");
+  }
+  const program = compile(new URL("../../../crate/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
+  const { worker, broken } = open("model");
+  const engine = Comlink.wrap<Workbench>(worker);
+  const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));
+  const { wasm, version, samples } = await Promise.race([started, broken]).catch((problem: unknown) => {
+    const why = messageOf(problem);
+    throw new Error(`its program could not be loaded (${why}). Reloading the page may help.`);
+  });
+  const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm));
+  return { engine, pool, version, samples };
+}

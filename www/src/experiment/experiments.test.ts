@@ -1,0 +1,84 @@
+import { describe, expect, it } from "vitest";
+import { headline, inOrder, newTry, readings, tally, times, type Try } from "./experiments";
+import { restOf, shareOf } from "../training/runs";
+import type { SyntheticFindings } from "../engine/protocol";
+
+const RULES = { much: 10, alike: 4 };
+const DRIVEN = { ...RULES, drive: 0.1 };
+const CONTROL = { ...RULES, drive: 0 };
+
+/** Findings with these ratios, right as the program would say. */
+function findings(back: number, forth: number, driving = true): SyntheticFindings {
+  const forthIsRight = driving ? forth >= 1 / RULES.alike && forth <= RULES.alike : forth >= RULES.much;
+  return {
+    alpha: [[0.1, 0.1 * forth], [0.1 * back, 0.1]],
+    weights: [[1 - 1 / (1 + back), 1 / (1 + forth)], [1 / (1 + back), 1 - 1 / (1 + forth)]],
+    verdict: { back, forth, backIsRight: back >= RULES.much, forthIsRight },
+    learned: [[], []], explained: [1, 1], start: { bound: 0, mse: 1 }, now: { bound: 1, mse: 0 },
+  };
+}
+
+const tried = (seed: number, more: Partial<Try> = {}): Try => ({ ...newTry({ seed, driving: true }), state: "done", fraction: 1, ...more });
+
+describe("the answer in words", () => {
+  it("says what was found", () => {
+    expect(headline(findings(1800, 2), true)).toMatch(/^Found: part 1 drives part 2/);
+    expect(headline(findings(1800, 2000, false), false)).toBe("Found: neither part drives the other.");
+    const [back, forth] = readings(findings(1847.7, 2), DRIVEN);
+    expect(back).toEqual({ right: true, words: "α from 2 to 1 is 1,848 times α from 1 to 1: part 2 counts for nothing in part 1. That is true." });
+    expect(forth).toEqual({ right: true, words: "α from 1 to 2 is 2.00 times α from 2 to 2: part 1 has a say in part 2. That is true." });
+  });
+
+  it("says what was missed, and by how much", () => {
+    expect(headline(findings(1800, 4.18), true)).toMatch(/^Missed/);
+    expect(readings(findings(1800, 4.18), DRIVEN)[1]).toEqual({
+      right: false,
+      words: "α from 1 to 2 is 4.18 times α from 2 to 2: too small a say of part 1 in part 2; up to 4 times counts as found.",
+    });
+    expect(readings(findings(1800, 0.1), DRIVEN)[1]!.words).toMatch(/more say in part 2 than part 2 itself, which is not so/);
+    expect(readings(findings(1.2, 2), DRIVEN)[0]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 1, which it has not; 10 times or more") });
+    expect(readings(findings(1800, 2, false), CONTROL)[1]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 2, which it has not; 10 times or more") });
+  });
+
+  it("writes ratios as finely as they need", () => {
+    expect([4.176, 12.34, 1847.7].map(times)).toEqual(["4.18", "12.3", "1,848"]);
+  });
+});
+
+describe("what was tried", () => {
+  const tries = [
+    tried(8, { findings: findings(1900, 5) }),
+    tried(0, { findings: findings(1800, 2000, false), driving: false }),
+    tried(3, { findings: findings(1800, 2) }),
+    tried(5, { findings: findings(1800, 2), state: "cancelled" }),
+    tried(6, { state: "failed" }),
+  ];
+
+  it("counts what was found, not what was stopped or failed", () => {
+    expect(tally(tries)).toBe("Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.");
+    expect(tally([])).toBe("");
+  });
+
+  it("stands in order: with driving first, then by seed", () => {
+    expect(inOrder(tries).map(({ seed, driving }) => [seed, driving])).toEqual([[3, true], [5, true], [6, true], [8, true], [0, false]]);
+  });
+});
+
+describe("how long it takes", () => {
+  const running = tried(1, { state: "running", fraction: 0.25, elapsed: 2 });
+
+  it("says nothing before there is something to go by", () => {
+    expect(restOf([newTry({ seed: 0, driving: true })], 1)).toBeNull();
+  });
+
+  it("takes those that wait to be as long as those under way", () => {
+    expect(restOf([running], 1)).toBeCloseTo(6);
+    expect(restOf([running, newTry({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
+    expect(restOf([running, newTry({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
+  });
+
+  it("counts what ended as done", () => {
+    expect(shareOf([running, tried(2), tried(3, { state: "failed", fraction: 0 })])).toBeCloseTo(0.75);
+    expect(shareOf([])).toBe(0);
+  });
+});

@@ -1,0 +1,66 @@
+// What training found: the couplings as a table, and how well the model explains the data.
+import { html, nothing } from "lit";
+import { grouped, short, weight } from "../ui/format";
+import { headline, isFound, readings, type Try } from "./experiments";
+import { partColour } from "../ui/palette";
+import type { SyntheticFindings, SyntheticTruth } from "../engine/protocol";
+import { swatchStyle } from "../ui/view";
+
+const PARTS = [0, 1];
+
+const partName = (part: number) =>
+  html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>Part ${part + 1}</span>`;
+
+/** alpha and w of each source (row) and target (column). */
+export function alphaTable(findings: SyntheticFindings | null) {
+  const cell = (source: number, target: number) => {
+    const alpha = findings?.alpha[source]?.[target];
+    const w = findings?.weights[source]?.[target];
+    return html`
+      <td style="${swatchStyle(partColour(source))};--w:${(w ?? 0).toFixed(4)}">
+        <span class="share" aria-hidden="true"></span>
+        <div class="numbers">
+          <span><i>α</i> <output data-testid="lesson-alpha-${source}-${target}">${alpha === undefined ? "–" : short(alpha)}</output></span>
+          <span><i>w</i> <output data-testid="lesson-weight-${source}-${target}">${w === undefined ? "–" : weight(w)}</output></span>
+        </div>
+      </td>`;
+  };
+  return html`
+    <table class="alphas">
+      <caption class="visually-hidden">The learned couplings: rows predict columns</caption>
+      <thead><tr><td></td>${PARTS.map((target) => html`<th scope="col"><small>predicts</small> ${partName(target)}</th>`)}</tr></thead>
+      <tbody>${PARTS.map((source) => html`
+        <tr><th scope="row">${partName(source)}</th>${PARTS.map((target) => cell(source, target))}</tr>`)}
+      </tbody>
+    </table>`;
+}
+
+/** Bound and error, at the start of training and now. */
+export function fitTable(one: Try | null) {
+  const { start, now } = one?.findings ?? {};
+  const end = one?.state === "done" ? "End" : "Now";
+  return html`
+    <table class="fits">
+      <caption class="visually-hidden">How well the model explains the data</caption>
+      <thead><tr><td></td><th scope="col">Start</th><th scope="col">${end}</th></tr></thead>
+      <tbody>
+        <tr><th scope="row" title="The evidence lower bound, in nats: the higher, the better">Bound</th>
+          <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="lesson-bound">${now ? grouped(now.bound) : "–"}</td></tr>
+        <tr><th scope="row" title="Mean squared error of a rollout of all frames, after dynamic time warping of each part">MSE</th>
+          <td>${start ? short(start.mse) : "–"}</td><td data-testid="lesson-mse">${now ? short(now.mse) : "–"}</td></tr>
+      </tbody>
+    </table>`;
+}
+
+/** The answer in words. */
+export function verdictWords(one: Try | null, truth: SyntheticTruth | null) {
+  if (one?.state === "failed") return html`<p class="bad">Training failed. ${one.ending}</p>`;
+  if (!one?.findings || !truth) return html`<p class="empty">${one ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
+  const { findings, driving, state, iteration } = one;
+  const so = state === "done" ? nothing : html`<small>${state === "cancelled" ? "Stopped" : "So far,"} after ${grouped(iteration)} iterations</small>`;
+  return html`
+    <div class="verdict">
+      <p class="headline ${isFound(findings) ? "" : "bad"}" data-testid="lesson-verdict">${headline(findings, driving)} ${so}</p>
+      <ul>${readings(findings, truth).map(({ words, right }) => html`<li class=${right ? "" : "bad"}>${words}</li>`)}</ul>
+    </div>`;
+}

@@ -1,0 +1,64 @@
+// What each tried seed found, in a table that grows.
+import { html, nothing } from "lit";
+import { grouped, short } from "../ui/format";
+import { inOrder, isFound, times, type Try } from "./experiments";
+import { percent } from "./pictures";
+
+/** Whether the truth was found, or how far training is. */
+function answer({ state, findings, fraction, seed, ending }: Try) {
+  switch (state) {
+    case "waiting":
+      return "waiting";
+    case "running":
+      return html`<progress max="1" .value=${fraction} aria-label="Training of seed ${seed}"></progress>`;
+    case "failed":
+      return html`<span class="bad" title=${ending}>failed</span>`;
+    case "cancelled":
+      return html`<span title=${ending}>stopped early</span>`;
+    case "done":
+      return findings && isFound(findings) ? "yes" : html`<strong class="bad">no</strong>`;
+  }
+}
+
+function row(one: Try, shown: Try | null, show: (one: Try) => void) {
+  const { seed, driving, iteration, findings } = one;
+  const ratio = (value: number, right: boolean) => (right ? times(value) : html`<strong class="bad">${times(value)}</strong>`);
+  const course = (start: string, now: string) => html`${start} <span aria-label="to">→</span> ${now}`;
+  return html`
+    <tr data-testid="lesson-try" data-state=${one.state} class=${one === shown ? "chosen" : ""}>
+      <th scope="row"><button class="seed-link" aria-pressed=${one === shown ? "true" : "false"} title="Look at this one"
+        aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(one)}>${seed}</button></th>
+      <td>${driving ? "yes" : "no"}</td>
+      <td class="answer">${answer(one)}</td>
+      ${findings
+        ? html`
+          <td>${ratio(findings.verdict.back, findings.verdict.backIsRight)}</td>
+          <td>${ratio(findings.verdict.forth, findings.verdict.forthIsRight)}</td>
+          <td>${course(grouped(findings.start.bound), grouped(findings.now.bound))}</td>
+          <td>${course(short(findings.start.mse), short(findings.now.mse))}</td>
+          <td>${findings.explained.map(percent).join(", ")}</td>
+          <td>${grouped(iteration)}</td>`
+        : html`<td colspan="6"></td>`}
+    </tr>`;
+}
+
+export function triesTable(tries: readonly Try[], shown: Try | null, show: (one: Try) => void) {
+  if (tries.length === 0) return nothing;
+  return html`
+    <div class="table-box" tabindex="0" role="region" aria-label="What each seed found">
+      <table class="tries" data-testid="lesson-tries">
+        <thead><tr>
+          <th scope="col">Seed</th>
+          <th scope="col" title="Whether part 1 drives part 2">1 drives 2</th>
+          <th scope="col">Found</th>
+          <th scope="col" title="α from 2 to 1, in units of α from 1 to 1">α 2→1 : 1→1</th>
+          <th scope="col" title="α from 1 to 2, in units of α from 2 to 2">α 1→2 : 2→2</th>
+          <th scope="col">Bound</th>
+          <th scope="col" title="Mean squared error of the rollout">MSE</th>
+          <th scope="col" title="Share of the true latents of part 1 and of part 2 that the learned ones explain">Latents explained</th>
+          <th scope="col">Iterations</th>
+        </tr></thead>
+        <tbody>${inOrder(tries).map((one) => row(one, shown, show))}</tbody>
+      </table>
+    </div>`;
+}

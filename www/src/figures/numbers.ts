@@ -1,0 +1,69 @@
+// Numbers as the figures write them.
+import type { Spread } from "../engine/protocol";
+
+const MINUS = "\u2212";
+const MOST_DECIMALS = 8;
+
+function fixed(value: number, decimals: number): string {
+  const text = new Intl.NumberFormat("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(value);
+  return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
+}
+
+/** The power of ten of a number's first digit. */
+function magnitude(value: number): number {
+  return value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)) + 1e-12);
+}
+
+function byPower(value: number, digits: number): string {
+  const [factor, power] = value.toExponential(digits - 1).split("e") as [string, string];
+  return `${factor.replace("-", MINUS)} × 10${superscript(Number(power))}`;
+}
+
+function superscript(power: number): string {
+  return [...String(power)].map((sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("");
+}
+
+/** Three significant digits, all digits before the point. */
+export function plain(value: number): string {
+  if (!Number.isFinite(value)) return "unknown";
+  const size = magnitude(value);
+  return size < -6 || size > 11 ? byPower(value, 3) : fixed(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
+}
+
+/** A mean, and what is known about its error: as many digits as the error leaves. */
+export function spreadWords({ mean, standardError, count }: Spread): { mean: string; error: string } {
+  if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
+  if (standardError === null || !Number.isFinite(standardError)) return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
+  if (standardError === 0) return { mean: plain(mean), error: "± 0" };
+  const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
+  if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };
+  return { mean: fixed(mean, Math.max(0, decimals)), error: `± ${fixed(standardError, Math.max(0, decimals))}` };
+}
+
+const decimalsOf = (value: number) => (String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0));
+
+/** Labels of values with equal steps between them: all with as many decimals as one of them needs. */
+export function evenLabels(values: readonly number[]): { value: number; label: string }[] {
+  const decimals = Math.max(0, ...values.map(decimalsOf));
+  return values.map((value) => ({ value, label: tickLabel(value, decimals) }));
+}
+
+/** Labels of values on a logarithmic scale: each with its own decimals. */
+export function powerLabels(values: readonly number[]): { value: number; label: string }[] {
+  return values.map((value) => ({ value, label: tickLabel(value, decimalsOf(value)) }));
+}
+
+function tickLabel(value: number, decimals: number): string {
+  const size = magnitude(value);
+  if (value !== 0 && (size < -6 || size > 6)) {
+    const digits = String(Number(value.toExponential().split("e")[0])).replace(/[-.]/g, "").length;
+    const text = byPower(value, digits);
+    return text.replace(/^1 × /, "");
+  }
+  return fixed(value, Math.min(MOST_DECIMALS, decimals));
+}
+
+/** A rank correlation or an exponent. */
+export function twoDecimals(value: number): string {
+  return Number.isFinite(value) ? fixed(value, 2) : "unknown";
+}

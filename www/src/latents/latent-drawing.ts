@@ -1,0 +1,258 @@
+// Draws one part's latent space on a canvas: training latents, rollout, inducing points, and now.
+import { theme } from "../ui/palette";
+import type { DynamicsInducing, InducingReport } from "../engine/protocol";
+import { spotlight } from "../stage/spotlight";
+import { project, type Projection, type Turn, turned } from "./projection";
+
+/** Inducing points of a coupling from or to another part. */
+export interface Between {
+  inducing: DynamicsInducing;
+  other: number;
+  colour: string;
+}
+
+export interface LatentPicture {
+  width: number;
+  height: number;
+  ratio: number;
+  projection: Projection;
+  turn: Turn;
+  colour: string;
+  /** [frames x Q] */
+  rollout: Float64Array;
+  /** The path as learned, where the rollout differs from it. */
+  learned: Float64Array | null;
+  training: Float64Array | null;
+  poses: Float64Array | null;
+  dynamics: DynamicsInducing | null;
+  /** Histories in this part that predict another part; drawn where they are read. */
+  outgoing: Between[];
+  /** Predictions about this part from another; drawn where they land. */
+  incoming: Between[];
+  order: number;
+  frame: number;
+  /** False while the clock belongs to something else, such as a clip. */
+  live: boolean;
+  report: InducingReport | null;
+  /** Whether the report's frames are of this part. */
+  lit: boolean;
+}
+
+/** Frames over which the path behind the marker fades. */
+const TRAIL = 75;
+
+export class Plane {
+  private readonly at = new Float64Array(3);
+  private readonly scale: number;
+
+  constructor(private readonly picture: Pick<LatentPicture, "width" | "height" | "projection" | "turn">) {
+    this.scale = (0.43 * Math.min(picture.width, picture.height)) / picture.projection.reach;
+  }
+
+  /** Row `index` of points [n x Q] in pixels from the upper left, and how near it is (-1 to 1). */
+  place(points: Float64Array, index: number): [number, number, number] {
+    const { projection, turn, width, height } = this.picture;
+    const [right, up, near] = turned(project(projection, points, index, this.at), turn);
+    return [width / 2 + this.scale * right, height / 2 - this.scale * up, near / projection.reach];
+  }
+
+  /** State `step` of row `index` of histories [n x order*Q]. */
+  placeInHistory(histories: Float64Array, order: number, index: number, step: number): [number, number, number] {
+    return this.place(histories, index * order + step);
+  }
+}
+
+export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): void {
+  const { width, height, ratio } = picture;
+  draw.setTransform(ratio, 0, 0, ratio, 0, 0);
+  draw.clearRect(0, 0, width, height);
+  draw.lineJoin = "round";
+  draw.lineCap = "round";
+  const plane = new Plane(picture);
+  if (picture.training) drawTraining(draw, picture, plane, picture.training);
+  if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
+  drawRollout(draw, picture, plane);
+  if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
+  if (picture.dynamics) drawPairs(draw, picture, plane, picture.dynamics);
+  for (const between of picture.outgoing) drawOutgoing(draw, picture, plane, between);
+  for (const between of picture.incoming) drawIncoming(draw, plane, between);
+  if (picture.poses) drawPoses(draw, picture, plane, picture.poses);
+  if (picture.live) drawNow(draw, picture, plane);
+  draw.globalAlpha = 1;
+}
+
+function rows(points: Float64Array, picture: LatentPicture): number {
+  return Math.floor(points.length / picture.projection.dimensions);
+}
+
+function drawTraining(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+  draw.fillStyle = theme().quiet;
+  draw.globalAlpha = 0.32;
+  const count = rows(points, picture);
+  for (let t = 0; t < count; t++) {
+    const [x, y] = plane.place(points, t);
+    draw.fillRect(x - 0.75, y - 0.75, 1.5, 1.5);
+  }
+}
+
+function drawLearned(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+  draw.strokeStyle = theme().ghost;
+  draw.globalAlpha = 0.5;
+  draw.lineWidth = 1.25;
+  draw.beginPath();
+  const count = rows(points, picture);
+  for (let t = 0; t < count; t++) {
+    const [x, y] = plane.place(points, t);
+    if (t === 0) draw.moveTo(x, y);
+    else draw.lineTo(x, y);
+  }
+  draw.stroke();
+}
+
+function drawRollout(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
+  const { rollout, frame, live } = picture;
+  const count = rows(rollout, picture);
+  draw.strokeStyle = picture.colour;
+  let [x0, y0] = count > 0 ? plane.place(rollout, 0) : [0, 0];
+  for (let t = 1; t < count; t++) {
+    const [x, y] = plane.place(rollout, t);
+    const age = frame - t;
+    const recent = live && age >= -1 ? Math.max(0, 1 - age / TRAIL) : 0;
+    draw.globalAlpha = live ? 0.16 + 0.84 * recent * recent : 0.5;
+    draw.lineWidth = 1.25 + 1.75 * recent;
+    draw.beginPath();
+    draw.moveTo(x0, y0);
+    draw.lineTo(x, y);
+    draw.stroke();
+    [x0, y0] = [x, y];
+  }
+}
+
+function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, light: Float64Array): void {
+  draw.fillStyle = picture.colour;
+  const count = Math.min(light.length, rows(picture.rollout, picture));
+  for (let t = 0; t < count; t++) {
+    if (light[t]! < 0.05) continue;
+    const [x, y] = plane.place(picture.rollout, t);
+    draw.globalAlpha = 0.55 * light[t]!;
+    draw.beginPath();
+    draw.arc(x, y, 4.5, 0, 2 * Math.PI);
+    draw.fill();
+  }
+}
+
+function arrow(draw: CanvasRenderingContext2D, from: number[], to: number[], head: number): void {
+  const angle = Math.atan2(to[1]! - from[1]!, to[0]! - from[0]!);
+  draw.beginPath();
+  draw.moveTo(to[0]!, to[1]!);
+  draw.lineTo(to[0]! - head * Math.cos(angle - 0.5), to[1]! - head * Math.sin(angle - 0.5));
+  draw.lineTo(to[0]! - head * Math.cos(angle + 0.5), to[1]! - head * Math.sin(angle + 0.5));
+  draw.closePath();
+  draw.fill();
+}
+
+/** Each history as a dot and a line through its states, then an arrow to what it predicts. */
+function drawPairs(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, inducing: DynamicsInducing): void {
+  const { ink } = theme();
+  const { order } = picture;
+  draw.strokeStyle = ink;
+  draw.fillStyle = ink;
+  draw.lineWidth = 1.25;
+  for (let i = 0; i < inducing.count; i++) {
+    draw.globalAlpha = 0.78;
+    const end = plane.place(inducing.outputs, i);
+    let last = plane.placeInHistory(inducing.inputs, order, i, 0);
+    const start = last;
+    draw.beginPath();
+    draw.moveTo(last[0], last[1]);
+    for (let step = 1; step < order; step++) {
+      last = plane.placeInHistory(inducing.inputs, order, i, step);
+      draw.lineTo(last[0], last[1]);
+    }
+    draw.lineTo(end[0], end[1]);
+    draw.stroke();
+    arrow(draw, last, end, 5.5);
+    draw.beginPath();
+    draw.arc(start[0], start[1], 1.6, 0, 2 * Math.PI);
+    draw.fill();
+  }
+}
+
+function drawOutgoing(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, between: Between): void {
+  const { order } = picture;
+  draw.strokeStyle = between.colour;
+  draw.fillStyle = between.colour;
+  draw.lineWidth = 1.5;
+  draw.globalAlpha = 0.85;
+  for (let i = 0; i < between.inducing.count; i++) {
+    draw.beginPath();
+    let last = plane.placeInHistory(between.inducing.inputs, order, i, 0);
+    draw.moveTo(last[0], last[1]);
+    for (let step = 1; step < order; step++) {
+      last = plane.placeInHistory(between.inducing.inputs, order, i, step);
+      draw.lineTo(last[0], last[1]);
+    }
+    draw.stroke();
+    draw.beginPath();
+    draw.arc(last[0], last[1], 2.4, 0, 2 * Math.PI);
+    draw.fill();
+  }
+}
+
+function drawIncoming(draw: CanvasRenderingContext2D, plane: Plane, between: Between): void {
+  draw.fillStyle = between.colour;
+  draw.globalAlpha = 0.85;
+  for (let i = 0; i < between.inducing.count; i++) {
+    const [x, y] = plane.place(between.inducing.outputs, i);
+    draw.beginPath();
+    draw.moveTo(x, y - 3.6);
+    draw.lineTo(x + 3.4, y + 2.6);
+    draw.lineTo(x - 3.4, y + 2.6);
+    draw.closePath();
+    draw.fill();
+  }
+}
+
+function drawPoses(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+  const { ground, ink } = theme();
+  draw.lineWidth = 1.5;
+  draw.strokeStyle = ink;
+  draw.fillStyle = ground;
+  draw.globalAlpha = 1;
+  const count = rows(points, picture);
+  for (let i = 0; i < count; i++) {
+    const [x, y, near] = plane.place(points, i);
+    const size = 3.9 * (1 + 0.12 * Math.max(-1, Math.min(1, near)));
+    draw.beginPath();
+    draw.moveTo(x, y - size);
+    draw.lineTo(x + size, y);
+    draw.lineTo(x, y + size);
+    draw.lineTo(x - size, y);
+    draw.closePath();
+    draw.fill();
+    draw.stroke();
+  }
+}
+
+function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
+  const { rollout, frame } = picture;
+  const count = rows(rollout, picture);
+  if (count === 0) return;
+  const low = Math.min(count - 1, Math.floor(frame));
+  const a = plane.place(rollout, low);
+  const b = plane.place(rollout, Math.min(count - 1, low + 1));
+  const part = Math.min(1, frame - low);
+  const [x, y] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+  draw.globalAlpha = 0.22;
+  draw.fillStyle = picture.colour;
+  draw.beginPath();
+  draw.arc(x, y, 12, 0, 2 * Math.PI);
+  draw.fill();
+  draw.globalAlpha = 1;
+  draw.beginPath();
+  draw.arc(x, y, 6, 0, 2 * Math.PI);
+  draw.fill();
+  draw.lineWidth = 2;
+  draw.strokeStyle = "#ffffff";
+  draw.stroke();
+}

@@ -1,0 +1,173 @@
+// A figure of capsules in its parts' colours, posed from node positions.
+import {
+  AlwaysStencilFunc,
+  Group,
+  LatheGeometry,
+  type Material,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
+  SphereGeometry,
+  Vector2,
+  Vector3,
+} from "three";
+import { partColour, theme } from "../ui/palette";
+import { partOfJoints } from "../clips/parts";
+import type { Figure, PartSpec } from "../engine/protocol";
+import { type Ball, type Capsule, shapeOf } from "./body-shape";
+
+export type FigureStyle =
+  | { kind: "solid" }
+  | { kind: "ghost" }
+  /** One part in its colour, the others pale. */
+  | { kind: "accent"; part: number; opacity: number };
+
+const UP = new Vector3(0, 1, 0);
+/** A trunk is wider than it is deep. */
+const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
+
+/** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
+function stencil(material: MeshStandardMaterial, pale: boolean): void {
+  material.stencilWrite = true;
+  material.stencilRef = 1;
+  material.stencilFunc = pale ? NotEqualStencilFunc : AlwaysStencilFunc;
+  material.stencilZPass = ReplaceStencilOp;
+}
+
+/** A capsule with a radius for each end, from the origin upwards. */
+function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
+  const outline: Vector2[] = [];
+  const rounds = 5;
+  for (let i = 0; i <= rounds; i++) {
+    const angle = (-0.5 + (0.5 * i) / rounds) * Math.PI;
+    outline.push(new Vector2(Math.max(1e-5, r0 * Math.cos(angle)), r0 * Math.sin(angle)));
+  }
+  for (let i = 0; i <= rounds; i++) {
+    const angle = ((0.5 * i) / rounds) * Math.PI;
+    outline.push(new Vector2(Math.max(1e-5, r1 * Math.cos(angle)), length + r1 * Math.sin(angle)));
+  }
+  return new LatheGeometry(outline, 16);
+}
+
+export class FigureView {
+  readonly group = new Group();
+  private bones: { mesh: Mesh; capsule: Capsule }[] = [];
+  private balls: { mesh: Mesh; ball: Ball }[] = [];
+  private materials: MeshStandardMaterial[] = [];
+  private readonly a = new Vector3();
+  private readonly b = new Vector3();
+  private readonly side = new Vector3();
+  private readonly front = new Vector3();
+  private readonly basis = new Matrix4();
+
+  constructor(
+    figure: Figure,
+    joints: readonly string[],
+    parts: readonly PartSpec[],
+    pose: Float32Array,
+    style: FigureStyle,
+  ) {
+    const shape = shapeOf(figure, joints, pose);
+    const part = partOfJoints(joints.length, parts as PartSpec[]);
+    const materials = new Map<number, MeshStandardMaterial>();
+    const materialOf = (joint: number) => {
+      const index = part[joint] ?? -1;
+      let material = materials.get(index);
+      if (!material) {
+        material = this.material(index, style);
+        materials.set(index, material);
+        this.materials.push(material);
+      }
+      return material;
+    };
+    for (const capsule of shape.capsules) {
+      const mesh = new Mesh(taperedCapsule(capsule.length, capsule.r0, capsule.r1), materialOf(capsule.joint));
+      if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
+      this.bones.push({ mesh, capsule });
+      this.add(mesh, style);
+    }
+    for (const ball of shape.balls) {
+      const mesh = new Mesh(new SphereGeometry(ball.radius, 28, 20), materialOf(ball.joint));
+      mesh.scale.set(0.88, 1.12, 0.98);
+      this.balls.push({ mesh, ball });
+      this.add(mesh, style);
+    }
+  }
+
+  private add(mesh: Mesh, style: FigureStyle): void {
+    mesh.castShadow = style.kind === "solid";
+    mesh.receiveShadow = style.kind === "solid";
+    mesh.frustumCulled = false;
+    mesh.renderOrder = style.kind === "solid" ? 0 : style.kind === "accent" && style.opacity === 1 ? 1 : 2;
+    this.group.add(mesh);
+  }
+
+  private material(part: number, style: FigureStyle): MeshStandardMaterial {
+    const { ghost } = theme();
+    const own = part < 0 ? ghost : partColour(part);
+    const look = { roughness: 0.62, metalness: 0 };
+    const accent = style.kind === "accent" && style.part === part;
+    const opacity = style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
+    const color = accent || style.kind === "solid" ? own : ghost;
+    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity });
+    stencil(material, opacity < 1);
+    return material;
+  }
+
+  /** Fades the whole figure, 0 to 1. */
+  fade(opacity: number): void {
+    for (const material of this.materials) {
+      material.transparent = opacity < 1;
+      material.opacity = opacity;
+      stencil(material, opacity < 1);
+      material.needsUpdate = true;
+    }
+    for (const { mesh } of [...this.bones, ...this.balls]) {
+      mesh.castShadow = opacity > 0.5;
+      mesh.renderOrder = opacity < 1 ? 3 : 0;
+    }
+  }
+
+  /** Node positions [nodes x 3]. */
+  pose(positions: Float32Array): void {
+    for (const { mesh, capsule } of this.bones) {
+      this.a.fromArray(positions, 3 * capsule.from);
+      this.b.fromArray(positions, 3 * capsule.to).sub(this.a);
+      const length = this.b.length();
+      mesh.position.copy(this.a);
+      if (length < 1e-6) continue;
+      this.b.divideScalar(length);
+      if (capsule.across) this.turnAcross(mesh, this.b, positions, capsule.across);
+      else mesh.quaternion.setFromUnitVectors(UP, this.b);
+    }
+    for (const { mesh, ball } of this.balls) {
+      mesh.position.fromArray(positions, 3 * ball.node);
+      if (ball.towards === null) continue;
+      this.b.fromArray(positions, 3 * ball.towards).sub(mesh.position);
+      const length = this.b.length();
+      if (length > 1e-6) mesh.quaternion.setFromUnitVectors(UP, this.b.clone().divideScalar(length));
+      mesh.position.addScaledVector(this.b, 0.5);
+    }
+  }
+
+  /** Lays a capsule along a bone, its wide side from the body's left to its right. */
+  private turnAcross(mesh: Mesh, along: Vector3, positions: Float32Array, [right, left]: [number, number]): void {
+    this.side.fromArray(positions, 3 * left).sub(this.front.fromArray(positions, 3 * right));
+    this.side.addScaledVector(along, -this.side.dot(along));
+    if (this.side.lengthSq() < 1e-8) {
+      mesh.quaternion.setFromUnitVectors(UP, along);
+      return;
+    }
+    this.side.normalize();
+    this.front.crossVectors(this.side, along);
+    mesh.quaternion.setFromRotationMatrix(this.basis.makeBasis(this.side, along, this.front));
+  }
+
+  dispose(): void {
+    for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
+    this.materials.forEach((material: Material) => material.dispose());
+    this.group.removeFromParent();
+  }
+}

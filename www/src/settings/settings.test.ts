@@ -1,0 +1,70 @@
+import { describe, expect, it } from "vitest";
+import { ALPHA_MAX, initialSettings, isEmbedded, readSettings, SETTINGS, withinLimits, writeSettings } from "./settings";
+
+describe("settings in the URL", () => {
+  it("leaves the settings of the start out", () => {
+    expect(writeSettings(initialSettings())).toBe("");
+    expect(readSettings("")).toEqual(initialSettings());
+  });
+
+  it("brings every setting back", () => {
+    const settings = {
+      ...initialSettings(),
+      parts: "hand",
+      split: [{ name: "legs & hips", joints: [0, 1, 2, 3, 7] }, { name: "rest", joints: [4, 5, 6] }],
+      latent: 2, dynamicsIps: 8, poseIps: 25, order: 1, framesPerSecond: 24, seed: 4294967295, maxIterations: 1000, trainings: 5,
+      frames: 600, start: 3, reading: "re-inferred" as const, alpha: { "0.1": 4.6, "1.0": 0.001 },
+      plot: "3d" as const, speed: 0.25 as const, loop: false,
+      view: "compare" as const, models: ["vgpdm", "tmp"] as const, ips: [4, 20], bases: [5], balanced: true, heldOut: 2, seeds: 3,
+      comparedIterations: 20, growth: true, drawn: 7, driving: false,
+    };
+    const untouched = Object.entries(settings).filter(
+      ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial));
+    expect(untouched).toEqual([]);
+    expect(readSettings(`#${writeSettings(settings)}`)).toEqual(settings);
+  });
+
+  it("enforces the limits on what the URL says", () => {
+    const settings = readSettings("#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe");
+    expect(settings.latent).toBe(SETTINGS.latent.max);
+    expect([settings.drawn, settings.driving]).toEqual([0, true]);
+    expect(settings.dynamicsIps).toBe(SETTINGS.dynamicsIps.min);
+    expect(settings.seed).toBe(4294967295);
+    expect(settings.speed).toBe(1);
+    expect(settings.alpha).toEqual({ "0.1": ALPHA_MAX });
+  });
+
+  it("drops what is no value", () => {
+    const text = "#latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
+    expect(readSettings(text)).toEqual(initialSettings());
+  });
+
+  it("reads lists in any order, once each and within their limits", () => {
+    const settings = readSettings("#models=tmp,vcgpdm&ips=16,4,16,900&bases=,");
+    expect(settings.models).toEqual(["vcgpdm", "tmp"]);
+    expect(settings.ips).toEqual([4, 16, 40]);
+    expect(settings.bases).toEqual(initialSettings().bases);
+    expect(readSettings("#models=gplvm").models).toEqual(initialSettings().models);
+  });
+
+  it("refuses a joint in two parts", () => {
+    expect(readSettings("#split=a:0-4;b:4-6").split).toEqual([]);
+  });
+});
+
+describe("limits", () => {
+  it("holds for controls as well", () => {
+    expect(withinLimits("latent", 0)).toBe(1);
+    expect(withinLimits("latent", 2.4)).toBe(2);
+    expect(withinLimits("latent", Number.NaN)).toBeNull();
+  });
+});
+
+describe("embedding", () => {
+  it("is asked for in the query", () => {
+    expect(isEmbedded("?embed")).toBe(true);
+    expect(isEmbedded("?embed=1&x=2")).toBe(true);
+    expect(isEmbedded("?embed=0")).toBe(false);
+    expect(isEmbedded("")).toBe(false);
+  });
+});

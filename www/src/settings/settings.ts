@@ -1,0 +1,250 @@
+// The settings of the page: one table that names, limits and defaults them, and carries them to the URL and back.
+// No rendering. A value from the URL passes the same limits as one from a control.
+import type { PartSpec, Reading } from "../engine/protocol";
+
+interface Setting<T> {
+  /** The name in the URL. */
+  key: string;
+  initial: T;
+  /** The value a text stands for, within the limits; null when it stands for none. */
+  read(text: string): T | null;
+  write(value: T): string;
+}
+
+export interface NumberSetting extends Setting<number> {
+  min: number;
+  max: number;
+  step: number;
+}
+
+function whole(key: string, initial: number, min: number, max: number, step = 1): NumberSetting {
+  return {
+    key, initial, min, max, step,
+    read(text) {
+      if (!/^\s*[-+]?\d+(\.\d*)?(e\d+)?\s*$/i.test(text)) return null;
+      return Math.round(Math.min(max, Math.max(min, Number(text))));
+    },
+    write: String,
+  };
+}
+
+function choice<T extends string | number>(key: string, initial: T, values: readonly T[]): Setting<T> & { values: readonly T[] } {
+  return {
+    key, initial, values,
+    read: (text) => values.find((value) => String(value) === text) ?? null,
+    write: String,
+  };
+}
+
+function flag(key: string, initial: boolean): Setting<boolean> {
+  return {
+    key, initial,
+    read: (text) => (text === "1" || text === "" ? true : text === "0" ? false : null),
+    write: (value) => (value ? "1" : "0"),
+  };
+}
+
+/** Coupling variances below and above these have no visible effect. */
+export const ALPHA_MIN = 1e-3;
+export const ALPHA_MAX = 1e3;
+export const MAX_PARTS = 8;
+const MAX_JOINT = 999;
+const MAX_NAME = 24;
+
+/** Couplings that differ from the learned ones, by "source.target". */
+export type ChangedCouplings = Record<string, number>;
+
+const changedCouplings: Setting<ChangedCouplings> = {
+  key: "alpha",
+  initial: {},
+  read(text) {
+    const changed: ChangedCouplings = {};
+    for (const item of text.split(",").filter(Boolean)) {
+      const match = /^(\d)\.(\d):([\d.e+-]+)$/i.exec(item);
+      const value = Number(match?.[3]);
+      if (!match || !Number.isFinite(value) || value <= 0) return null;
+      if (Number(match[1]) >= MAX_PARTS || Number(match[2]) >= MAX_PARTS) return null;
+      changed[`${match[1]}.${match[2]}`] = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, value));
+    }
+    return changed;
+  },
+  write: (changed) =>
+    Object.entries(changed).map(([pair, alpha]) => `${pair}:${Number(alpha.toPrecision(4))}`).join(","),
+};
+
+/** Joints of one part as "0-8.12": places in the skeleton. */
+function writeJoints(joints: readonly number[]): string {
+  const sorted = [...new Set(joints)].sort((a, b) => a - b);
+  const runs: string[] = [];
+  for (let i = 0; i < sorted.length; ) {
+    let j = i;
+    while (sorted[j + 1] === sorted[j]! + 1) j += 1;
+    runs.push(i === j ? `${sorted[i]}` : `${sorted[i]}-${sorted[j]}`);
+    i = j + 1;
+  }
+  return runs.join(".");
+}
+
+function readJoints(text: string): number[] | null {
+  const joints: number[] = [];
+  for (const run of text.split(".").filter(Boolean)) {
+    const match = /^(\d{1,3})(?:-(\d{1,3}))?$/.exec(run);
+    if (!match) return null;
+    const from = Number(match[1]);
+    const to = Number(match[2] ?? from);
+    if (to < from || to > MAX_JOINT) return null;
+    for (let joint = from; joint <= to; joint++) joints.push(joint);
+  }
+  return joints;
+}
+
+const split: Setting<PartSpec[]> = {
+  key: "split",
+  initial: [],
+  read(text) {
+    const parts: PartSpec[] = [];
+    const taken = new Set<number>();
+    for (const item of text.split(";").filter(Boolean)) {
+      const colon = item.lastIndexOf(":");
+      const joints = readJoints(item.slice(colon + 1));
+      const name = item.slice(0, Math.max(0, colon)).trim().slice(0, MAX_NAME);
+      if (colon < 1 || !name || !joints || joints.some((joint) => taken.has(joint))) return null;
+      joints.forEach((joint) => taken.add(joint));
+      parts.push({ name, joints });
+    }
+    return parts.length <= MAX_PARTS ? parts : null;
+  },
+  write: (parts) =>
+    parts.map(({ name, joints }) => `${name.replace(/[;:]/g, " ")}:${writeJoints(joints)}`).join(";"),
+};
+
+const preset: Setting<string> = {
+  key: "parts",
+  initial: "lower-upper",
+  read: (text) => (/^[a-z0-9-]{1,40}$/.test(text) ? text : null),
+  write: (value) => value,
+};
+
+const reading: Setting<Reading> = {
+  key: "reading",
+  initial: "as learned",
+  read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
+  write: (value) => (value === "as learned" ? "learned" : "inferred"),
+};
+
+/** Several of some words, in the order of the words. */
+function several<T extends string>(key: string, initial: readonly T[], values: readonly T[]): Setting<readonly T[]> & { values: readonly T[] } {
+  return {
+    key, initial, values,
+    read(text) {
+      const words = text.split(",").filter(Boolean);
+      return words.every((word) => values.includes(word as T)) ? values.filter((value) => words.includes(value)) : null;
+    },
+    write: (chosen) => chosen.join(","),
+  };
+}
+
+/** Several whole numbers, each once, rising. */
+function counts(key: string, initial: readonly number[], min: number, max: number, most: number): Setting<readonly number[]> {
+  return {
+    key, initial,
+    read(text) {
+      const words = text.split(/[\s,]+/).filter(Boolean);
+      if (words.length === 0 || !words.every((word) => /^\d{1,6}$/.test(word))) return null;
+      const within = words.map((word) => Math.min(max, Math.max(min, Number(word))));
+      return [...new Set(within)].sort((a, b) => a - b).slice(0, most);
+    },
+    write: (numbers) => numbers.join(","),
+  };
+}
+
+/** What the page is about now: playing with one model, comparing several, or the synthetic experiment. */
+export const VIEWS = ["play", "compare", "synthetic"] as const;
+
+/** All kinds of models, in the order of tables. */
+export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;
+
+/** The id of the parts setting that means: as assigned by hand. */
+export const BY_HAND = "hand";
+
+export const SETTINGS = {
+  view: choice("view", "play", VIEWS),
+  parts: preset,
+  split,
+  latent: whole("latent", 3, 1, 6),
+  dynamicsIps: whole("dynamics", 12, 2, 40),
+  poseIps: whole("poses", 12, 2, 60),
+  order: whole("order", 2, 1, 4),
+  framesPerSecond: whole("fps", 30, 5, 60),
+  seed: whole("seed", 1, 0, 4294967295),
+  maxIterations: whole("iterations", 600, 10, 5000, 10),
+  trainings: whole("trainings", 1, 1, 20),
+  frames: whole("frames", 300, 60, 1200, 30),
+  start: whole("start", 0, 0, 99),
+  reading,
+  alpha: changedCouplings,
+  plot: choice("plot", "2d", ["2d", "3d"] as const),
+  speed: choice("speed", 1, [0.25, 0.5, 1, 2] as const),
+  loop: flag("loop", true),
+  // Of a comparison
+  models: several("models", ["vcgpdm", "vgpdm", "tmp", "dmp-rhythmic"], MODELS),
+  ips: counts("ips", [8, 12, 16], 2, 40, 8),
+  bases: counts("bases", [20], 2, 200, 8),
+  balanced: flag("balanced", false),
+  /** The trial held out, counted from 1; 0: each in turn. */
+  heldOut: whole("heldout", 0, 0, 99),
+  seeds: whole("seeds", 1, 1, 10),
+  comparedIterations: whole("steps", 150, 5, 5000),
+  /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, to see how time grows. */
+  growth: flag("growth", false),
+  // Of the synthetic experiment
+  drawn: whole("draw", 0, 0, 4294967295),
+  /** Whether the first part drives the second. */
+  driving: flag("driving", true),
+};
+
+export type Settings = {
+  [Name in keyof typeof SETTINGS]: (typeof SETTINGS)[Name] extends Setting<infer T> ? T : never;
+};
+export type SettingName = keyof Settings;
+
+type Row = Setting<Settings[SettingName]>;
+const ROWS = Object.entries(SETTINGS) as unknown as [SettingName, Row][];
+
+export function initialSettings(): Settings {
+  return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
+}
+
+/** The settings a URL fragment stands for; what it does not say, or says wrongly, is as at the start. */
+export function readSettings(fragment: string): Settings {
+  const given = new URLSearchParams(fragment.replace(/^#/, ""));
+  const settings = initialSettings();
+  for (const [name, row] of ROWS) {
+    const text = given.get(row.key);
+    const value = text === null ? null : row.read(text);
+    if (value !== null) Object.assign(settings, { [name]: value });
+  }
+  return settings;
+}
+
+/** The URL fragment of these settings, without "#"; settings as at the start are left out. */
+export function writeSettings(settings: Settings): string {
+  const given = new URLSearchParams();
+  for (const [name, row] of ROWS) {
+    const text = row.write(settings[name]);
+    if (text !== row.write(row.initial)) given.set(row.key, text);
+  }
+  return given.toString().replace(/%3A/gi, ":").replace(/%2C/gi, ",").replace(/%3B/gi, ";");
+}
+
+/** The value within the limits of its setting; null when it is none. */
+export function withinLimits<Name extends SettingName>(name: Name, value: Settings[Name]): Settings[Name] | null {
+  const row = SETTINGS[name] as unknown as Setting<Settings[Name]>;
+  return row.read(row.write(value));
+}
+
+/** `?embed` shows the stage, the latent plots and the couplings only, in large type. */
+export function isEmbedded(search: string): boolean {
+  const value = new URLSearchParams(search).get("embed");
+  return value !== null && value !== "0";
+}

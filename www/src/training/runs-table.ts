@@ -1,0 +1,70 @@
+// The trainings of this visit in a table: what they differ in, how far they are, and which one is on the stage.
+import { html, nothing } from "lit";
+import { canRemove, chooseRun, clearRuns, removeRun } from "./staging";
+import { duration, grouped, sentence } from "../ui/format";
+import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "./runs";
+import { icon } from "../ui/icons";
+import { View } from "../ui/view";
+
+export class RunsView extends View {
+  static override topics = ["training"] as const;
+
+  private state(run: Run) {
+    const { state, settings, steps, ending } = run;
+    return state === "running"
+      ? html`<progress max="1" .value=${steps.at(-1)?.fraction ?? 0} aria-label="Training of seed ${settings.seed}" title=${steps.at(-1)?.phase ?? "setting up"}></progress>`
+      : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${state}</span>`;
+  }
+
+  private row(run: Run, columns: readonly Column[], best: boolean) {
+    const { app } = this;
+    const { settings, state, steps, elapsed, ending } = run;
+    const { seed } = settings;
+    const chosen = app.chosen === run;
+    const open = run.model !== null || state === "running";
+    const choose = () => chooseRun(app, run);
+    return html`
+      <tr class=${chosen ? "chosen" : ""} data-state=${state} data-testid="run" @click=${(event: Event) => {
+        if (open && !chosen && !(event.target as Element).closest("label, button")) choose();
+      }}>
+        <th scope="row"><label title="Take this model up on the stage">
+          <input type="radio" name="run" aria-label="Show seed ${seed}" .checked=${chosen} ?disabled=${!open} @change=${choose} />${seed}</label></th>
+        ${columns.map((column) => html`<td class="differs" title=${column.key(run)}>${column.text(run)}</td>`)}
+        <td class=${best ? "best" : ""}>${steps.length > 0 ? grouped(bestBound(run)) : ""}${best ? html`<span class="visually-hidden">, the best</span>` : nothing}</td>
+        <td>${steps.at(-1)?.iteration ?? ""}</td>
+        <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
+        <td class="state">${this.state(run)}</td>
+        <td>${canRemove(app, run)
+          ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => removeRun(app, run)}>${icon("close")}</button>`
+          : nothing}</td>
+      </tr>
+      ${state === "failed" ? html`<tr class="why"><td colspan=${6 + columns.length} class="bad">${sentence(ending)}</td></tr>` : nothing}`;
+  }
+
+  protected override render() {
+    const { app } = this;
+    const { runs, told } = app;
+    if (runs.length === 0 || !told) return nothing;
+    const columns = differences(runs);
+    const data = dataOf(told);
+    const alike = runs.filter((run) => dataOf(run) === data);
+    const best = alike.length > 1 ? bestRun(alike.filter(({ model }) => model !== null)) : null;
+    return html`
+      <header class="panel-head">
+        <h3>Trainings</h3>
+        <button class="small" data-testid="clear-runs" ?disabled=${!runs.some((run) => canRemove(app, run))} @click=${() => clearRuns(app)}>Clear</button>
+      </header>
+      <div class="table-box" tabindex="0" role="region" aria-label="Trainings">
+        <table data-testid="runs">
+          <thead><tr>
+            <th scope="col">Seed</th>
+            ${columns.map(({ head, meaning }) => html`<th scope="col" title=${meaning} aria-label=${meaning}>${head}</th>`)}
+            <th scope="col">Bound</th><th scope="col" title="Iterations">It.</th><th scope="col">Time</th><td></td><td></td>
+          </tr></thead>
+          <tbody>${runs.map((run) => this.row(run, columns, run === best))}</tbody>
+        </table>
+      </div>
+      ${alike.length < runs.length ? html`<p class="hint">Bounds can be compared between trainings on the same frames only; the chart shows those.</p>` : nothing}`;
+  }
+}
+customElements.define("pg-runs", RunsView);

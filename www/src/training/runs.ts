@@ -1,0 +1,131 @@
+// The trainings of this visit, side by side: how they compare, and how long they still take. No rendering, no worker.
+import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
+
+export interface RunClip {
+  id: number;
+  title: string;
+  source: ClipSource;
+  first: number;
+  end: number;
+}
+
+/** One training: asked for, under way or over. */
+export interface Run {
+  id: number;
+  settings: TrainingSettings;
+  clips: RunClip[];
+  state: "waiting" | "running" | "done" | "cancelled" | "failed";
+  /** The course of the bound [iterations]. */
+  steps: TrainingProgress[];
+  /** Seconds of training. */
+  elapsed: number;
+  /** How it ended, in plain words. */
+  ending: string;
+  /** The newest model that the page has of it. */
+  model: TrainedModel | null;
+}
+
+export const isOver = ({ state }: Pick<Run, "state">): boolean => state !== "waiting" && state !== "running";
+
+/** The best bound so far; minus infinity before the first iteration. */
+export function bestBound(run: Run): number {
+  return run.steps.at(-1)?.best ?? -Infinity;
+}
+
+/** The run with the highest bound. */
+export function bestRun(runs: readonly Run[]): Run | null {
+  return runs.reduce<Run | null>((best, run) => (best && bestBound(best) >= bestBound(run) ? best : run), null);
+}
+
+/** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */
+export function seedsFrom(first: number, count: number): number[] {
+  return Array.from({ length: count }, (_, i) => (first + i) % 2 ** 32);
+}
+
+/** What the bound is a bound of: two runs can be compared by it only when they explain the same numbers. */
+export function dataOf({ settings, clips }: Run): string {
+  const joints = [...new Set(settings.parts.flatMap(({ joints }) => joints))].sort((a, b) => a - b);
+  return JSON.stringify([clips.map(({ id, first, end }) => [id, first, end]), settings.framesPerSecond, joints]);
+}
+
+export interface Column {
+  head: string;
+  /** What the head stands for. */
+  meaning: string;
+  text(run: Run): string;
+  /** All there is to know, where the text is too short for it. */
+  key(run: Run): string;
+}
+
+const count = (head: string, meaning: string, of: (settings: TrainingSettings) => number): Column => {
+  const text = ({ settings }: Run) => String(of(settings));
+  return { head, meaning, text, key: text };
+};
+
+const COLUMNS: Column[] = [
+  {
+    head: "Clips",
+    meaning: "Clips",
+    text: ({ clips }) => (clips.length === 1 ? clips[0]!.title : String(clips.length)),
+    key: ({ clips }) => clips.map(({ title, first, end }) => `${title} ${first + 1}-${end}`).join(", "),
+  },
+  {
+    head: "Parts",
+    meaning: "Parts",
+    text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
+    key: ({ settings }) => settings.parts.map(({ name, joints }) => `${name} (${joints.length} joints)`).join(", "),
+  },
+  count("Q", "Latent dimensions", ({ latent }) => latent),
+  count("K", "Dynamics points", ({ dynamicsIps }) => dynamicsIps),
+  count("L", "Pose points", ({ poseIps }) => poseIps),
+  count("p", "Frames of history", ({ order }) => order),
+  count("fps", "Frames a second", ({ framesPerSecond }) => framesPerSecond),
+  count("at most", "Iterations at most", ({ maxIterations }) => maxIterations),
+];
+
+/** The settings in which the runs differ, beside the seed. */
+export function differences(runs: readonly Run[]): Column[] {
+  return COLUMNS.filter(({ key }) => new Set(runs.map(key)).size > 1);
+}
+
+/** How far one of several trainings of about the same length is. */
+export interface Course {
+  state: Run["state"];
+  /** Seconds of training. */
+  elapsed: number;
+  /** Share of its iterations that is behind it. */
+  fraction: number;
+}
+
+const courseOf = ({ state, elapsed, steps }: Run): Course => ({ state, elapsed, fraction: steps.at(-1)?.fraction ?? 0 });
+
+/** The share of all their iterations that is behind these runs, 0 to 1. */
+export const share = (runs: readonly Run[]): number => shareOf(runs.map(courseOf));
+
+/** Seconds that these runs take at most, so many at once; null while it is too early to say. */
+export const secondsLeft = (runs: readonly Run[], workers: number): number | null => restOf(runs.map(courseOf), workers);
+
+/** The share of all their iterations that is behind these trainings, 0 to 1. */
+export function shareOf(courses: readonly Course[]): number {
+  const behind = courses.map((course) => (isOver(course) ? 1 : course.fraction));
+  return behind.reduce((sum, one) => sum + one, 0) / Math.max(1, courses.length);
+}
+
+/** Seconds that trainings take at most, so many at once; null while it is too early to say. */
+export function restOf(courses: readonly Course[], workers: number): number | null {
+  let seconds = 0;
+  let done = 0;
+  for (const { elapsed, fraction } of courses) {
+    seconds += elapsed;
+    done += fraction;
+  }
+  if (seconds < 1 || done <= 0.01) return null;
+  const whole = seconds / done;
+  const busy = courses.filter(({ state }) => state === "running").map(({ fraction }) => whole * (1 - fraction));
+  while (busy.length < workers) busy.push(0);
+  for (const { state } of courses) {
+    // The next one that waits goes where it can begin first.
+    if (state === "waiting") busy[busy.indexOf(Math.min(...busy))]! += whole;
+  }
+  return Math.max(...busy);
+}

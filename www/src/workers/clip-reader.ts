@@ -1,0 +1,66 @@
+// Clips for a worker that trains: read where they are needed, kept for the next work, which mostly has the same. No DOM.
+import type { ClipInfo, TrainingClip } from "../engine/protocol";
+
+interface Freed {
+  free(): void;
+}
+
+interface ClipLike extends Freed {
+  info(): Pick<ClipInfo, "frames">;
+  cut(first: number, end: number): Freed;
+}
+
+interface SetLike extends Freed {
+  add(clip: unknown): void;
+}
+
+/** What the package offers for reading; there are two packages, a small and a whole one. */
+interface Package<Clip, TrainingSet> {
+  Clip: { sample(id: string): Clip; read(name: string, bytes: Uint8Array): Clip };
+  TrainingSet: { new (): TrainingSet };
+}
+
+export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
+  private readonly read = new Map<number, Clip>();
+
+  constructor(private readonly from: Package<Clip, TrainingSet>) {}
+
+  private async clip({ id, source }: TrainingClip): Promise<Clip> {
+    let clip = this.read.get(id);
+    if (!clip) {
+      const { Clip } = this.from;
+      clip = "sample" in source ? Clip.sample(source.sample) : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+      this.read.set(id, clip);
+    }
+    return clip;
+  }
+
+  /** These clips, or their pieces, as a set; whoever asks frees it. Other clips are forgotten. */
+  async set(chosen: readonly TrainingClip[]): Promise<TrainingSet> {
+    for (const [id, clip] of this.read) {
+      if (chosen.some((one) => one.id === id)) continue;
+      this.read.delete(id);
+      clip.free();
+    }
+    const set = new this.from.TrainingSet();
+    try {
+      for (const one of chosen) {
+        const clip = await this.clip(one);
+        if (one.first <= 0 && one.end >= clip.info().frames) {
+          set.add(clip);
+        } else {
+          const piece = clip.cut(one.first, one.end);
+          try {
+            set.add(piece);
+          } finally {
+            piece.free();
+          }
+        }
+      }
+      return set;
+    } catch (problem) {
+      set.free();
+      throw problem;
+    }
+  }
+}
