@@ -16,7 +16,9 @@ export function findChromium() {
 export async function launchChromium() {
   const executablePath = findChromium();
   if (!executablePath) {
-    throw new Failure("no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) or name it in the variable CHROMIUM");
+    throw new Failure(
+      "no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) or name it in the variable CHROMIUM",
+    );
   }
   const args = [
     ...["--no-sandbox", "--disable-dev-shm-usage"], // containers run as root and have a small /dev/shm

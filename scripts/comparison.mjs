@@ -18,13 +18,26 @@ const SWEEPS = [
   ["--models", "map-gpdm,map-cgpdm", "--balanced"],
 ];
 /** How time grows with the frames: one job at a time, so that none waits for another. */
-const TIMES = ["--models", "vcgpdm,map-cgpdm", "--training-trials", "1,2,4,8", "--folds", "1", "--max-iterations", "100", "--threads", "1"];
+const TIMES = [
+  "--models",
+  "vcgpdm,map-cgpdm",
+  "--training-trials",
+  "1,2,4,8",
+  "--folds",
+  "1",
+  "--max-iterations",
+  "100",
+  "--threads",
+  "1",
+];
 
 /** All results in one file, without the digits that nobody reads. */
 function together(/** @type {string[]} */ files) {
   const read = files.map((file) => JSON.parse(readFileSync(file, "utf8")));
   const short = (/** @type {string} */ name, /** @type {unknown} */ value) =>
-    typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(name === "bound" || name === "objective" ? 9 : 6)) : value;
+    typeof value === "number" && !Number.isInteger(value)
+      ? Number(value.toPrecision(name === "bound" || name === "objective" ? 9 : 6))
+      : value;
   return `${JSON.stringify({ ...read[0], finished: read.flatMap(({ finished }) => finished) }, short)}\n`;
 }
 

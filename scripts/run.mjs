@@ -15,7 +15,11 @@ export class Failure extends Error {}
 const exe = process.platform === "win32" ? ".exe" : "";
 
 // Tools of this project first, then cargo's own folder: a fresh rustup is not yet on the PATH of an open shell.
-const path = [at(".tools", "bin"), process.env.PATH ?? "", join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin")];
+const path = [
+  at(".tools", "bin"),
+  process.env.PATH ?? "",
+  join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin"),
+];
 /** @type {NodeJS.ProcessEnv & { PATH: string }} */
 export const env = { ...process.env, PATH: path.join(delimiter) };
 
@@ -45,7 +49,8 @@ export async function run(/** @type {string} */ program, /** @type {string[]} */
 }
 
 /** Runs a JavaScript program of an npm package, without a shell and the same on every platform. */
-export const runModule = (/** @type {string} */ file, /** @type {string[]} */ ...args) => run(process.execPath, at("node_modules", file), ...args);
+export const runModule = (/** @type {string} */ file, /** @type {string[]} */ ...args) =>
+  run(process.execPath, at("node_modules", file), ...args);
 
 export function seconds(/** @type {number} */ since) {
   const s = (performance.now() - since) / 1000;

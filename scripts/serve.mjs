@@ -25,7 +25,9 @@ const TYPES = {
 export async function serve(folder, { port = 0, prefix = "/", before, onSend } = {}) {
   const server = createServer(async (request, response) => {
     const path = pathOf(request.url ?? "/");
-    const file = path.startsWith(prefix) ? join(folder, path.slice(prefix.length), path.endsWith("/") ? "index.html" : "") : "";
+    const file = path.startsWith(prefix)
+      ? join(folder, path.slice(prefix.length), path.endsWith("/") ? "index.html" : "")
+      : "";
     if (!file.startsWith(folder + sep) || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404, { "content-type": "text/plain" }).end("not found\n");
       return;
@@ -45,10 +47,11 @@ export async function serve(folder, { port = 0, prefix = "/", before, onSend } =
   const taken = await listen(server, port);
   return {
     address: `http://127.0.0.1:${taken}${prefix}`,
-    close: () => new Promise((resolve) => {
-      server.close(resolve);
-      server.closeAllConnections();
-    }),
+    close: () =>
+      new Promise((resolve) => {
+        server.close(resolve);
+        server.closeAllConnections();
+      }),
   };
 }
 

@@ -8,8 +8,13 @@ import { at, Failure, filesUnder, runModule, whenChanged } from "./run.mjs";
 export const dist = at("www", "dist");
 
 export function buildSite() {
-  const inputs = filesUnder([at("www"), at("crate/pkg"), at("package-lock.json"), at("scripts/site.mjs")], ["node_modules", "dist"]);
-  return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () => runModule("vite/bin/vite.js", "build", at("www"), "--logLevel", "warn", "--emptyOutDir"));
+  const inputs = filesUnder(
+    [at("www"), at("crate/pkg"), at("package-lock.json"), at("scripts/site.mjs")],
+    ["node_modules", "dist"],
+  );
+  return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>
+    runModule("vite/bin/vite.js", "build", at("www"), "--logLevel", "warn", "--emptyOutDir"),
+  );
 }
 
 const kilobytes = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1).padStart(8)} kB`;
@@ -25,13 +30,19 @@ export function weigh() {
   const first = files.filter((file) => !later.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
-  const sums = [["wasm of a first visit", sum(wasm), budget.wasm], ["first visit", sum(first), budget.firstVisit], ["on demand", sum(later), budget.onDemand]];
+  const sums = [
+    ["wasm of a first visit", sum(wasm), budget.wasm],
+    ["first visit", sum(first), budget.firstVisit],
+    ["on demand", sum(later), budget.onDemand],
+  ];
 
   const rows = [...[...first, ...later].map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);
   for (const [name, size, limit] of rows) {
-    console.log(`${String(name).padEnd(width)}  ${kilobytes(Number(size))}${limit ? `  of ${kilobytes(Number(limit)).trim()}` : ""}`);
+    console.log(
+      `${String(name).padEnd(width)}  ${kilobytes(Number(size))}${limit ? `  of ${kilobytes(Number(limit)).trim()}` : ""}`,
+    );
   }
   for (const [name, size, limit] of sums) {
     if (size > limit) throw new Failure(`${name}: ${size} bytes, over the budget of ${limit} (scripts/budget.mjs)`);

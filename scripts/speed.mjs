@@ -25,7 +25,19 @@ function json(/** @type {string} */ program, /** @type {string[]} */ ...args) {
 async function ownCase() {
   const file = join(folder, "case.json");
   const walks = [1, 2, 3, 4].map((k) => `sample:walk-${k}`);
-  await run(at("target/release/vcgpdm"), "train", ...walks, "--parts", "lower,upper", "--max-iterations", "1", "--write-start", file, "--out", join(folder, "model.json"));
+  await run(
+    at("target/release/vcgpdm"),
+    "train",
+    ...walks,
+    "--parts",
+    "lower,upper",
+    "--max-iterations",
+    "1",
+    "--write-start",
+    file,
+    "--out",
+    join(folder, "model.json"),
+  );
   return file;
 }
 
@@ -36,12 +48,17 @@ async function inChromium(/** @type {string} */ text, /** @type {[string, string
   try {
     const page = await browser.newPage();
     await page.goto(`${server.address}index.html`);
-    return /** @type {Side} */ (await page.evaluate(async ({ text, files, address }) => {
-      const wasm = await import(`${address}web/vcgpdm.js`);
-      const { evaluation, training } = await import(`${address}measure.js`);
-      await wasm.default();
-      return { evaluation: evaluation(wasm, text), training: training(wasm, files) };
-    }, { text, files, address: server.address }));
+    return /** @type {Side} */ (
+      await page.evaluate(
+        async ({ text, files, address }) => {
+          const wasm = await import(`${address}web/vcgpdm.js`);
+          const { evaluation, training } = await import(`${address}measure.js`);
+          await wasm.default();
+          return { evaluation: evaluation(wasm, text), training: training(wasm, files) };
+        },
+        { text, files, address: server.address },
+      )
+    );
   } finally {
     await browser.close();
     await server.close();
@@ -82,21 +99,26 @@ await main(async () => {
   const bound = (/** @type {string} */ name) => of(name, (side) => side.evaluation.median_ms);
   const show = (/** @type {number} */ value, digits = 2) => (Number.isNaN(value) ? "" : value.toFixed(digits));
   console.log(`\nMedians of ${ROUNDS} rounds, one after the other.\n`);
-  console.log("| | bound with gradient, ms | faster than the peer | time of native | training, s | to 99.9 % of its bound, s | rollout of 300 frames with positions, ms |");
+  console.log(
+    "| | bound with gradient, ms | faster than the peer | time of native | training, s | to 99.9 % of its bound, s | rollout of 300 frames with positions, ms |",
+  );
   console.log("|---|---|---|---|---|---|---|");
   for (const name of Object.keys(sides)) {
     const cells = [
-      show(bound(name)), values.peer && name !== "peer" ? `${show(bound("peer") / bound(name), 1)} times` : "", show(bound(name) / bound("native")),
-      ...["seconds", "seconds_to_999"].map((key) => show(of(name, (side) => side.training?.[key]))), show(of(name, (side) => side.training?.rollout_ms)),
+      show(bound(name)),
+      values.peer && name !== "peer" ? `${show(bound("peer") / bound(name), 1)} times` : "",
+      show(bound(name) / bound("native")),
+      ...["seconds", "seconds_to_999"].map((key) => show(of(name, (side) => side.training?.[key]))),
+      show(of(name, (side) => side.training?.rollout_ms)),
     ];
     console.log(`| ${name} | ${cells.join(" | ")} |`);
   }
   const native = sides.native?.[0]?.evaluation ?? {};
   const million = (/** @type {string} */ key) => (native[key] ?? NaN) / 1e6;
-  const exponentials = 1e3 * million("exponentials") / million("exponentials_per_second");
-  const products = 1e3 * million("multiply_adds") / million("multiply_adds_per_second");
+  const exponentials = (1e3 * million("exponentials")) / million("exponentials_per_second");
+  const products = (1e3 * million("multiply_adds")) / million("multiply_adds_per_second");
   console.log(`
 One bound with its gradient is ${million("exponentials").toFixed(3)} million exponentials and ${million("multiply_adds").toFixed(2)} million multiplications with an addition.
 With operands at hand this machine does ${million("exponentials_per_second").toFixed(0)} and ${million("multiply_adds_per_second").toFixed(0)} million a second, natively and two to a register:
-${exponentials.toFixed(2)} ms + ${products.toFixed(2)} ms, ${(100 * (exponentials + products) / (native.median_ms ?? NaN)).toFixed(0)} % of the native time.`);
+${exponentials.toFixed(2)} ms + ${products.toFixed(2)} ms, ${((100 * (exponentials + products)) / (native.median_ms ?? NaN)).toFixed(0)} % of the native time.`);
 });

@@ -6,15 +6,35 @@ import { installTools } from "./tools.mjs";
 
 const deny = ["--", "-D", "warnings"];
 const nodeTests = (/** @type {string} */ folder) =>
-  run(process.execPath, "--test", "--test-reporter=spec", "--test-concurrency=1", "--test-timeout=600000", ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")));
+  run(
+    process.execPath,
+    "--test",
+    "--test-reporter=spec",
+    "--test-concurrency=1",
+    "--test-timeout=600000",
+    ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
+  );
 
 /** @type {{ name: string, what: string, needs?: string, work: () => Promise<void> }[]} */
 const STEPS = [
   { name: "format", what: "rustfmt", work: () => run("cargo", "fmt", "--all", "--check") },
-  { name: "clippy", what: "clippy, native", work: () => run("cargo", "clippy", "--all-targets", "--all-features", ...deny) },
-  { name: "clippy-wasm", what: "clippy, wasm32", work: () => run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", "--features", "comparison,speed", ...deny) },
+  {
+    name: "clippy",
+    what: "clippy, native",
+    work: () => run("cargo", "clippy", "--all-targets", "--all-features", ...deny),
+  },
+  {
+    name: "clippy-wasm",
+    what: "clippy, wasm32",
+    work: () =>
+      run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", "--features", "comparison,speed", ...deny),
+  },
   { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", "--all-features") },
-  { name: "rust-wasm", what: "Rust tests in wasm, in Node", work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate")) },
+  {
+    name: "rust-wasm",
+    what: "Rust tests in wasm, in Node",
+    work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate")),
+  },
   { name: "build", what: "wasm package and page", work: build },
   { name: "sizes", what: "the budget of a visit", needs: "build", work: async () => weigh() },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
@@ -32,7 +52,10 @@ function chosen() {
   if (i < 0) return STEPS;
   const name = process.argv[i + 1];
   const step = STEPS.find((step) => step.name === name);
-  if (!step) throw new Failure(`--only is to name one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`);
+  if (!step)
+    throw new Failure(
+      `--only is to name one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`,
+    );
   const before = STEPS.filter(({ name }) => name === step.needs);
   return [...before, step];
 }
@@ -61,7 +84,9 @@ await main(async () => {
 
   console.log("\n");
   for (const { name, what, time, failure } of results) {
-    console.log(`${failure === null ? "passed" : "FAILED"}  ${name.padEnd(12)} ${what.padEnd(28)} ${time.padStart(12)}${failure ? `   ${failure.split("\n")[0]}` : ""}`);
+    console.log(
+      `${failure === null ? "passed" : "FAILED"}  ${name.padEnd(12)} ${what.padEnd(28)} ${time.padStart(12)}${failure ? `   ${failure.split("\n")[0]}` : ""}`,
+    );
   }
   const failed = results.filter(({ failure }) => failure !== null).length;
   console.log(`\n${results.length - failed} passed, ${failed} failed`);

@@ -20,18 +20,23 @@ const older = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
 const numbers = (/** @type {string} */ text) => (text.match(/\d+(\.\d+)*/)?.[0] ?? "0").split(".").map(Number);
 
 async function rust() {
-  if (older(numbers(process.version), NODE)) throw new Failure(`Node ${NODE.join(".")} or later is needed, this is ${process.version}: https://nodejs.org`);
-  if (output("rustup", "--version") === null) throw new Failure("rustup is needed and was not found: https://rustup.rs");
+  if (older(numbers(process.version), NODE))
+    throw new Failure(`Node ${NODE.join(".")} or later is needed, this is ${process.version}: https://nodejs.org`);
+  if (output("rustup", "--version") === null)
+    throw new Failure("rustup is needed and was not found: https://rustup.rs");
   if (output("rustc", "--version") === null) await run("rustup", "default", "stable");
   const needed = readFileSync(at("Cargo.toml"), "utf8").match(/rust-version = "([\d.]+)"/)?.[1] ?? "0";
   const have = output("rustc", "--version") ?? "";
-  if (older(numbers(have), numbers(needed))) throw new Failure(`Rust ${needed} or later is needed, this is ${have}: rustup update stable`);
+  if (older(numbers(have), numbers(needed)))
+    throw new Failure(`Rust ${needed} or later is needed, this is ${have}: rustup update stable`);
 }
 
 /** Adds to the toolchain what it lacks. */
 async function toolchain(/** @type {"target" | "component"} */ kind, /** @type {string[]} */ ...names) {
   const installed = output("rustup", kind, "list", "--installed") ?? "";
-  const missing = names.filter((name) => !installed.split(/\s+/).some((line) => line === name || line.startsWith(`${name}-`)));
+  const missing = names.filter(
+    (name) => !installed.split(/\s+/).some((line) => line === name || line.startsWith(`${name}-`)),
+  );
   if (missing.length > 0) await run("rustup", kind, "add", ...missing);
   return missing.length > 0 ? undefined : "there";
 }

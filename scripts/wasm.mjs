@@ -14,11 +14,22 @@ const TARGETS = [
 ];
 
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
-const FEATURES = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue"];
+const FEATURES = [
+  "simd",
+  "bulk-memory",
+  "nontrapping-float-to-int",
+  "sign-ext",
+  "mutable-globals",
+  "reference-types",
+  "multivalue",
+];
 
 export async function buildWasm() {
   const sources = ["crate", "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"];
-  const inputs = filesUnder(sources.map((path) => at(path)), ["pkg", "target", "tests", "benches"]);
+  const inputs = filesUnder(
+    sources.map((path) => at(path)),
+    ["pkg", "target", "tests", "benches"],
+  );
   const outputs = TARGETS.map(({ folder }) => at("crate/pkg", folder, "vcgpdm.js"));
   const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
     rmSync(at("crate/pkg"), { recursive: true, force: true });
@@ -49,7 +60,8 @@ async function optimise(/** @type {string} */ place) {
     const before = readFileSync(file);
     const same = done.find((other) => other.before.equals(before));
     if (same) copyFileSync(same.file, file);
-    else await runModule("binaryen/bin/wasm-opt", file, "-O3", ...FEATURES.map((name) => `--enable-${name}`), "-o", file);
+    else
+      await runModule("binaryen/bin/wasm-opt", file, "-O3", ...FEATURES.map((name) => `--enable-${name}`), "-o", file);
     done.push({ before, file });
   }
 }
@@ -59,7 +71,10 @@ function describe() {
   const metadata = JSON.parse(output("cargo", "metadata", "--no-deps", "--format-version", "1") ?? "null");
   const crate = metadata?.packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
   if (!crate) throw new Failure("cargo metadata does not name the package vcgpdm");
-  const entry = (/** @type {string} */ folder) => ({ types: `./${folder}/vcgpdm.d.ts`, default: `./${folder}/vcgpdm.js` });
+  const entry = (/** @type {string} */ folder) => ({
+    types: `./${folder}/vcgpdm.d.ts`,
+    default: `./${folder}/vcgpdm.js`,
+  });
   const about = {
     name: crate.name,
     version: crate.version,
@@ -74,5 +89,6 @@ function describe() {
   writeFileSync(at("crate/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
   const readme = ["crate/README.md", "README.md"].map((file) => at(file)).find((file) => existsSync(file));
   if (readme) copyFileSync(readme, at("crate/pkg/README.md"));
-  for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE"))) copyFileSync(at(file), at("crate/pkg", file));
+  for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
+    copyFileSync(at(file), at("crate/pkg", file));
 }

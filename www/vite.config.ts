@@ -5,10 +5,12 @@ import { defineConfig } from "vite";
 const wasmPackage = (folder: string) => fileURLToPath(new URL(`../crate/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
 /** The whole program and the views that need it are loaded when they are opened; scripts/site.mjs counts them by their folder. */
-const isLater = (file: string) => /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file.replaceAll("\\", "/"));
+const isLater = (file: string) =>
+  /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file.replaceAll("\\", "/"));
 const folder = (later: boolean) => (later ? "assets/on-demand" : "assets");
 const output = {
-  entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) => `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
+  entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
+    `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folder(moduleIds.some(isLater))}/[name]-[hash].js`,
   assetFileNames: ({ names, originalFileNames }: { names: string[]; originalFileNames: string[] }) =>
     `${folder(names.includes("page.css") || originalFileNames.some((file) => isLater(`/${file}`)))}/[name]-[hash][extname]`,

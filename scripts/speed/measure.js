@@ -28,14 +28,24 @@ export function evaluation(wasm, text) {
 export function training(wasm, files) {
   const { Clip, Trainer, TrainingSet } = wasm;
   const bytes = new TextEncoder();
-  const samples = () => Clip.samples().slice(0, 6).map((/** @type {{ id: string }} */ { id }) => Clip.sample(id));
+  const samples = () =>
+    Clip.samples()
+      .slice(0, 6)
+      .map((/** @type {{ id: string }} */ { id }) => Clip.sample(id));
   const clips = files.length > 0 ? files.map(([name, text]) => Clip.read(name, bytes.encode(text))) : samples();
   const set = new TrainingSet();
   for (const clip of clips) set.add(clip);
   const { parts } = clips[0].info().presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
   const start = performance.now();
   const trainer = new Trainer(set, {
-    parts, latent: 3, dynamicsIps: 12, poseIps: 12, order: 2, framesPerSecond: 30, seed: 0, maxIterations: 800,
+    parts,
+    latent: 3,
+    dynamicsIps: 12,
+    poseIps: 12,
+    order: 2,
+    framesPerSecond: 30,
+    seed: 0,
+    maxIterations: 800,
   });
   const trace = [];
   let last;

@@ -7,13 +7,18 @@ import { barriers, openSite, ready } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
-before(async () => { site = await openSite(); });
+before(async () => {
+  site = await openSite();
+});
 after(() => site?.close());
 
 describe("accessibility", () => {
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     it(`has no serious barrier in ${colorScheme} colours, on a desk or a phone`, async () => {
-      for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+      for (const viewport of [
+        { width: 1280, height: 800 },
+        { width: 390, height: 844 },
+      ]) {
         const { page, leave } = await site.visit({ colorScheme, viewport, reducedMotion: "reduce" });
         await ready(page);
         assert.deepEqual(await barriers(page), []);
@@ -30,7 +35,13 @@ describe("accessibility", () => {
     const tabTo = async (/** @type {string} */ id) => {
       for (let i = 0; i < 120; i++) {
         await page.keyboard.press("Tab");
-        if (await page.evaluate((id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset["testid"] === id, id)) return;
+        if (
+          await page.evaluate(
+            (id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset["testid"] === id,
+            id,
+          )
+        )
+          return;
       }
       assert.fail(`the Tab key does not reach ${id}`);
     };
@@ -59,7 +70,11 @@ describe("accessibility", () => {
 
 describe("a phone", () => {
   it("shows everything without scrolling sideways", async () => {
-    const { page, problems, leave } = await site.visit({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const { page, problems, leave } = await site.visit({
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+    });
     await ready(page);
     const tabs = page.getByRole("tab");
     assert.ok((await tabs.count()) >= 3);

@@ -11,7 +11,13 @@ const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&
 let site;
 /** @type {string[]} */
 let sent = [];
-before(async () => { site = await openSite({ onSend: (path) => { sent.push(path); } }); });
+before(async () => {
+  site = await openSite({
+    onSend: (path) => {
+      sent.push(path);
+    },
+  });
+});
 after(() => site?.close());
 
 /** Waits until a comparison is over, and answers its last words. */
@@ -37,7 +43,10 @@ describe("comparing models", () => {
     assert.deepEqual(later(), []);
     await page.getByTestId("view-compare").click();
     await page.getByTestId("compare").waitFor();
-    assert.ok(later().length > 0 && !later().some((path) => path.endsWith(".wasm")), "no other wasm before a comparison begins");
+    assert.ok(
+      later().length > 0 && !later().some((path) => path.endsWith(".wasm")),
+      "no other wasm before a comparison begins",
+    );
     assert.match(page.url(), /view=compare/);
     await page.getByTestId("view-play").click();
     assert.ok(await changes(page.getByTestId("stage")), "the figure walks on");
@@ -52,12 +61,15 @@ describe("comparing models", () => {
     await page.getByTestId("compare").click();
     assert.match(await over(page), /12 of 12 trainings done/);
     const table = page.locator("comparison-figures table").first();
-    for (const name of ["vCGPDM", "vGPDM", "DMP (discrete)", "DMP (rhythmic)"]) await table.getByText(name, { exact: true }).first().waitFor();
+    for (const name of ["vCGPDM", "vGPDM", "DMP (discrete)", "DMP (rhythmic)"])
+      await table.getByText(name, { exact: true }).first().waitFor();
 
     const { text } = await saved(page, "save-results");
     const results = JSON.parse(text);
     assert.equal(results.finished.length, 12);
-    assert.ok(results.finished.every((/** @type {any} */ f) => f.outcome.score.dtw_mse > 0 && f.outcome.score.dtw_mse < 1));
+    assert.ok(
+      results.finished.every((/** @type {any} */ f) => f.outcome.score.dtw_mse > 0 && f.outcome.score.dtw_mse < 1),
+    );
     assert.equal(new Set(results.finished.map((/** @type {any} */ f) => f.job.held_out)).size, 3);
 
     // Again: nothing is computed twice.
@@ -67,16 +79,22 @@ describe("comparing models", () => {
     // Another visitor opens the file: the same table, without motions.
     const other = await site.visit({ settings: "view=compare" });
     await other.page.getByTestId("compare").and(other.page.locator(":enabled")).waitFor({ timeout: 30_000 });
-    await other.page.getByTestId("open-results").setInputFiles({ name: "r.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    await other.page
+      .getByTestId("open-results")
+      .setInputFiles({ name: "r.json", mimeType: "application/json", buffer: Buffer.from(text) });
     await other.page.getByTestId("compare-progress").getByText("12 results opened").waitFor({ timeout: 30_000 });
     const there = other.page.locator("comparison-figures table").first();
     await there.waitFor();
     assert.equal(await there.innerText(), await table.innerText());
-    await other.page.getByTestId("open-results").setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
+    await other.page
+      .getByTestId("open-results")
+      .setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
     await other.page.getByText("expected the results of an evaluation").waitFor();
     assert.equal(await there.innerText(), await table.innerText(), "what was open stays");
     // With the same trials and settings it goes on: only the first trial's models are trained, for their motions.
-    await other.page.evaluate((hash) => { location.hash = hash; }, SMALL);
+    await other.page.evaluate((hash) => {
+      location.hash = hash;
+    }, SMALL);
     await tick(other.page, 3);
     await other.page.getByTestId("compare").click();
     assert.match(await over(other.page), /4 of 4 trainings done/);
@@ -96,7 +114,10 @@ describe("comparing models", () => {
       await table.getByText(name, { exact: true }).first().waitFor();
     }
     await page.getByText("rank correlation −").first().waitFor();
-    await page.getByText(/exponent \d/).first().waitFor();
+    await page
+      .getByText(/exponent \d/)
+      .first()
+      .waitFor();
     assert.deepEqual(await barriers(page), []);
     assert.deepEqual(problems, []);
     await leave();
@@ -135,7 +156,10 @@ describe("comparing models", () => {
       await page.getByTestId("compare").click();
       await over(page);
     };
-    const drawn = () => page.waitForFunction(() => Number(document.querySelector(".columns canvas")?.getAttribute("data-frames-drawn")) > 3);
+    const drawn = () =>
+      page.waitForFunction(
+        () => Number(document.querySelector(".columns canvas")?.getAttribute("data-frames-drawn")) > 3,
+      );
     await compare();
     await drawn();
     await page.locator("pg-comparison .advanced summary").click();
@@ -178,9 +202,16 @@ describe("comparing models", () => {
         const content = await readFile(await download.path());
         assert.match(download.suggestedFilename(), kind === "CSV" ? /\.csv$/ : /\.png$/);
         if (kind === "CSV") {
-          const [first, ...rows] = content.toString("utf8").replace(/^\ufeff/, "").trim().split("\r\n");
+          const [first, ...rows] = content
+            .toString("utf8")
+            .replace(/^\ufeff/, "")
+            .trim()
+            .split("\r\n");
           assert.match(first ?? "", head, figure);
-          assert.ok(rows.length > 0 && rows.every((row) => !/NaN|Infinity|undefined/.test(row)), `${figure}: ${rows.join("\n")}`);
+          assert.ok(
+            rows.length > 0 && rows.every((row) => !/NaN|Infinity|undefined/.test(row)),
+            `${figure}: ${rows.join("\n")}`,
+          );
         } else {
           assert.equal(content.subarray(1, 4).toString("latin1"), "PNG", figure);
           assert.ok(content.length > 5_000, `${figure}: ${content.length} bytes`);
@@ -206,7 +237,10 @@ describe("comparing models", () => {
     await page.getByTestId("compare-cancel").click();
     assert.match(await over(page), /cancelled/);
     const results = JSON.parse((await saved(page, "save-results")).text);
-    assert.deepEqual(results.finished.map((/** @type {any} */ f) => f.job.candidate.model), ["dmp-rhythmic", "dmp-rhythmic"]);
+    assert.deepEqual(
+      results.finished.map((/** @type {any} */ f) => f.job.candidate.model),
+      ["dmp-rhythmic", "dmp-rhythmic"],
+    );
     // A quicker one instead: what was finished is not done again.
     await page.getByTestId("model-map-cgpdm").uncheck();
     await page.getByTestId("model-dmp-discrete").check();

@@ -7,7 +7,9 @@ import { barriers, openSite } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
-before(async () => { site = await openSite(); });
+before(async () => {
+  site = await openSite();
+});
 after(() => site?.close());
 
 /** Waits until trainings are over. */
@@ -27,7 +29,10 @@ describe("the lesson", () => {
     assert.equal(await page.locator(".learned-path").count(), 0, "nothing is learned yet");
     await page.getByTestId("lesson-train").click();
     await over(page);
-    assert.match(await page.getByTestId("lesson-verdict").innerText(), /^Found: part 1 drives part 2, and part 2 does not drive part 1\./);
+    assert.match(
+      await page.getByTestId("lesson-verdict").innerText(),
+      /^Found: part 1 drives part 2, and part 2 does not drive part 1\./,
+    );
     const alpha = (/** @type {string} */ pair) => number(page, `lesson-alpha-${pair}`);
     assert.ok((await alpha("1-0")) >= 10 * (await alpha("0-0")), "part 2 counts for nothing in part 1");
     assert.ok((await alpha("0-1")) <= 4 * (await alpha("1-1")), "part 1 has a say in part 2");
@@ -49,7 +54,7 @@ describe("the lesson", () => {
     await drawn(page);
     await page.getByTestId("lesson-ten").click();
     // The first of the ten is under way, the others wait.
-    await page.locator('[data-testid=lesson-try][data-state=running] td:nth-child(6)').waitFor({ timeout: 30_000 });
+    await page.locator("[data-testid=lesson-try][data-state=running] td:nth-child(6)").waitFor({ timeout: 30_000 });
     await page.getByTestId("lesson-cancel").click();
     await over(page);
     const rows = page.getByTestId("lesson-try");
@@ -78,7 +83,12 @@ describe("the lesson", () => {
     await page.keyboard.type("4");
     await page.keyboard.press("Tab");
     await page.waitForURL(/draw=4/);
-    await page.waitForFunction((before) => document.querySelector(".true-path")?.getAttribute("d")?.startsWith("M") && document.querySelector(".true-path")?.getAttribute("d") !== before, before);
+    await page.waitForFunction(
+      (before) =>
+        document.querySelector(".true-path")?.getAttribute("d")?.startsWith("M") &&
+        document.querySelector(".true-path")?.getAttribute("d") !== before,
+      before,
+    );
     await page.keyboard.press("Space");
     assert.ok(!(await page.getByTestId("lesson-driving").isChecked()), "the space bar is the box's, not the stage's");
     // Back over the seed to the button, which stays in focus while it says Cancel.
@@ -96,10 +106,16 @@ describe("the lesson", () => {
 
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     it(`keeps nobody out on a phone, in ${colorScheme} colours`, async () => {
-      const { page, problems, leave } = await site.visit({ settings: "view=synthetic", colorScheme, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+      const { page, problems, leave } = await site.visit({
+        settings: "view=synthetic",
+        colorScheme,
+        viewport: { width: 390, height: 844 },
+        hasTouch: true,
+        isMobile: true,
+      });
       await drawn(page);
       await page.getByTestId("lesson-train").click();
-      await page.locator('[data-testid=lesson-try] td:nth-child(6)').waitFor({ timeout: 30_000 });
+      await page.locator("[data-testid=lesson-try] td:nth-child(6)").waitFor({ timeout: 30_000 });
       await page.getByTestId("lesson-cancel").click();
       await over(page);
       assert.deepEqual(await barriers(page), []);

@@ -13,10 +13,15 @@ let site;
 before(async () => {
   site = await openSite({
     before: (path) => (path.endsWith(".wasm") ? wasm : undefined),
-    onSend: (_, bytes) => { sent += bytes; },
+    onSend: (_, bytes) => {
+      sent += bytes;
+    },
   });
 });
-beforeEach(() => { wasm = Promise.resolve(); sent = 0; });
+beforeEach(() => {
+  wasm = Promise.resolve();
+  sent = 0;
+});
 after(() => site?.close());
 
 describe("a first visit", () => {
@@ -39,7 +44,9 @@ describe("a first visit", () => {
 
   it("shows a moving figure before the wasm is there, and goes on with the model's when it is", async () => {
     let release = () => {};
-    wasm = new Promise((resolve) => { release = resolve; });
+    wasm = new Promise((resolve) => {
+      release = resolve;
+    });
     const { page, problems, leave } = await site.visit();
     const stage = page.getByTestId("stage");
     await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset["framesDrawn"]) > 5);

@@ -5,7 +5,9 @@ import { openSite, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
-before(async () => { site = await openSite(); });
+before(async () => {
+  site = await openSite();
+});
 after(() => site?.close());
 
 describe("the clock", () => {
@@ -42,7 +44,10 @@ describe("a coupling", () => {
     await page.mouse.down();
     await page.mouse.move(box.x + 4, y, { steps: 12 });
     await page.mouse.up();
-    await page.waitForFunction((before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before, weightAsLearned);
+    await page.waitForFunction(
+      (before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before,
+      weightAsLearned,
+    );
     const changed = await saved(page, "save-motion");
     assert.notEqual(changed.text, asLearned.text);
     assert.match(new URL(page.url()).hash, /alpha=0\.1:/);
@@ -53,7 +58,10 @@ describe("a coupling", () => {
     await page.getByTestId("reading-learned").click();
 
     await page.keyboard.press("0");
-    await page.waitForFunction((before) => document.querySelector("[data-testid=weight-0-1]")?.textContent === before, weightAsLearned);
+    await page.waitForFunction(
+      (before) => document.querySelector("[data-testid=weight-0-1]")?.textContent === before,
+      weightAsLearned,
+    );
     assert.equal((await saved(page, "save-motion")).text, asLearned.text);
     assert.deepEqual(problems, []);
     await leave();
@@ -78,7 +86,9 @@ describe("a coupling", () => {
       await page.keyboard.press("ArrowLeft");
       await page.waitForTimeout(30);
     }
-    const times = await page.evaluate(() => performance.getEntriesByName("coupling-redraw").map(({ duration }) => duration));
+    const times = await page.evaluate(() =>
+      performance.getEntriesByName("coupling-redraw").map(({ duration }) => duration),
+    );
     assert.ok(times.length >= 10, `${times.length} redraws`);
     const median = times.sort((a, b) => a - b)[times.length >> 1] ?? NaN;
     test.diagnostic(`median ${median.toFixed(1)} ms from slider to new motion of 300 frames`);

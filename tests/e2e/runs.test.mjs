@@ -8,7 +8,9 @@ import { barriers, openSite, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
-before(async () => { site = await openSite(); });
+before(async () => {
+  site = await openSite();
+});
 after(() => site?.close());
 
 /** A visit on a machine of so many cores, as far as the page can tell. */
@@ -31,22 +33,28 @@ async function watchRunning(/** @type {Page} */ page) {
 }
 
 const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 120_000 });
-const provenance = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info().provenance;
+const provenance = async (/** @type {Page} */ page) =>
+  Model.fromJson((await saved(page, "save-model")).text).info().provenance;
 
 /** The table as a visitor reads it. */
 async function table(/** @type {Page} */ page) {
-  return page.getByTestId("run").evaluateAll((rows) => rows.map((row) => ({
-    state: /** @type {HTMLElement} */ (row).dataset["state"],
-    seed: Number(row.querySelector("th")?.textContent),
-    chosen: row.querySelector("input")?.checked,
-    best: row.querySelector(".best") !== null,
-    cells: [...row.querySelectorAll("td")].map((cell) => cell.textContent?.replace(", the best", "").trim() ?? ""),
-  })));
+  return page.getByTestId("run").evaluateAll((rows) =>
+    rows.map((row) => ({
+      state: /** @type {HTMLElement} */ (row).dataset["state"],
+      seed: Number(row.querySelector("th")?.textContent),
+      chosen: row.querySelector("input")?.checked,
+      best: row.querySelector(".best") !== null,
+      cells: [...row.querySelectorAll("td")].map((cell) => cell.textContent?.replace(", the best", "").trim() ?? ""),
+    })),
+  );
 }
 
 /** Waits until the row of this seed is marked, and answers with the seed of the model that the page then saves. */
 async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
-  await page.waitForFunction((seed) => document.querySelector("[data-testid=run].chosen th")?.textContent?.trim() === String(seed), seed);
+  await page.waitForFunction(
+    (seed) => document.querySelector("[data-testid=run].chosen th")?.textContent?.trim() === String(seed),
+    seed,
+  );
   return (await provenance(page)).settings.seed;
 }
 
@@ -56,7 +64,9 @@ describe("several trainings", () => {
     const before = page.workers().length;
     const most = await watchRunning(page);
     let workers = 0;
-    page.on("worker", () => { workers += 1; });
+    page.on("worker", () => {
+      workers += 1;
+    });
     await page.getByTestId("train").click();
     await page.getByTestId("cancel").waitFor();
     await trainIsBack(page);
@@ -65,13 +75,25 @@ describe("several trainings", () => {
     assert.ok((await most()) >= 2, `${await most()} trainings at once`);
 
     const rows = await table(page);
-    assert.deepEqual(rows.map(({ seed }) => seed), [5, 6, 7]);
-    assert.deepEqual(rows.map(({ state }) => state), ["done", "done", "done"]);
+    assert.deepEqual(
+      rows.map(({ seed }) => seed),
+      [5, 6, 7],
+    );
+    assert.deepEqual(
+      rows.map(({ state }) => state),
+      ["done", "done", "done"],
+    );
     const bounds = rows.map(({ cells }) => Number(cells[0]?.replace(/,/g, "").replace("\u2212", "-")));
     assert.ok(bounds.every(Number.isFinite) && new Set(bounds).size === 3, `bounds ${bounds}`);
     const at = bounds.indexOf(Math.max(...bounds));
-    assert.deepEqual(rows.map(({ best }) => best), bounds.map((_, i) => i === at));
-    assert.deepEqual(rows.map(({ chosen }) => chosen), bounds.map((_, i) => i === at));
+    assert.deepEqual(
+      rows.map(({ best }) => best),
+      bounds.map((_, i) => i === at),
+    );
+    assert.deepEqual(
+      rows.map(({ chosen }) => chosen),
+      bounds.map((_, i) => i === at),
+    );
     const shown = await provenance(page);
     assert.equal(shown.settings.seed, 5 + at);
     assert.equal(Math.round(shown.bound), bounds[at]);
@@ -95,7 +117,10 @@ describe("several trainings", () => {
     await page.getByTestId("cancel").waitFor();
     await trainIsBack(page);
     assert.equal(await most(), 1);
-    assert.deepEqual((await table(page)).map(({ state }) => state), ["done", "done", "done"]);
+    assert.deepEqual(
+      (await table(page)).map(({ state }) => state),
+      ["done", "done", "done"],
+    );
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -110,7 +135,10 @@ describe("several trainings", () => {
     const rows = await table(page);
     const done = rows.filter(({ state }) => state === "done");
     assert.ok(done.length >= 1 && done.length < 4, JSON.stringify(rows));
-    assert.ok(rows.every(({ state }) => state === "done" || state === "cancelled"), JSON.stringify(rows));
+    assert.ok(
+      rows.every(({ state }) => state === "done" || state === "cancelled"),
+      JSON.stringify(rows),
+    );
     const chosen = rows.filter(({ chosen }) => chosen);
     assert.equal(chosen.length, 1);
     assert.ok(chosen[0]?.best);
@@ -125,8 +153,14 @@ describe("several trainings", () => {
     const workers = [];
     page.on("worker", (worker) => workers.push(worker));
     await page.getByTestId("train").click();
-    await page.waitForFunction(() => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2);
-    await workers[0]?.evaluate(() => { setTimeout(() => { throw new Error("a test broke this worker"); }); });
+    await page.waitForFunction(
+      () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,
+    );
+    await workers[0]?.evaluate(() => {
+      setTimeout(() => {
+        throw new Error("a test broke this worker");
+      });
+    });
     await trainIsBack(page);
     const rows = await table(page);
     assert.deepEqual(rows.map(({ state }) => state).sort(), ["done", "done", "failed"], JSON.stringify(rows));
@@ -150,9 +184,21 @@ describe("several trainings", () => {
     await trainIsBack(page);
     assert.equal(await most(), 2);
     const rows = await table(page);
-    assert.deepEqual(rows.map(({ state }) => state), ["cancelled", "cancelled"], JSON.stringify(rows));
-    assert.deepEqual(rows.map(({ cells }) => cells.includes("12")), [true, false], JSON.stringify(rows));
-    assert.deepEqual(rows.map(({ cells }) => cells.includes("8")), [false, true], JSON.stringify(rows));
+    assert.deepEqual(
+      rows.map(({ state }) => state),
+      ["cancelled", "cancelled"],
+      JSON.stringify(rows),
+    );
+    assert.deepEqual(
+      rows.map(({ cells }) => cells.includes("12")),
+      [true, false],
+      JSON.stringify(rows),
+    );
+    assert.deepEqual(
+      rows.map(({ cells }) => cells.includes("8")),
+      [false, true],
+      JSON.stringify(rows),
+    );
     assert.equal(rows.filter(({ best }) => best).length, 1);
     assert.deepEqual(problems, []);
     await leave();
@@ -161,11 +207,17 @@ describe("several trainings", () => {
   it("let the sliders answer meanwhile", async () => {
     const { page, problems, leave } = await visit(2, "trainings=2&iterations=5000&dynamics=24&poses=24");
     await page.getByTestId("train").click();
-    await page.waitForFunction(() => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2);
+    await page.waitForFunction(
+      () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,
+    );
     const weight = page.getByTestId("weight-0-1");
     const before = await weight.textContent();
     await page.getByTestId("coupling-0-1").fill("-2.5");
-    await page.waitForFunction((before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before, before, { timeout: 5000 });
+    await page.waitForFunction(
+      (before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before,
+      before,
+      { timeout: 5000 },
+    );
     assert.equal(await page.getByTestId("cancel").count(), 1, "it still trains");
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
@@ -185,8 +237,17 @@ describe("the table of trainings", () => {
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
     await trainIsBack(page);
-    assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), ["Seed", "K", "Bound", "It.", "Time"]);
-    assert.deepEqual((await table(page)).map(({ cells }) => cells[0]), ["12", "9"]);
+    assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), [
+      "Seed",
+      "K",
+      "Bound",
+      "It.",
+      "Time",
+    ]);
+    assert.deepEqual(
+      (await table(page)).map(({ cells }) => cells[0]),
+      ["12", "9"],
+    );
 
     const shown = await provenance(page);
     await page.getByRole("button", { name: "Remove seed 1" }).first().click();
@@ -200,7 +261,11 @@ describe("the table of trainings", () => {
 
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     it(`has no serious barrier in ${colorScheme} colours, and fits a phone`, async () => {
-      const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", { colorScheme, viewport: { width: 390, height: 844 }, reducedMotion: "reduce" });
+      const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {
+        colorScheme,
+        viewport: { width: 390, height: 844 },
+        reducedMotion: "reduce",
+      });
       await page.getByRole("tab", { name: "Training" }).click();
       await page.getByTestId("train").click();
       await page.getByTestId("cancel").waitFor();

@@ -25,14 +25,19 @@ export async function openSite(options = {}) {
   async function visit({ settings = "", cores = 0, ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     const page = await context.newPage();
-    if (cores > 0) await page.addInitScript((cores) => Object.defineProperty(navigator, "hardwareConcurrency", { get: () => cores }), cores);
+    if (cores > 0)
+      await page.addInitScript(
+        (cores) => Object.defineProperty(navigator, "hardwareConcurrency", { get: () => cores }),
+        cores,
+      );
     /** @type {string[]} */
     const problems = [];
     page.on("console", (message) => message.type() === "error" && problems.push(`console: ${message.text()}`));
     page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
     page.on("requestfailed", (request) => problems.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
     context.on("request", (request) => {
-      if (/^https?:/.test(request.url()) && !request.url().startsWith(server.address)) problems.push(`foreign: ${request.url()}`);
+      if (/^https?:/.test(request.url()) && !request.url().startsWith(server.address))
+        problems.push(`foreign: ${request.url()}`);
     });
     await page.goto(`${server.address}#${settings}`);
     return { page, problems, leave: () => context.close() };
@@ -93,6 +98,8 @@ export async function barriers(/** @type {Page} */ page) {
     const { violations } = await /** @type {any} */ (globalThis).axe.run();
     return /** @type {import("axe-core").Result[]} */ (violations)
       .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`));
+      .flatMap(({ id, nodes }) =>
+        nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
+      );
   });
 }

@@ -8,7 +8,9 @@ import { changes, drop, openSite, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
-before(async () => { site = await openSite(); });
+before(async () => {
+  site = await openSite();
+});
 after(() => site?.close());
 
 /** A clip as a visitor may bring it. */
@@ -134,9 +136,12 @@ describe("own files", () => {
     await page.getByTestId("train").click();
     await trainIsBack(page);
     assert.notEqual((await saved(page, "save-motion")).text, firstMotion.text);
-    await page.getByTestId("open-model").setInputFiles({ name: "first.json", mimeType: "application/json", buffer: Buffer.from(first.text) });
+    await page
+      .getByTestId("open-model")
+      .setInputFiles({ name: "first.json", mimeType: "application/json", buffer: Buffer.from(first.text) });
     const deadline = Date.now() + 10_000;
-    while ((await saved(page, "save-model")).text !== first.text) assert.ok(Date.now() < deadline, "the first model is back");
+    while ((await saved(page, "save-model")).text !== first.text)
+      assert.ok(Date.now() < deadline, "the first model is back");
     assert.equal((await saved(page, "save-motion")).text, firstMotion.text);
     assert.deepEqual(problems, []);
     await leave();

@@ -6,7 +6,9 @@ import { installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
 let installed;
-before(async () => { installed = await installPackage(); });
+before(async () => {
+  installed = await installPackage();
+});
 after(() => installed?.remove());
 
 /** Three short walks and how they are compared. */
@@ -52,12 +54,19 @@ describe("comparing models from Node", () => {
       assert.ok(predicted.every(Number.isFinite), candidate.model);
       const outcome = prediction.outcome(0.5);
       assert.ok(outcome.score.dtw_mse > 0 && outcome.stored_numbers > 0, candidate.model);
-      assert.equal(outcome.bound === null, candidate.model.startsWith("map") || candidate.model.startsWith("dmp"), candidate.model);
+      assert.equal(
+        outcome.bound === null,
+        candidate.model.startsWith("map") || candidate.model.startsWith("dmp"),
+        candidate.model,
+      );
       const job = { candidate, held_out: 2, training_trials: 2, seed: 1 };
       results.finished.push({ job, engine: `vcgpdm ${version()}`, outcome, failure: null });
     }
     const found = compare(results);
-    assert.deepEqual(found.models.map(({ model }) => model), CANDIDATES.map(({ model }) => model));
+    assert.deepEqual(
+      found.models.map(({ model }) => model),
+      CANDIDATES.map(({ model }) => model),
+    );
     assert.ok(found.models.every(({ mse, seconds }) => mse.standardError === null && seconds.mean === 0.5));
     // As a file and back: the same.
     assert.deepEqual(compare(JSON.parse(JSON.stringify(results))), found);
@@ -72,9 +81,15 @@ describe("comparing models from Node", () => {
     const other = { ...emptyResults(clips, common), version: 9 };
     assert.throws(() => compare(other), /expected vcgpdm-evaluation version 1, found "vcgpdm-evaluation" version 9/);
     const fold = new Fold(clips, common, 1, 1);
-    assert.throws(() => new Evaluation(fold, /** @type {any} */ ({ model: "gplvm" }), 0), /candidate: unknown variant `gplvm`/);
+    assert.throws(
+      () => new Evaluation(fold, /** @type {any} */ ({ model: "gplvm" }), 0),
+      /candidate: unknown variant `gplvm`/,
+    );
     assert.throws(() => new Fold(clips, common, 1, 3), /expected from 1 to 2 trials to train on, found 3/);
-    assert.throws(() => emptyResults(clips, { ...common, framesPerSecond: NaN }), /expected a positive number of frames a second, found NaN/);
+    assert.throws(
+      () => emptyResults(clips, { ...common, framesPerSecond: NaN }),
+      /expected a positive number of frames a second, found NaN/,
+    );
     const twice = new TrainingSet();
     twice.add(Clip.sample("walk-1"));
     twice.add(Clip.sample("walk-1"));
@@ -82,7 +97,10 @@ describe("comparing models from Node", () => {
     const one = new TrainingSet();
     one.add(Clip.sample("walk-1"));
     one.add(Clip.sample("walk-2").cut(0, 2));
-    assert.throws(() => new Evaluation(new Fold(one, common, 1, 1), /** @type {any} */ (CANDIDATES[0]), 0), /Walk, trial 2|walk-2/);
+    assert.throws(
+      () => new Evaluation(new Fold(one, common, 1, 1), /** @type {any} */ (CANDIDATES[0]), 0),
+      /Walk, trial 2|walk-2/,
+    );
   });
 
   it("comes in a smaller build for a page's first visit", () => {

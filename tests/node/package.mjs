@@ -12,7 +12,10 @@ export async function installPackage() {
   const folder = mkdtempSync(join(tmpdir(), "vcgpdm-"));
   const npm = (/** @type {string[]} */ ...args) => {
     const cli = process.env.npm_execpath;
-    return execFileSync(cli ? process.execPath : "npm", [...(cli ? [cli] : []), ...args], { cwd: folder, encoding: "utf8" });
+    return execFileSync(cli ? process.execPath : "npm", [...(cli ? [cli] : []), ...args], {
+      cwd: folder,
+      encoding: "utf8",
+    });
   };
   writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }\n');
   const tarball = npm("pack", at("crate/pkg"), "--loglevel=error").trim().split("\n").at(-1) ?? "";

@@ -22,7 +22,8 @@ const walkBvh = () => {
   assert.ok(walk, "a bundled clip of a walk");
   return vcgpdm.Clip.sample(walk.id).toBvh();
 };
-const read = (/** @type {string} */ name, /** @type {string} */ text) => vcgpdm.Clip.read(name, new TextEncoder().encode(text));
+const read = (/** @type {string} */ name, /** @type {string} */ text) =>
+  vcgpdm.Clip.read(name, new TextEncoder().encode(text));
 
 /** A small model of the bundled walk, trained for a few iterations, and how the bound went. */
 function train(/** @type {number} */ seed = 1) {
@@ -33,7 +34,14 @@ function train(/** @type {number} */ seed = 1) {
   assert.ok(preset, "the walker's joint names give a lower and an upper body");
   const maxIterations = 8;
   const trainer = new vcgpdm.Trainer(clips, {
-    parts: preset.parts, latent: 2, dynamicsIps: 6, poseIps: 6, order: 2, framesPerSecond: 30, seed, maxIterations,
+    parts: preset.parts,
+    latent: 2,
+    dynamicsIps: 6,
+    poseIps: 6,
+    order: 2,
+    framesPerSecond: 30,
+    seed,
+    maxIterations,
   });
   const progress = [trainer.step()];
   while (!progress.at(-1)?.done) {
@@ -73,13 +81,15 @@ describe("the package", () => {
     lines[broken] = "CHANNELS three Zrotation Xrotation Yrotation";
     assert.throws(
       () => read("broken.bvh", lines.join("\n")),
-      (error) => error instanceof Error && error.message.includes(String(broken + 1)) && error.message.includes("three"),
+      (error) =>
+        error instanceof Error && error.message.includes(String(broken + 1)) && error.message.includes("three"),
     );
     assert.throws(() => read("empty.bvh", ""), Error);
   });
 
   it("refuses to train on two different skeletons", () => {
-    const other = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n" +
+    const other =
+      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n" +
       "JOINT Head\n{\nOFFSET 0 5 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n}\n" +
       "MOTION\nFrames: 2\nFrame Time: 0.0333333\n0 9 0 0 0 0 0 0 0\n0 9 1 0 0 0 0 0 0\n";
     const clips = new vcgpdm.TrainingSet();
@@ -129,7 +139,14 @@ describe("a trained model", () => {
     row[1] = (row[1] ?? 1) * 100;
     for (const couplings of [alpha, changed]) {
       const weights = model.weights(couplings);
-      assert.throws(() => model.weights([[0, 1], [1, 1]]), /expected a positive coupling variance/);
+      assert.throws(
+        () =>
+          model.weights([
+            [0, 1],
+            [1, 1],
+          ]),
+        /expected a positive coupling variance/,
+      );
       for (const target of couplings.keys()) {
         const sum = weights.reduce((total, row) => total + (row[target] ?? NaN), 0);
         assert.ok(Math.abs(sum - 1) < 1e-12, `weights into ${target} sum to ${sum}`);

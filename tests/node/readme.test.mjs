@@ -9,11 +9,15 @@ import { installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
 let installed;
-before(async () => { installed = await installPackage(); });
+before(async () => {
+  installed = await installPackage();
+});
 after(() => installed?.remove());
 
 it("the README's example trains a model and writes a motion", () => {
-  const blocks = [...readFileSync(at("README.md"), "utf8").matchAll(/^```js\r?\n([\s\S]*?)^```/gm)].map(([, code]) => code ?? "");
+  const blocks = [...readFileSync(at("README.md"), "utf8").matchAll(/^```js\r?\n([\s\S]*?)^```/gm)].map(
+    ([, code]) => code ?? "",
+  );
   const [example, ...more] = blocks.filter((code) => code.includes('from "vcgpdm"'));
   assert.ok(example, "README.md has a block of JavaScript that imports vcgpdm");
   assert.deepEqual(more, [], "and only one");

@@ -23,10 +23,19 @@ function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, i
 
 describe("the synthetic experiment", () => {
   it("tells the truth about the data that it made, the same for the same seed", () => {
-    const { frames, columns, latents, observed, drive, much, alike, largestAlpha } = new vcgpdm.SyntheticExperiment(3, true).truth();
+    const { frames, columns, latents, observed, drive, much, alike, largestAlpha } = new vcgpdm.SyntheticExperiment(
+      3,
+      true,
+    ).truth();
     assert.deepEqual([frames, columns, drive, much, alike, largestAlpha], [300, 10, 0.1, 10, 4, 10]);
-    assert.deepEqual(latents.map(({ length }) => length), [600, 600]);
-    assert.deepEqual(observed.map(({ length }) => length), [3000, 3000]);
+    assert.deepEqual(
+      latents.map(({ length }) => length),
+      [600, 600],
+    );
+    assert.deepEqual(
+      observed.map(({ length }) => length),
+      [3000, 3000],
+    );
     assert.ok([...latents, ...observed].flat().every(Number.isFinite));
     assert.deepEqual(new vcgpdm.SyntheticExperiment(3, true).truth().latents, latents);
     const control = new vcgpdm.SyntheticExperiment(3, false).truth();

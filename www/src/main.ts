@@ -64,7 +64,9 @@ async function showFirstMotion(): Promise<void> {
 }
 
 async function startModel(): Promise<void> {
-  const text = fetch(new URL("first/model.json", document.baseURI)).then((answer) => (answer.ok ? answer.text() : null));
+  const text = fetch(new URL("first/model.json", document.baseURI)).then((answer) =>
+    answer.ok ? answer.text() : null,
+  );
   try {
     const { engine, pool, version, samples } = await startEngine();
     app.engine = engine;

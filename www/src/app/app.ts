@@ -108,7 +108,15 @@ export class App {
   samplesLoaded = false;
   /** Why the ticked clips cannot be trained on together; empty when they can. */
   clash = "";
-  training: Training = { status: "idle", runs: [], stop: new AbortController(), work: [], picked: false, ending: "", failed: false };
+  training: Training = {
+    status: "idle",
+    runs: [],
+    stop: new AbortController(),
+    work: [],
+    picked: false,
+    ending: "",
+    failed: false,
+  };
   /** The trainings of this visit, until they are cleared. */
   runs: Run[] = [];
   /** The run whose model is on the stage, or will be; null: a model from elsewhere. */
@@ -205,7 +213,8 @@ export class App {
   couplings(): Couplings {
     const learned = this.model?.info.alpha ?? [];
     return learned.map((row, source) =>
-      row.map((alpha, target) => this.settings.alpha[`${source}.${target}`] ?? alpha));
+      row.map((alpha, target) => this.settings.alpha[`${source}.${target}`] ?? alpha),
+    );
   }
 
   /** Whether the rollout differs from the one as learned. */

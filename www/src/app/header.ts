@@ -7,7 +7,11 @@ import { type Settings, writeSettings } from "../settings/settings";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 
-const VIEWS: [Settings["view"], string][] = [["play", "Play"], ["compare", "Compare models"], ["synthetic", "Who drives whom?"]];
+const VIEWS: [Settings["view"], string][] = [
+  ["play", "Play"],
+  ["compare", "Compare models"],
+  ["synthetic", "Who drives whom?"],
+];
 
 const LEADS = {
   compare: "Which model foresees a walk best, and what does it cost?",
@@ -22,13 +26,15 @@ export class HeaderView extends View {
     const { app } = this;
     return html`
       <nav class="segments" aria-label="Views">
-        ${VIEWS.map(([view, title]) => html`
+        ${VIEWS.map(
+          ([view, title]) => html`
           <a href="#${writeSettings({ ...app.settings, view })}" data-testid="view-${view}" aria-current=${app.settings.view === view ? "page" : "false"}
             @click=${(event: MouseEvent) => {
               if (event.ctrlKey || event.metaKey || event.shiftKey) return;
               event.preventDefault();
               changeSettings(app, { view });
-            }}>${title}</a>`)}
+            }}>${title}</a>`,
+        )}
       </nav>`;
   }
 
@@ -44,12 +50,16 @@ export class HeaderView extends View {
     return html`
       <div class="title">
         <h1>Coupled movement primitives</h1>
-        ${app.settings.view !== "play"
-          ? html`<p class="lead">${LEADS[app.settings.view]}</p>`
-          : html`<p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(event: Event) => {
-          event.preventDefault();
-          this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));
-        }}>Drag a slider</a> and watch its parts fall out of step.</p>`}
+        ${
+          app.settings.view !== "play"
+            ? html`<p class="lead">${LEADS[app.settings.view]}</p>`
+            : html`<p class="lead">This walk was never recorded: a small model learned it. <a href="#couplings" @click=${(
+                event: Event,
+              ) => {
+                event.preventDefault();
+                this.dispatchEvent(new CustomEvent("show-couplings", { bubbles: true }));
+              }}>Drag a slider</a> and watch its parts fall out of step.</p>`
+        }
       </div>
       ${this.views()}
       <div class="actions" role="group" aria-label="Files">

@@ -29,8 +29,14 @@ interface Clock {
 
 /** What is loaded only when it is asked for. */
 const ON_DEMAND = {
-  compare: { load: () => import("../comparison/comparison-page"), draw: (app: App) => html`<pg-comparison .app=${app}></pg-comparison>` },
-  synthetic: { load: () => import("../experiment/experiment-page"), draw: (app: App) => html`<pg-synthetic .app=${app}></pg-synthetic>` },
+  compare: {
+    load: () => import("../comparison/comparison-page"),
+    draw: (app: App) => html`<pg-comparison .app=${app}></pg-comparison>`,
+  },
+  synthetic: {
+    load: () => import("../experiment/experiment-page"),
+    draw: (app: App) => html`<pg-synthetic .app=${app}></pg-synthetic>`,
+  },
 };
 
 export class PageView extends View {
@@ -52,7 +58,10 @@ export class PageView extends View {
         this.loaded.set(view, state);
         this.requestUpdate();
       };
-      ON_DEMAND[view].load().then(() => arrived("there"), () => arrived("failed"));
+      ON_DEMAND[view].load().then(
+        () => arrived("there"),
+        () => arrived("failed"),
+      );
     }
     if (state === "there") return ON_DEMAND[view].draw(this.app);
     if (state !== "failed") return html`<p class="empty" role="status">Loading</p>`;
@@ -74,7 +83,9 @@ export class PageView extends View {
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
     const { settings, embedded } = this.app;
-    return settings.view === "play" || embedded ? this.timeline : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    return settings.view === "play" || embedded
+      ? this.timeline
+      : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
   }
 
   get help(): HelpView {
@@ -104,12 +115,17 @@ export class PageView extends View {
         @show-couplings=${() => {
           this.tab = "couplings";
           void this.updateComplete.then(() =>
-            this.querySelector<HTMLElement>("pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input")?.focus());
+            this.querySelector<HTMLElement>(
+              "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input",
+            )?.focus(),
+          );
         }}>
         ${app.embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
-        ${app.engineState === "failed"
-          ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout; sliders and training need the model.</p>`
-          : nothing}
+        ${
+          app.engineState === "failed"
+            ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout; sliders and training need the model.</p>`
+            : nothing
+        }
         ${app.settings.view === "play" || app.embedded ? nothing : html`<main class="on-demand">${this.onDemand(app.settings.view)}</main>`}
         <main ?hidden=${app.settings.view !== "play" && !app.embedded}>
           <section class="stage-area" aria-label="Stage">
@@ -117,23 +133,33 @@ export class PageView extends View {
             <pg-timeline .app=${app}></pg-timeline>
           </section>
           <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.tabKeys}>
-            ${this.tabs().map(([id, title]) => html`
+            ${this.tabs().map(
+              ([id, title]) => html`
               <button role="tab" id="tab-${id}" aria-controls="panel-${id}" aria-selected=${this.tab === id ? "true" : "false"}
-                tabindex=${this.tab === id ? 0 : -1} @click=${() => (this.tab = id)}>${title}</button>`)}
+                tabindex=${this.tab === id ? 0 : -1} @click=${() => (this.tab = id)}>${title}</button>`,
+            )}
           </div>
           <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces"><pg-latents .app=${app}></pg-latents></section>
           <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings"><pg-couplings .app=${app}></pg-couplings></section>
-          ${app.embedded ? nothing : html`
+          ${
+            app.embedded
+              ? nothing
+              : html`
             <div class="side">
               <section id="panel-clips" class=${panel("clips")} aria-label="Clips"><pg-clips .app=${app}></pg-clips></section>
               <section id="panel-training" class=${panel("training")} aria-label="Training"><pg-training .app=${app}></pg-training></section>
-            </div>`}
+            </div>`
+          }
         </main>
-        ${app.embedded ? nothing : html`
+        ${
+          app.embedded
+            ? nothing
+            : html`
           <footer>
             <span>Nothing you load leaves your machine.</span>
             <span>The start model was trained on CMU subject 35. ${ACKNOWLEDGEMENT}</span>
-          </footer>`}
+          </footer>`
+        }
         <pg-notices .app=${app}></pg-notices>
         <pg-help .app=${app}></pg-help>
         <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh) or a model (.json)</p></div>

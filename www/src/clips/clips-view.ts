@@ -55,14 +55,18 @@ export class ClipsView extends View {
         <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.cutting.has(key) ? "true" : "false"} @click=${() => this.toggleCut(key)}>${icon("cut")}</button>
         <button class="round" aria-label=${shown ? `Stop showing ${title}` : `Show ${title}`} title=${shown ? "Back to the model" : "Show on the stage"} aria-pressed=${shown ? "true" : "false"}
           @click=${() => (shown ? endPreview(app) : preview(app, key))}>${icon("eye")}</button>
-        ${origin === "own"
-          ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${app.busy} @click=${() => void removeClip(app, key)}>${icon("close")}</button>`
-          : html`<span class="round"></span>`}
+        ${
+          origin === "own"
+            ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${app.busy} @click=${() => void removeClip(app, key)}>${icon("close")}</button>`
+            : html`<span class="round"></span>`
+        }
         ${this.cutting.has(key) ? this.cutFields(clip) : nothing}
-        ${warnings.length > 0
-          ? html`<details class="warnings"><summary>${warnings.length} ${warnings.length === 1 ? "notice" : "notices"}</summary>
+        ${
+          warnings.length > 0
+            ? html`<details class="warnings"><summary>${warnings.length} ${warnings.length === 1 ? "notice" : "notices"}</summary>
               <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`
-          : nothing}
+            : nothing
+        }
       </li>`;
   }
 
@@ -82,14 +86,20 @@ export class ClipsView extends View {
       </header>
       ${here.map((notice) => noticeCard(app, notice))}
       ${app.clash ? html`<p class="bad" role="alert" data-testid="clash">${app.clash}</p>` : nothing}
-      ${own.length > 0
-        ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
-        : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.</p>`}
-      ${made.length > 0
-        ? html`<details class="made" ?open=${this.unfolded}>
+      ${
+        own.length > 0
+          ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
+          : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.</p>`
+      }
+      ${
+        made.length > 0
+          ? html`<details class="made" ?open=${this.unfolded}>
             <summary>Made by this project: a procedural walker <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked</small></summary>
             <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
-        : app.engineState === "loading" ? html`<p class="empty">Getting the sample clips ready</p>` : nothing}`;
+          : app.engineState === "loading"
+            ? html`<p class="empty">Getting the sample clips ready</p>`
+            : nothing
+      }`;
   }
 }
 customElements.define("pg-clips", ClipsView);

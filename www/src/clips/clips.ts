@@ -36,7 +36,8 @@ export async function openFiles(app: App, files: readonly File[], at: { x: numbe
   let opened = 0;
   for (const file of files) {
     try {
-      if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
+      if (file.size > LARGEST_FILE)
+        throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
       if (/\.json$/i.test(file.name)) {
         await openJson(app, await file.text());
       } else if (/\.bvh$/i.test(file.name)) {

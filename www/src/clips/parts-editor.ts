@@ -46,18 +46,21 @@ export class PartsEditor extends View {
     return html`
       <div class="parts-editor">
         <div class="part-names">
-          ${split.map(({ name }, i) => html`
+          ${split.map(
+            ({ name }, i) => html`
             <div style=${swatchStyle(partColour(i))}>
               <i class="swatch"></i>
               <input type="text" maxlength="24" aria-label="Name of part ${i + 1}" .value=${name} ?disabled=${busy} @change=${this.rename(i)} />
               <button class="round" aria-label="Remove part ${name}" ?disabled=${busy || split.length < 2} @click=${() => this.removePart(i)}>${icon("close")}</button>
-            </div>`)}
+            </div>`,
+          )}
           <button class="small" ?disabled=${busy || split.length >= MAX_PARTS}
             @click=${() => this.change([...split, { name: freeName(split), joints: [] }])}>Add a part</button>
         </div>
         <p class="hint">Choose a joint’s part; the joints below it go along.</p>
         <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">
-          ${joints.map(({ name }, joint) => html`
+          ${joints.map(
+            ({ name }, joint) => html`
             <li style="${swatchStyle(partColour(Math.max(0, index(joint))))};--depth:${Math.min(depth[joint]!, 12)}">
               <i class="swatch"></i><span>${name}</span>
               <select aria-label="Part of ${name}" ?disabled=${busy}
@@ -67,7 +70,8 @@ export class PartsEditor extends View {
                 }}>
                 ${split.map((one, i) => html`<option value=${i} ?selected=${i === index(joint)}>${one.name}</option>`)}
               </select>
-            </li>`)}
+            </li>`,
+          )}
         </ul>
       </div>`;
   }

@@ -6,7 +6,14 @@ import { completeSplit, moveBranch, partOfJoints, partsFor } from "./parts";
 const joints = [null, 0, 1, 0, 3].map((parent) => ({ name: "", parent, channels: [] }));
 const presets = [
   { id: "whole", title: "Whole body", parts: [{ name: "body", joints: [0, 1, 2, 3, 4] }] },
-  { id: "lower-upper", title: "", parts: [{ name: "lower", joints: [0, 1, 2] }, { name: "upper", joints: [3, 4] }] },
+  {
+    id: "lower-upper",
+    title: "",
+    parts: [
+      { name: "lower", joints: [0, 1, 2] },
+      { name: "upper", joints: [3, 4] },
+    ],
+  },
 ];
 
 describe("parts", () => {
@@ -17,13 +24,23 @@ describe("parts", () => {
   });
 
   it("by hand name every joint once", () => {
-    const parts = completeSplit(joints, [{ name: "a", joints: [1, 900] }, { name: "b", joints: [3] }, { name: "c", joints: [] }]);
-    expect(parts).toEqual([{ name: "a", joints: [0, 1, 2] }, { name: "b", joints: [3, 4] }]);
+    const parts = completeSplit(joints, [
+      { name: "a", joints: [1, 900] },
+      { name: "b", joints: [3] },
+      { name: "c", joints: [] },
+    ]);
+    expect(parts).toEqual([
+      { name: "a", joints: [0, 1, 2] },
+      { name: "b", joints: [3, 4] },
+    ]);
   });
 
   it("move a whole branch", () => {
     const parts = moveBranch(joints, presets[1]!.parts, 1, 1);
-    expect(parts).toEqual([{ name: "lower", joints: [0] }, { name: "upper", joints: [1, 2, 3, 4] }]);
+    expect(parts).toEqual([
+      { name: "lower", joints: [0] },
+      { name: "upper", joints: [1, 2, 3, 4] },
+    ]);
     expect([...partOfJoints(5, parts)]).toEqual([0, 1, 1, 1, 1]);
   });
 });

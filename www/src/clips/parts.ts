@@ -24,7 +24,12 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
 }
 
 /** Puts a joint and everything below it into a part. */
-export function moveBranch(joints: Pick<JointInfo, "parent">[], split: PartSpec[], joint: number, to: number): PartSpec[] {
+export function moveBranch(
+  joints: Pick<JointInfo, "parent">[],
+  split: PartSpec[],
+  joint: number,
+  to: number,
+): PartSpec[] {
   const moved = new Set([joint]);
   joints.forEach(({ parent }, child) => {
     if (parent !== null && moved.has(parent)) moved.add(child);

@@ -14,15 +14,20 @@ export class ClaimsTable extends ComparisonFigure<Comparison> {
   }
 
   protected table({ claims }: Comparison) {
-    return { header: ["the papers say", "we find", "holds here (yes or no)"], rows: claims.map(({ claim, found, holds }) => [claim, found, yes(holds)]) };
+    return {
+      header: ["the papers say", "we find", "holds here (yes or no)"],
+      rows: claims.map(({ claim, found, holds }) => [claim, found, yes(holds)]),
+    };
   }
 
   protected figure({ claims }: Comparison) {
     return html`
       <table class="claims-table">
         <thead><tr><th scope="col">The papers say</th><th scope="col">We find</th><th scope="col">Holds here</th></tr></thead>
-        <tbody>${claims.map(({ claim, found, holds }) => html`
-          <tr><th scope="row">${claim}</th><td>${found}</td><td class="holds"><span class=${yes(holds)}>${yes(holds)}</span></td></tr>`)}</tbody>
+        <tbody>${claims.map(
+          ({ claim, found, holds }) => html`
+          <tr><th scope="row">${claim}</th><td>${found}</td><td class="holds"><span class=${yes(holds)}>${yes(holds)}</span></td></tr>`,
+        )}</tbody>
       </table>`;
   }
 }

@@ -112,12 +112,21 @@ export class Columns {
     this.renderer.autoClear = false;
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, {
-      enablePan: false, enableZoom: false, minPolarAngle: 0.15, maxPolarAngle: Math.PI / 2 - 0.03, rotateSpeed: 0.8,
+      enablePan: false,
+      enableZoom: false,
+      minPolarAngle: 0.15,
+      maxPolarAngle: Math.PI / 2 - 0.03,
+      rotateSpeed: 0.8,
     });
     this.controls.target.set(0, 0, 0);
     this.controls.addEventListener("change", () => (this.dirty = true));
     this.observer.observe(canvas.parentElement ?? canvas);
-    this.stopThemes = onThemeChange(() => this.show(this.body, this.columns.map(({ motion }) => motion)));
+    this.stopThemes = onThemeChange(() =>
+      this.show(
+        this.body,
+        this.columns.map(({ motion }) => motion),
+      ),
+    );
   }
 
   /** Takes these motions up, from left to right; all have the same body. */

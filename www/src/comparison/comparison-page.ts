@@ -18,11 +18,11 @@ import "./side-by-side";
 
 /** What each kind of model is, in a line. */
 const ABOUT: Record<(typeof MODELS)[number], string> = {
-  "vcgpdm": "The coupled model of this page",
-  "vgpdm": "The same, with the whole body as one part",
+  vcgpdm: "The coupled model of this page",
+  vgpdm: "The same, with the whole body as one part",
   "map-gpdm": "Point latents instead of distributions; slow",
   "map-cgpdm": "The same, with coupled parts; slowest",
-  "tmp": "Weighted curves over a common phase",
+  tmp: "Weighted curves over a common phase",
   "dmp-discrete": "A spring pulled towards a goal",
   "dmp-rhythmic": "A spring pulled around a cycle",
 };
@@ -55,7 +55,12 @@ export class ComparisonPage extends View {
       <label class="field" title=${hint}><span>${label}</span>
         <input type="text" inputmode="numeric" data-testid="compare-${name}" .value=${this.app.settings[name].join(", ")}
           ?disabled=${studying(this.app).busy} @change=${(event: Event) =>
-            this.change(event, name, (input) => input.value.split(/[\s,]+/).filter(Boolean).map(Number))} />
+            this.change(event, name, (input) =>
+              input.value
+                .split(/[\s,]+/)
+                .filter(Boolean)
+                .map(Number),
+            )} />
       </label>`;
   }
 
@@ -81,7 +86,8 @@ export class ComparisonPage extends View {
     return html`
       <fieldset class="models">
         <legend>Models</legend>
-        ${MODELS.map((id) => html`
+        ${MODELS.map(
+          (id) => html`
           <label class="check">
             <input type="checkbox" data-testid="model-${id}" .checked=${models.includes(id)} ?disabled=${studying(app).busy}
               @change=${(event: Event) => {
@@ -89,7 +95,8 @@ export class ComparisonPage extends View {
                 changeSettings(app, { models: MODELS.filter((one) => (one === id ? on : models.includes(one))) });
               }} />
             <span>${modelStyle(id).name} <small>${ABOUT[id]}</small></span>
-          </label>`)}
+          </label>`,
+        )}
       </fieldset>`;
   }
 
@@ -99,9 +106,11 @@ export class ComparisonPage extends View {
     return html`
       <details class="trials">
         <summary>Trials <small>${app.tickedClips().length} of ${app.clips.length} clips ticked</small></summary>
-        <ul>${app.clips.map(({ key, title, ticked }) => html`
+        <ul>${app.clips.map(
+          ({ key, title, ticked }) => html`
           <li><label class="check"><input type="checkbox" .checked=${ticked} ?disabled=${busy || app.busy}
-            @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} /> ${title}</label></li>`)}
+            @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} /> ${title}</label></li>`,
+        )}
         </ul>
         <p class="hint">Drop your own clips (.bvh) anywhere on the page.</p>
       </details>`;
@@ -112,7 +121,11 @@ export class ComparisonPage extends View {
     const clip = app.tickedClips()[0];
     const presets = clip?.loaded.info.presets ?? [];
     const { parts, split } = app.settings;
-    const names = clip ? partsFor(clip.loaded.info, parts, split).map(({ name }) => name).join(", ") : "";
+    const names = clip
+      ? partsFor(clip.loaded.info, parts, split)
+          .map(({ name }) => name)
+          .join(", ")
+      : "";
     return html`
       <label class="field wide" title="How the coupled models split the body"><span>Parts of the coupled models</span>
         <select data-testid="compare-parts" ?disabled=${studying(app).busy || !clip}
@@ -146,7 +159,8 @@ export class ComparisonPage extends View {
 
   private announcement(): string {
     const studies = studying(this.app);
-    if (studies.status === "running") return `Comparing, ${Math.floor(share(studies.study!.jobs) * 10) * 10} per cent done`;
+    if (studies.status === "running")
+      return `Comparing, ${Math.floor(share(studies.study!.jobs) * 10) * 10} per cent done`;
     if (studies.status === "cancelling") return "Cancelling";
     return studies.status === "idle" && !studies.failed ? studies.ending : "";
   }
@@ -156,7 +170,8 @@ export class ComparisonPage extends View {
     const { settings } = this.app;
     if (!settings.growth) return "";
     const some = settings.models.some(isCoupled);
-    if (!some || this.app.tickedClips().length < 4) return "Needs the vCGPDM or the MAP CGPDM, and four trials or more.";
+    if (!some || this.app.tickedClips().length < 4)
+      return "Needs the vCGPDM or the MAP CGPDM, and four trials or more.";
     return "Times are taken with all workers busy; the terminal can measure alone.";
   }
 
@@ -166,7 +181,8 @@ export class ComparisonPage extends View {
     input.value = "";
     if (!file) return;
     void this.opening(file.name, async () => {
-      if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected the results of a comparison.");
+      if (file.size > LARGEST_FILE)
+        throw new Error("This file has more than 200 MB; expected the results of a comparison.");
       await studying(this.app).open(await file.text());
     });
   }
@@ -189,15 +205,17 @@ export class ComparisonPage extends View {
     const total = studies.study?.jobs ?? [];
     return html`
       <div class="begin">
-        ${studies.busy
-          ? html`<button class="primary big" data-testid="compare-cancel" ?disabled=${studies.status === "cancelling"}
+        ${
+          studies.busy
+            ? html`<button class="primary big" data-testid="compare-cancel" ?disabled=${studies.status === "cancelling"}
               title="Stops; finished trainings are kept" @click=${() => studies.cancel()}>Cancel</button>`
-          : html`<button class="primary big" data-testid="compare" ?disabled=${why !== ""} @click=${() => {
-              this.problem = "";
-              // What is found stands below the choices there.
-              if (matchMedia("(max-width: 759.98px)").matches) this.unfolded = false;
-              void studies.begin();
-            }}>Compare</button>`}
+            : html`<button class="primary big" data-testid="compare" ?disabled=${why !== ""} @click=${() => {
+                this.problem = "";
+                // What is found stands below the choices there.
+                if (matchMedia("(max-width: 759.98px)").matches) this.unfolded = false;
+                void studies.begin();
+              }}>Compare</button>`
+        }
         <p class="hint words" data-testid="compare-progress">${this.words()}</p>
       </div>
       <progress max="1" .value=${studies.busy ? share(total) : 0} aria-label="Comparing" class=${studies.busy ? "" : "resting"}
@@ -241,11 +259,16 @@ export class ComparisonPage extends View {
 
   private failures() {
     const { study } = studying(this.app);
-    const known = study?.results.finished.filter(({ failure }) => failure).map(({ job, failure }) => ({ job, why: failure ?? "" })) ?? [];
+    const known =
+      study?.results.finished
+        .filter(({ failure }) => failure)
+        .map(({ job, failure }) => ({ job, why: failure ?? "" })) ?? [];
     const failed = [...known, ...(study?.jobs.filter(({ state }) => state === "failed") ?? [])];
     if (failed.length === 0) return nothing;
-    return html`<ul class="failures card">${failed.map(({ job, why }) => html`
-      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.held_out} held out: ${sentence(why)}</li>`)}</ul>`;
+    return html`<ul class="failures card">${failed.map(
+      ({ job, why }) => html`
+      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.held_out} held out: ${sentence(why)}</li>`,
+    )}</ul>`;
   }
 
   protected override render() {
@@ -259,7 +282,12 @@ export class ComparisonPage extends View {
         ${this.failures()}
         <div class="card"><comparison-figures .comparison=${comparison}
           @save-failed=${({ detail }: CustomEvent<SaveFailure>) =>
-            app.notify({ kind: "error", title: `${detail.name} was not saved`, text: detail.message, at: null })}></comparison-figures></div>
+            app.notify({
+              kind: "error",
+              title: `${detail.name} was not saved`,
+              text: detail.message,
+              at: null,
+            })}></comparison-figures></div>
       </section>`;
   }
 }

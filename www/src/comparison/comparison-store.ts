@@ -30,7 +30,11 @@ export class Studying {
   ending = "";
   failed = false;
   /** What is looked at: the trial held out (0: the first there is), the models (null: the first of each kind), and whether it plays. */
-  readonly look: { fold: number; picked: string[] | null; playing: boolean | null } = { fold: 0, picked: null, playing: null };
+  readonly look: { fold: number; picked: string[] | null; playing: boolean | null } = {
+    fold: 0,
+    picked: null,
+    playing: null,
+  };
   private readonly studies = new Map<string, { study: Study; comparison: Comparison | null }>();
   private stop = new AbortController();
   private counting: Promise<void> | null = null;
@@ -75,14 +79,24 @@ export class Studying {
     const clips = ticked.map(({ loaded, source, first, end }): TrainingClip => ({ id: loaded.id, source, first, end }));
     const parts = this.parts();
     const { framesPerSecond } = app.settings;
-    return { clips, parts, framesPerSecond, key: studyKey(clips, parts, framesPerSecond), jobs: jobs(app.settings, clips.length, parts.length) };
+    return {
+      clips,
+      parts,
+      framesPerSecond,
+      key: studyKey(clips, parts, framesPerSecond),
+      jobs: jobs(app.settings, clips.length, parts.length),
+    };
   }
 
   /** What a press of Compare would do: how many trainings there are, how many of them are open, and whether it goes on with what is shown. */
   outlook(): { all: number; open: number; goesOn: boolean } {
     const asked = this.asked();
     const known = this.studies.get(asked.key)?.study ?? null;
-    return { all: asked.jobs.length, open: openJobs(asked.jobs, known).length, goesOn: !this.study || this.study.key === asked.key };
+    return {
+      all: asked.jobs.length,
+      open: openJobs(asked.jobs, known).length,
+      goesOn: !this.study || this.study.key === asked.key,
+    };
   }
 
   /** Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is kept. */
@@ -100,7 +114,13 @@ export class Studying {
       const empty = await desk.run((worker) => worker.emptyResults(clips, { parts, framesPerSecond }), signal);
       signal.throwIfAborted();
       const study = this.takeUp(asked, empty);
-      study.jobs = openJobs(asked.jobs, study).map((job) => ({ job, state: "waiting", fraction: 0, elapsed: 0, why: "" }));
+      study.jobs = openJobs(asked.jobs, study).map((job) => ({
+        job,
+        state: "waiting",
+        fraction: 0,
+        elapsed: 0,
+        why: "",
+      }));
       this.status = "running";
       this.app.tell("study");
       await Promise.all(study.jobs.map((one) => this.carryOut(study, one, signal)));
@@ -117,11 +137,14 @@ export class Studying {
   /** The study of what is asked for: as it was left, with the results of an opened file, or a new one. */
   private takeUp({ clips, parts, framesPerSecond, key }: Asked, empty: Results): Study {
     const known = this.studies.get(key);
-    const opened = this.study?.clips.length === 0 && sameSetting(this.study.results.setting, empty.setting) ? this.study : null;
+    const opened =
+      this.study?.clips.length === 0 && sameSetting(this.study.results.setting, empty.setting) ? this.study : null;
     const ticked = this.app.tickedClips();
     const { figure, joints } = ticked[0]!.loaded.info;
     const study = known?.study ?? {
-      key, clips, framesPerSecond,
+      key,
+      clips,
+      framesPerSecond,
       titles: ticked.map(({ title }) => title),
       body: { figure, joints: joints.map(({ name }) => name), parts },
       results: opened?.results ?? empty,
@@ -227,7 +250,15 @@ export class Studying {
     const comparison = await desk.run((worker) => worker.compare(results));
     const { trials, frames_per_second: framesPerSecond } = results.setting;
     this.study = {
-      key: "", clips: [], titles: trials.map(({ name }) => name), body: null, framesPerSecond, results, jobs: [], predictions: new Map(), actual: new Map(),
+      key: "",
+      clips: [],
+      titles: trials.map(({ name }) => name),
+      body: null,
+      framesPerSecond,
+      results,
+      jobs: [],
+      predictions: new Map(),
+      actual: new Map(),
     };
     this.comparison = comparison;
     [this.ending, this.failed] = [`${results.finished.length} results opened.`, false];
@@ -235,7 +266,11 @@ export class Studying {
   }
 
   save(): void {
-    if (this.study) download("comparison.results.json", new Blob([`${JSON.stringify(this.study.results)}\n`], { type: "application/json" }));
+    if (this.study)
+      download(
+        "comparison.results.json",
+        new Blob([`${JSON.stringify(this.study.results)}\n`], { type: "application/json" }),
+      );
   }
 }
 

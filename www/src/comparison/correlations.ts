@@ -12,7 +12,8 @@ import type { Comparison, Correlation } from "../engine/protocol";
 const GAP = 28;
 const LEAST = 250;
 
-const drawable = ({ points }: Correlation) => points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
+const drawable = ({ points }: Correlation) =>
+  points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
 export class CorrelationsFigure extends ComparisonFigure<Comparison> {
   protected readonly heading = "Error against bound";
@@ -26,8 +27,16 @@ export class CorrelationsFigure extends ComparisonFigure<Comparison> {
 
   protected table({ correlations }: Comparison) {
     return {
-      header: ["model", "settings", "bound (nats)", "DTW MSE (squared units of the columns)", "rank correlation of the model"],
-      rows: correlations.flatMap(({ model, rank, points }) => points.map(({ label, bound, mse }) => [modelStyle(model).name, label, bound, mse, rank])),
+      header: [
+        "model",
+        "settings",
+        "bound (nats)",
+        "DTW MSE (squared units of the columns)",
+        "rank correlation of the model",
+      ],
+      rows: correlations.flatMap(({ model, rank, points }) =>
+        points.map(({ label, bound, mse }) => [modelStyle(model).name, label, bound, mse, rank]),
+      ),
     };
   }
 
@@ -37,16 +46,29 @@ export class CorrelationsFigure extends ComparisonFigure<Comparison> {
     const { type } = this;
     const height = Math.round(Math.min(0.72 * width, 250) + 2 * type);
     const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10];
-    const y = logScale(points.map(({ mse }) => mse), bottom, top);
+    const y = logScale(
+      points.map(({ mse }) => mse),
+      bottom,
+      top,
+    );
     const up = ticksUp(y, bottom - top, type);
     const left = widthOf(up, type);
     const { short, end } = withoutCommonEnd(points.map(({ label }) => label));
     const widths = short.map((label) => textWidth(label, type));
     // The outermost points have their labels beside them, too, unless these are long.
-    const x = linearScale(points.map(({ bound }) => bound), left, right - Math.min(Math.max(...widths), 0.25 * width));
+    const x = linearScale(
+      points.map(({ bound }) => bound),
+      left,
+      right - Math.min(Math.max(...widths), 0.25 * width),
+    );
     const across = ticksAcross(x, right - left, type);
     const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
-    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK * type, { x: left, y: top, width: right - left, height: bottom - top });
+    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK * type, {
+      x: left,
+      y: top,
+      width: right - left,
+      height: bottom - top,
+    });
     return html`
       <div class="panel-figure" style=${inColour(model)}>
         <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>

@@ -14,7 +14,7 @@ export interface Distances {
   frameTime: number;
   /** The title of the trial held out. */
   trial: string;
-  lines: { model: ModelId; label: string; /** [frames] */ metres: Float64Array }[];
+  lines: { model: ModelId; label: string /** [frames] */; metres: Float64Array }[];
 }
 
 const LEAD = 14;
@@ -35,8 +35,16 @@ export class DistanceFigure extends ComparisonFigure<Distances> {
   protected table({ lines, frameTime, trial }: Distances) {
     const frames = Math.max(...lines.map(({ metres }) => metres.length));
     return {
-      header: ["trial", "time (s)", ...lines.map(({ model, label }) => `${[modelStyle(model).name, label].filter(Boolean).join(", ")} (cm)`)],
-      rows: Array.from({ length: frames }, (_, frame) => [trial, frame * frameTime, ...lines.map(({ metres }) => 100 * (metres[frame] ?? NaN))]),
+      header: [
+        "trial",
+        "time (s)",
+        ...lines.map(({ model, label }) => `${[modelStyle(model).name, label].filter(Boolean).join(", ")} (cm)`),
+      ],
+      rows: Array.from({ length: frames }, (_, frame) => [
+        trial,
+        frame * frameTime,
+        ...lines.map(({ metres }) => 100 * (metres[frame] ?? NaN)),
+      ]),
     };
   }
 
@@ -51,7 +59,9 @@ export class DistanceFigure extends ComparisonFigure<Distances> {
   protected figure({ lines, frameTime }: Distances) {
     const { type, width } = this;
     const narrow = width < NARROW;
-    const words = lines.map(({ model, label }) => (narrow || !label ? modelStyle(model).name : `${modelStyle(model).name}, ${label}`));
+    const words = lines.map(({ model, label }) =>
+      narrow || !label ? modelStyle(model).name : `${modelStyle(model).name}, ${label}`,
+    );
     const beyond = LEAD + 1.2 * type + Math.max(...words.map((word) => textWidth(word, type)));
     const height = Math.round(Math.max(13 * type, lines.length * 1.45 * type + 6 * type));
     const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - beyond];
@@ -61,20 +71,39 @@ export class DistanceFigure extends ComparisonFigure<Distances> {
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
     this.place = (frame) => x.at(frame * frameTime);
-    const drawn = lines.map(({ model, metres }) => ({ model, places: [...metres].map((one, frame) => [x.at(frame * frameTime), y.at(100 * one)] as const) }));
-    const ends = spread(drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom), 1.45 * type, top, bottom);
-    const found = lines.map(({ model, metres }) => `${modelStyle(model).name} ${plain(100 * mean(metres))} centimetres`).join(", ");
+    const drawn = lines.map(({ model, metres }) => ({
+      model,
+      places: [...metres].map((one, frame) => [x.at(frame * frameTime), y.at(100 * one)] as const),
+    }));
+    const ends = spread(
+      drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
+      1.45 * type,
+      top,
+      bottom,
+    );
+    const found = lines
+      .map(({ model, metres }) => `${modelStyle(model).name} ${plain(100 * mean(metres))} centimetres`)
+      .join(", ");
     return html`
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label="Mean distance of the joints from the real trial: ${found}.">
-        ${axes({ left, right, bottom, type }, { scale: x, ticks: ticksAcross(x, right - left, type).filter(({ value }) => value >= 0), title: "Time, seconds" },
-          { scale: y, ticks: up, title: "Mean distance of the joints, cm" })}
+        ${axes(
+          { left, right, bottom, type },
+          {
+            scale: x,
+            ticks: ticksAcross(x, right - left, type).filter(({ value }) => value >= 0),
+            title: "Time, seconds",
+          },
+          { scale: y, ticks: up, title: "Mean distance of the joints, cm" },
+        )}
         <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
-        ${drawn.map(({ model, places }, i) => svg`<g style=${inColour(model)} font-size=${type}>
+        ${drawn.map(
+          ({ model, places }, i) => svg`<g style=${inColour(model)} font-size=${type}>
           ${path(places)}
           <path class="leader" d="M${places.at(-1)?.[0] ?? right} ${places.at(-1)?.[1] ?? bottom}L${right + LEAD} ${ends[i]!}"></path>
           ${mark(model, right + LEAD, ends[i]!, MARK * type)}
           <text class="label" x=${right + LEAD + 0.85 * type} y=${ends[i]! + 0.35 * type}>${words[i]}</text>
-        </g>`)}
+        </g>`,
+        )}
       </svg>
       <figcaption>Of a body 1.7 m tall, with the hips laid on the real ones. The error in the table is that of joint rotations and the root’s movement after warping in time: to be early or late counts here, and little there.</figcaption>`;
   }

@@ -3,15 +3,34 @@ import { correlationFinding, foldWords, growthFinding, rankWords } from "./findi
 import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
 import type { Correlation, ModelSummary } from "../engine/protocol";
 
-const of = (rank: number, settings = 5): Correlation => ({ model: "vcgpdm", label: "", rank, settings, folds: 3, points: [] });
+const of = (rank: number, settings = 5): Correlation => ({
+  model: "vcgpdm",
+  label: "",
+  rank,
+  settings,
+  folds: 3,
+  points: [],
+});
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
 const summary = (mse: number, error: number, bound: number | null, folds = 3): ModelSummary => ({
-  model: "tmp", candidate: { model: "tmp", primitives: null }, label: "", mse: spread(mse, error), mseMedian: mse, variance: 0.03, bound: bound === null ? null : spread(bound), seconds: spread(1), storedNumbers: spread(10), folds, runs: folds,
+  model: "tmp",
+  candidate: { model: "tmp", primitives: null },
+  label: "",
+  mse: spread(mse, error),
+  mseMedian: mse,
+  variance: 0.03,
+  bound: bound === null ? null : spread(bound),
+  seconds: spread(1),
+  storedNumbers: spread(10),
+  folds,
+  runs: folds,
 });
 const [ERROR, BOUND] = [MEASURES[0]!, MEASURES[1]!];
 
 it("says what a rank correlation says", () => {
-  expect(correlationFinding(of(-0.9))).toBe("vCGPDM, error against bound: rank correlation −0.90 over 5 settings; a higher bound goes with a smaller error.");
+  expect(correlationFinding(of(-0.9))).toBe(
+    "vCGPDM, error against bound: rank correlation −0.90 over 5 settings; a higher bound goes with a smaller error.",
+  );
   expect(correlationFinding(of(0.8))).toContain("larger error");
   expect(correlationFinding(of(-0.2))).toContain("says little");
 });
@@ -22,7 +41,12 @@ it("says nothing of a rank correlation that is none", () => {
 });
 
 it("says how time grows", () => {
-  expect(growthFinding([{ model: "vgpdm", label: "", points: [], exponent: 1.014 }, { model: "tmp", label: "", points: [], exponent: null }])).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
+  expect(
+    growthFinding([
+      { model: "vgpdm", label: "", points: [], exponent: 1.014 },
+      { model: "tmp", label: "", points: [], exponent: null },
+    ]),
+  ).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });
 
 it("says over how many trials means are taken", () => {

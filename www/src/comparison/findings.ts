@@ -6,15 +6,21 @@ import type { Correlation, Growth, ModelSummary } from "../engine/protocol";
 /** "rank correlation −0.90 over 5 settings" */
 export function rankWords({ rank, settings }: Correlation): string {
   const over = `over ${settings} ${settings === 1 ? "setting" : "settings"}`;
-  return settings < 3 || !Number.isFinite(rank) ? `no rank correlation ${over}` : `rank correlation ${twoDecimals(rank)} ${over}`;
+  return settings < 3 || !Number.isFinite(rank)
+    ? `no rank correlation ${over}`
+    : `rank correlation ${twoDecimals(rank)} ${over}`;
 }
 
 export function correlationFinding(correlation: Correlation): string {
   const { model, rank, settings } = correlation;
-  const says = settings < 3 || !Number.isFinite(rank) ? "too few settings to say more"
-    : rank <= -0.5 ? "a higher bound goes with a smaller error"
-    : rank >= 0.5 ? "a higher bound goes with a larger error"
-    : "the bound says little about the error";
+  const says =
+    settings < 3 || !Number.isFinite(rank)
+      ? "too few settings to say more"
+      : rank <= -0.5
+        ? "a higher bound goes with a smaller error"
+        : rank >= 0.5
+          ? "a higher bound goes with a larger error"
+          : "the bound says little about the error";
   return `${modelStyle(model).name}, error against bound: ${rankWords(correlation)}; ${says}.`;
 }
 

@@ -15,25 +15,38 @@ const NARROW = 520;
 /** From the end of the axis to the marks beside the names. */
 const LEAD = 18;
 
-const drawable = ({ points }: Growth) => points.filter(({ frames, seconds }) => frames > 0 && seconds > 0 && Number.isFinite(frames + seconds)).sort((a, b) => a.frames - b.frames);
+const drawable = ({ points }: Growth) =>
+  points
+    .filter(({ frames, seconds }) => frames > 0 && seconds > 0 && Number.isFinite(frames + seconds))
+    .sort((a, b) => a.frames - b.frames);
 
 export class GrowthFigure extends ComparisonFigure<Comparison> {
   protected readonly heading = "Learning time against frames";
   protected readonly file = "learning-time-against-frames";
 
   protected missing({ growth }: Comparison): string | null {
-    return growth.every((of) => drawable(of).length === 0) ? "Needs a model trained on three or more numbers of trials." : null;
+    return growth.every((of) => drawable(of).length === 0)
+      ? "Needs a model trained on three or more numbers of trials."
+      : null;
   }
 
   protected table({ growth }: Comparison) {
     return {
       header: ["model", "frames", "time of an iteration (s)", "exponent of the model"],
-      rows: growth.flatMap(({ model, points, exponent }) => points.map(({ frames, seconds }) => [modelStyle(model).name, frames, seconds, exponent])),
+      rows: growth.flatMap(({ model, points, exponent }) =>
+        points.map(({ frames, seconds }) => [modelStyle(model).name, frames, seconds, exponent]),
+      ),
     };
   }
 
   /** Its points, and at `end` its mark again with name and exponent: lines that lie on each other can be told there. */
-  private line({ model }: Growth, places: readonly (readonly [number, number])[], words: { name: string; exponent: string }, end: Point, narrow: boolean) {
+  private line(
+    { model }: Growth,
+    places: readonly (readonly [number, number])[],
+    words: { name: string; exponent: string },
+    end: Point,
+    narrow: boolean,
+  ) {
     const { type } = this;
     const [lastX, lastY] = places.at(-1)!;
     const text = end.x + 0.85 * type;
@@ -42,9 +55,11 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
       ${path(places)}
       ${places.map(([x, y]) => mark(model, x, y, MARK * type))}
       ${mark(model, end.x, end.y, MARK * type)}
-      ${narrow
-        ? svg`<text class="label strong" x=${text} y=${end.y - 0.21 * type}>${words.name}</text><text class="label" x=${text} y=${end.y + 0.91 * type}>${words.exponent}</text>`
-        : svg`<text class="label" x=${text} y=${end.y + 0.35 * type}><tspan class="strong">${words.name}</tspan>, ${words.exponent}</text>`}
+      ${
+        narrow
+          ? svg`<text class="label strong" x=${text} y=${end.y - 0.21 * type}>${words.name}</text><text class="label" x=${text} y=${end.y + 0.91 * type}>${words.exponent}</text>`
+          : svg`<text class="label" x=${text} y=${end.y + 0.35 * type}><tspan class="strong">${words.name}</tspan>, ${words.exponent}</text>`
+      }
     </g>`;
   }
 
@@ -62,16 +77,35 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
     const step = (narrow ? 2.5 : 1.45) * type;
     const height = Math.round(Math.max(Math.min(0.5 * width, 360), lines.length * step + 6.5 * type, 250));
     const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - beyond];
-    const y = logScale(lines.flatMap(({ points }) => points.map(({ seconds }) => seconds)), bottom, top);
+    const y = logScale(
+      lines.flatMap(({ points }) => points.map(({ seconds }) => seconds)),
+      bottom,
+      top,
+    );
     const up = ticksUp(y, bottom - top, type);
     const left = widthOf(up, type);
-    const x = logScale(lines.flatMap(({ points }) => points.map(({ frames }) => frames)), left, right);
-    const drawn = lines.map(({ of, points }) => ({ of, places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const) }));
-    const ends = spread(drawn.map(({ places }) => places.at(-1)![1]), step, top + type, bottom - type);
+    const x = logScale(
+      lines.flatMap(({ points }) => points.map(({ frames }) => frames)),
+      left,
+      right,
+    );
+    const drawn = lines.map(({ of, points }) => ({
+      of,
+      places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const),
+    }));
+    const ends = spread(
+      drawn.map(({ places }) => places.at(-1)![1]),
+      step,
+      top + type,
+      bottom - type,
+    );
     return html`
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${growthFinding(lines.map(({ of }) => of))}>
-        ${axes({ left, right, bottom, type }, { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
-          { scale: y, ticks: up, title: "Seconds an iteration, log scale" })}
+        ${axes(
+          { left, right, bottom, type },
+          { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
+          { scale: y, ticks: up, title: "Seconds an iteration, log scale" },
+        )}
         ${drawn.map(({ of, places }, i) => this.line(of, places, words[i]!, { x: right + LEAD, y: ends[i]! }, narrow)).reverse()}
       </svg>
       <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;

@@ -53,7 +53,8 @@ export function jobKey({ candidate, held_out, training_trials, seed }: Job): str
 
 /** The order of tables: by model, then by the size of the settings, then by seed; whatever was finished first. */
 export function inOrder(a: Job, b: Job): number {
-  const size = ({ candidate }: Job) => ("bases" in candidate ? candidate.bases : "dynamics_ips" in candidate ? candidate.dynamics_ips : 0);
+  const size = ({ candidate }: Job) =>
+    "bases" in candidate ? candidate.bases : "dynamics_ips" in candidate ? candidate.dynamics_ips : 0;
   const model = ({ candidate }: Job) => MODELS.indexOf(candidate.model);
   return model(a) - model(b) || size(a) - size(b) || a.seed - b.seed;
 }
@@ -66,7 +67,12 @@ export function studyKey(clips: readonly TrainingClip[], parts: readonly PartSpe
 /** Whether results of two places go together. */
 export function sameSetting(a: Setting, b: Setting): boolean {
   const of = ({ trials, parts, frames_per_second, start_frames }: Setting) =>
-    JSON.stringify([trials.map(({ sha256, piece }) => [sha256, piece ?? null]), parts.map(({ joints }) => joints), frames_per_second, start_frames]);
+    JSON.stringify([
+      trials.map(({ sha256, piece }) => [sha256, piece ?? null]),
+      parts.map(({ joints }) => joints),
+      frames_per_second,
+      start_frames,
+    ]);
   return of(a) === of(b);
 }
 
@@ -88,20 +94,22 @@ export const isCoupled = (model: ModelId): boolean => model === "vcgpdm" || mode
 /** The models with all settings that are asked for, of a body in so many parts. */
 export function candidates(settings: Settings, parts: number): Candidate[] {
   const { latent, order, comparedIterations: max_iterations, ips, bases, balanced } = settings;
-  return settings.models.filter((model) => parts > 1 || !isCoupled(model)).flatMap((model): Candidate[] => {
-    switch (model) {
-      case "vcgpdm":
-      case "vgpdm":
-        return ips.map((ips) => ({ model, latent, order, dynamics_ips: ips, pose_ips: ips, max_iterations }));
-      case "map-gpdm":
-      case "map-cgpdm":
-        return [{ model, latent, order, max_iterations, balanced }];
-      case "tmp":
-        return [{ model, primitives: null }];
-      default:
-        return bases.map((bases) => ({ model, bases }));
-    }
-  });
+  return settings.models
+    .filter((model) => parts > 1 || !isCoupled(model))
+    .flatMap((model): Candidate[] => {
+      switch (model) {
+        case "vcgpdm":
+        case "vgpdm":
+          return ips.map((ips) => ({ model, latent, order, dynamics_ips: ips, pose_ips: ips, max_iterations }));
+        case "map-gpdm":
+        case "map-cgpdm":
+          return [{ model, latent, order, max_iterations, balanced }];
+        case "tmp":
+          return [{ model, primitives: null }];
+        default:
+          return bases.map((bases) => ({ model, bases }));
+      }
+    });
 }
 
 /** Whether another seed gives another model. */
@@ -110,27 +118,46 @@ const isRandom = ({ model }: Candidate) => model.endsWith("gpdm");
 /** The jobs that the settings ask for on so many trials, of a body in so many parts: fold after fold, so that the first tables come early. */
 export function jobs(settings: Settings, trials: number, parts: number): Job[] {
   const all = candidates(settings, parts);
-  const held = settings.heldOut >= 1 && settings.heldOut <= trials ? [settings.heldOut] : Array.from({ length: trials }, (_, k) => k + 1);
-  const seeds = (candidate: Candidate) =>
-    isRandom(candidate) ? seedsFrom(settings.seed, settings.seeds) : [0];
+  const held =
+    settings.heldOut >= 1 && settings.heldOut <= trials
+      ? [settings.heldOut]
+      : Array.from({ length: trials }, (_, k) => k + 1);
+  const seeds = (candidate: Candidate) => (isRandom(candidate) ? seedsFrom(settings.seed, settings.seeds) : [0]);
   const asked = held.flatMap((held_out) =>
-    all.flatMap((candidate) => seeds(candidate).map((seed) => ({ candidate, held_out, training_trials: trials - 1, seed }))));
+    all.flatMap((candidate) =>
+      seeds(candidate).map((seed) => ({ candidate, held_out, training_trials: trials - 1, seed })),
+    ),
+  );
   if (!settings.growth) return asked;
   // The middle one of the numbers of inducing points stands for all.
   const one = (model: ModelId) => {
     const of = all.filter((candidate) => candidate.model === model);
     return of.slice(of.length >> 1, (of.length >> 1) + 1);
   };
-  const fewer = MODELS.filter(isCoupled).flatMap(one).flatMap((candidate) =>
-    Array.from({ length: Math.max(0, trials - 2) }, (_, k) => ({
-      candidate, held_out: held[0] ?? 1, training_trials: k + 1, seed: settings.seed,
-    })));
+  const fewer = MODELS.filter(isCoupled)
+    .flatMap(one)
+    .flatMap((candidate) =>
+      Array.from({ length: Math.max(0, trials - 2) }, (_, k) => ({
+        candidate,
+        held_out: held[0] ?? 1,
+        training_trials: k + 1,
+        seed: settings.seed,
+      })),
+    );
   return [...asked, ...fewer];
 }
 
 /** How much work a job is beside others, roughly: only used to say how long the rest takes before any of its kind has run. */
 function weight({ candidate, training_trials }: Job): number {
-  const kind = { vcgpdm: 2, vgpdm: 1, "map-gpdm": 15, "map-cgpdm": 30, tmp: 5, "dmp-discrete": 0.05, "dmp-rhythmic": 0.05 }[candidate.model];
+  const kind = {
+    vcgpdm: 2,
+    vgpdm: 1,
+    "map-gpdm": 15,
+    "map-cgpdm": 30,
+    tmp: 5,
+    "dmp-discrete": 0.05,
+    "dmp-rhythmic": 0.05,
+  }[candidate.model];
   return candidate.model.startsWith("map") ? kind * training_trials ** 2 : kind * training_trials;
 }
 
@@ -153,7 +180,8 @@ export function share(of: readonly StudyJob[]): number {
 /** Seconds that these jobs still take, so many at once; null while it is too early to say. */
 export function secondsLeft(of: readonly StudyJob[], workers: number): number | null {
   const begun = of.filter((one) => one.elapsed > 0 && behind(one) > 0.02);
-  const sum = (some: readonly StudyJob[], value: (one: StudyJob) => number) => some.reduce((total, one) => total + value(one), 0);
+  const sum = (some: readonly StudyJob[], value: (one: StudyJob) => number) =>
+    some.reduce((total, one) => total + value(one), 0);
   if (sum(begun, ({ elapsed }) => elapsed) < 1) return null;
   /** Seconds that a unit of work takes: by what jobs of the same model took, else by all. */
   const rate = ({ job }: StudyJob) => {

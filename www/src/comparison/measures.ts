@@ -19,7 +19,14 @@ export const MEASURES: Measure[] = [
   { title: "Error", unit: "DTW MSE", of: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
   { title: "Bound", unit: "nats", of: ({ bound }) => bound, scale: "linear", best: "greatest", word: "highest" },
   { title: "Training", unit: "seconds", of: ({ seconds }) => seconds, scale: "log", best: "least", word: "quickest" },
-  { title: "Size", unit: "numbers stored", of: ({ storedNumbers }) => storedNumbers, scale: "log", best: "least", word: "fewest" },
+  {
+    title: "Size",
+    unit: "numbers stored",
+    of: ({ storedNumbers }) => storedNumbers,
+    scale: "log",
+    best: "least",
+    word: "fewest",
+  },
 ];
 
 /** The ends of an error bar. */
@@ -45,7 +52,9 @@ export function scaleOf(measure: Measure, models: readonly ModelSummary[], width
 
 /** The best mean; null where fewer than two can be compared. */
 export function bestOf(measure: Measure, models: readonly ModelSummary[]): number | null {
-  const means = models.map((summary) => measure.of(summary)?.mean).filter((mean) => mean !== undefined && Number.isFinite(mean)) as number[];
+  const means = models
+    .map((summary) => measure.of(summary)?.mean)
+    .filter((mean) => mean !== undefined && Number.isFinite(mean)) as number[];
   if (means.length < 2) return null;
   return measure.best === "least" ? Math.min(...means) : Math.max(...means);
 }

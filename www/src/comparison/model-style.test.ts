@@ -24,25 +24,57 @@ function contrast(a: string, b: string): number {
 
 /** What is seen without one kind of cone: Machado, Oliveira and Fernandes 2009, severity 1. */
 const EYES: Record<string, Triple[]> = {
-  normal: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-  protan: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
-  deutan: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
-  tritan: [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
+  normal: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  protan: [
+    [0.152286, 1.052583, -0.204868],
+    [0.114503, 0.786281, 0.099216],
+    [-0.003882, -0.048116, 1.051998],
+  ],
+  deutan: [
+    [0.367322, 0.860646, -0.227968],
+    [0.280085, 0.672501, 0.047413],
+    [-0.01182, 0.04294, 0.968881],
+  ],
+  tritan: [
+    [1.255528, -0.076749, -0.178779],
+    [-0.078411, 0.930809, 0.147602],
+    [0.004733, 0.691367, 0.3039],
+  ],
 };
 
 function oklab(colour: Triple): Triple {
   const cones = times(
-    [[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566], [0.0883024619, 0.2817188376, 0.6299787005]],
+    [
+      [0.4122214708, 0.5363325363, 0.0514459929],
+      [0.2119034982, 0.6806995451, 0.1073969566],
+      [0.0883024619, 0.2817188376, 0.6299787005],
+    ],
     colour.map((value) => Math.max(0, value)) as Triple,
   ).map(Math.cbrt) as Triple;
-  return times([[0.2104542553, 0.793617785, -0.0040720468], [1.9779984951, -2.428592205, 0.4505937099], [0.0259040371, 0.7827717662, -0.8086757660]], cones);
+  return times(
+    [
+      [0.2104542553, 0.793617785, -0.0040720468],
+      [1.9779984951, -2.428592205, 0.4505937099],
+      [0.0259040371, 0.7827717662, -0.808675766],
+    ],
+    cones,
+  );
 }
 
 const IDS = Object.keys(LOOKS) as ModelId[];
 const PAIRS = IDS.flatMap((a, i) => IDS.slice(i + 1).map((b) => [a, b] as const));
 
-it.each([["light", ["#ffffff", "#faf9f7", "#f3f2ef"]], ["dark", ["#181c20", "#101316", "#13161a"]]] as const)("stands out on the %s page", (shade, grounds) => {
-  for (const id of IDS) for (const ground of grounds) expect(contrast(LOOKS[id][shade], ground), `${id} on ${ground}`).toBeGreaterThanOrEqual(3);
+it.each([
+  ["light", ["#ffffff", "#faf9f7", "#f3f2ef"]],
+  ["dark", ["#181c20", "#101316", "#13161a"]],
+] as const)("stands out on the %s page", (shade, grounds) => {
+  for (const id of IDS)
+    for (const ground of grounds)
+      expect(contrast(LOOKS[id][shade], ground), `${id} on ${ground}`).toBeGreaterThanOrEqual(3);
 });
 
 it.each(Object.keys(EYES))("can be told from each other: %s", (eye) => {
@@ -56,7 +88,8 @@ it.each(Object.keys(EYES))("can be told from each other: %s", (eye) => {
 
 it("has a name, a colour and a mark of its own for each model", () => {
   const styles = IDS.map(modelStyle);
-  for (const key of ["name", "colour", "mark"] as const) expect(new Set(styles.map((style) => style[key])).size).toBe(IDS.length);
+  for (const key of ["name", "colour", "mark"] as const)
+    expect(new Set(styles.map((style) => style[key])).size).toBe(IDS.length);
   expect(modelStyle("vcgpdm")).toEqual({ name: "vCGPDM", colour: "light-dark(#075cb1, #639bdb)", mark: "circle" });
 });
 

@@ -19,11 +19,11 @@ interface Look {
 }
 
 export const LOOKS: Record<ModelId, Look> = {
-  "vcgpdm": { name: "vCGPDM", light: "#075cb1", dark: "#639bdb", mark: "circle" },
-  "vgpdm": { name: "vGPDM", light: "#d26208", dark: "#f77320", mark: "square" },
+  vcgpdm: { name: "vCGPDM", light: "#075cb1", dark: "#639bdb", mark: "circle" },
+  vgpdm: { name: "vGPDM", light: "#d26208", dark: "#f77320", mark: "square" },
   "map-gpdm": { name: "MAP GPDM", light: "#229878", dark: "#7dceb4", mark: "triangle" },
   "map-cgpdm": { name: "MAP CGPDM", light: "#97336c", dark: "#b25a7c", mark: "wedge" },
-  "tmp": { name: "TMP", light: "#2b3137", dark: "#f0f1f3", mark: "diamond" },
+  tmp: { name: "TMP", light: "#2b3137", dark: "#f0f1f3", mark: "diamond" },
   "dmp-discrete": { name: "DMP (discrete)", light: "#614a00", dark: "#f8c535", mark: "cross" },
   "dmp-rhythmic": { name: "DMP (rhythmic)", light: "#9973dc", dark: "#7852d5", mark: "plus" },
 };
@@ -36,10 +36,28 @@ export function modelStyle(id: ModelId): ModelStyle {
 /** Outlines about (0, 0) that look equally large, for a size of 1. */
 const OUTLINES: Record<Mark, [number, number][]> = {
   circle: [],
-  square: [[-0.86, -0.86], [0.86, -0.86], [0.86, 0.86], [-0.86, 0.86]],
-  triangle: [[0, -1.16], [1.1, 0.8], [-1.1, 0.8]],
-  wedge: [[0, 1.16], [1.1, -0.8], [-1.1, -0.8]],
-  diamond: [[0, -1.25], [1.25, 0], [0, 1.25], [-1.25, 0]],
+  square: [
+    [-0.86, -0.86],
+    [0.86, -0.86],
+    [0.86, 0.86],
+    [-0.86, 0.86],
+  ],
+  triangle: [
+    [0, -1.16],
+    [1.1, 0.8],
+    [-1.1, 0.8],
+  ],
+  wedge: [
+    [0, 1.16],
+    [1.1, -0.8],
+    [-1.1, -0.8],
+  ],
+  diamond: [
+    [0, -1.25],
+    [1.25, 0],
+    [0, 1.25],
+    [-1.25, 0],
+  ],
   cross: turned(45),
   plus: turned(0),
 };
@@ -49,8 +67,18 @@ function turned(degrees: number): [number, number][] {
   const arm = 1.2;
   const half = 0.36;
   const corners: [number, number][] = [
-    [-half, -arm], [half, -arm], [half, -half], [arm, -half], [arm, half], [half, half],
-    [half, arm], [-half, arm], [-half, half], [-arm, half], [-arm, -half], [-half, -half],
+    [-half, -arm],
+    [half, -arm],
+    [half, -half],
+    [arm, -half],
+    [arm, half],
+    [half, half],
+    [half, arm],
+    [-half, arm],
+    [-half, half],
+    [-arm, half],
+    [-arm, -half],
+    [-half, -half],
   ];
   const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
   return corners.map(([x, y]) => [x * cos - y * sin, x * sin + y * cos]);

@@ -26,7 +26,8 @@ function ticksOf(scale: Scale, width: number, type: number) {
       const x = scale.at(value);
       return { x, label, half, text: Math.min(Math.max(x, half), width - half) };
     });
-    if (ticks.every(({ text, half }, i) => i === 0 || text - half >= ticks[i - 1]!.text + ticks[i - 1]!.half + 5)) return ticks;
+    if (ticks.every(({ text, half }, i) => i === 0 || text - half >= ticks[i - 1]!.text + ticks[i - 1]!.half + 5))
+      return ticks;
   }
   return [];
 }
@@ -47,15 +48,36 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
   }
 
   protected table({ models }: Comparison) {
-    const spread = (name: string, unit: string) => [`${name} mean (${unit})`, `${name} standard error (${unit})`, `${name} count`];
+    const spread = (name: string, unit: string) => [
+      `${name} mean (${unit})`,
+      `${name} standard error (${unit})`,
+      `${name} count`,
+    ];
     const fields = (of: Spread | null) => (of ? [of.mean, of.standardError, of.count] : [null, null, null]);
     return {
       header: [
-        "model", "settings", ...spread("DTW MSE", "squared units of the columns"), "DTW MSE median (squared units of the columns)", "MSE of a prediction that does not move (squared units of the columns)",
-        ...spread("bound", "nats"), ...spread("training", "s"), ...spread("numbers stored", "numbers"), "folds", "runs",
+        "model",
+        "settings",
+        ...spread("DTW MSE", "squared units of the columns"),
+        "DTW MSE median (squared units of the columns)",
+        "MSE of a prediction that does not move (squared units of the columns)",
+        ...spread("bound", "nats"),
+        ...spread("training", "s"),
+        ...spread("numbers stored", "numbers"),
+        "folds",
+        "runs",
       ],
       rows: models.map((m) => [
-        modelStyle(m.model).name, m.label, ...fields(m.mse), m.mseMedian, m.variance, ...fields(m.bound), ...fields(m.seconds), ...fields(m.storedNumbers), m.folds, m.runs,
+        modelStyle(m.model).name,
+        m.label,
+        ...fields(m.mse),
+        m.mseMedian,
+        m.variance,
+        ...fields(m.bound),
+        ...fields(m.seconds),
+        ...fields(m.storedNumbers),
+        m.folds,
+        m.runs,
       ]),
     };
   }
@@ -71,9 +93,11 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
       <th scope="col"><div class="measure">
         <span class="number">${title}<small>${unit}</small></span>
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
-          <g class="axes" font-size=${this.small}>${ticks.map(({ x, text, label }) => svg`
+          <g class="axes" font-size=${this.small}>${ticks.map(
+            ({ x, text, label }) => svg`
             <line class="axis" x1=${x} x2=${x} y1=${height - 4} y2=${height}></line>
-            <text x=${text} y=${height - 6} text-anchor="middle">${label}</text>`)}</g>
+            <text x=${text} y=${height - 6} text-anchor="middle">${label}</text>`,
+          )}</g>
         </svg></div></th>`;
   }
 
@@ -102,7 +126,13 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
     const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, room)));
     const measures: Drawn[] = MEASURES.map((measure) => {
       const drawing = scaleOf(measure, models, width);
-      return { ...measure, drawing, width, ticks: ticksOf(drawing, width, this.small), winner: bestOf(measure, models) };
+      return {
+        ...measure,
+        drawing,
+        width,
+        ticks: ticksOf(drawing, width, this.small),
+        winner: bestOf(measure, models),
+      };
     });
     return html`
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>

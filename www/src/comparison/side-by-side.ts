@@ -23,7 +23,10 @@ interface Shown {
 }
 
 const motionOf = ({ positions, frameTime }: Positions, nodes: number): Motion => ({
-  positions, nodes, frameTime, frames: positions.length / (3 * nodes),
+  positions,
+  nodes,
+  frameTime,
+  frames: positions.length / (3 * nodes),
 });
 
 export class SideBySide extends View {
@@ -170,7 +173,8 @@ export class SideBySide extends View {
       try {
         this.columns = new Columns(canvas);
       } catch {
-        this.problem = "This browser shows no 3-D graphics (WebGL), so the figures cannot be drawn. The tables below work all the same.";
+        this.problem =
+          "This browser shows no 3-D graphics (WebGL), so the figures cannot be drawn. The tables below work all the same.";
         this.requestUpdate();
         return;
       }
@@ -185,7 +189,9 @@ export class SideBySide extends View {
     this.onStage = { of: study, what };
     const nodes = study.body.figure.nodes.length;
     const trial = motionOf(actual, nodes);
-    const motions = shown.map(({ predicted }): ColumnMotion => ({ predicted: motionOf(predicted, nodes), actual: trial }));
+    const motions = shown.map(
+      ({ predicted }): ColumnMotion => ({ predicted: motionOf(predicted, nodes), actual: trial }),
+    );
     this.columns?.show(study.body, motions);
     this.apart = {
       frameTime: trial.frameTime,
@@ -226,9 +232,11 @@ export class SideBySide extends View {
     const { study } = studying(this.app);
     const folds = this.folds();
     if (!study || folds.length === 0) {
-      return html`<p class="empty waiting">${study && study.clips.length === 0
-        ? "A file of results holds no motions: press Compare with the clips to see the models move."
-        : "The models will walk here side by side, each with the real trial as a grey ghost."}</p>`;
+      return html`<p class="empty waiting">${
+        study && study.clips.length === 0
+          ? "A file of results holds no motions: press Compare with the clips to see the models move."
+          : "The models will walk here side by side, each with the real trial as a grey ghost."
+      }</p>`;
     }
     const fold = this.foldNow();
     const all = this.candidates(fold);
@@ -259,12 +267,14 @@ export class SideBySide extends View {
           @keydown=${(event: KeyboardEvent) => this.columns?.turnByKey(event)}></canvas>
         ${this.problem ? html`<p class="stage-problem" role="alert">${this.problem}</p>` : nothing}
         <ol class="column-heads">
-          ${shown.map((one) => html`
+          ${shown.map(
+            (one) => html`
             <li>
               <strong>${modelStyle(one.finished.job.candidate.model).name}</strong>
               <span>${this.nameOf(one)}</span>
               <span>MSE ${plain(one.finished.outcome?.score.dtw_mse ?? NaN)}</span>
-            </li>`)}
+            </li>`,
+          )}
         </ol>
       </div>
       ${this.controls()}

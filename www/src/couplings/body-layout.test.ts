@@ -3,9 +3,20 @@ import { bowPath, drawApart, HEIGHT, loopPath, WIDTH } from "./body-layout";
 
 it("draws nodes apart, also those in one place, and keeps them in the map", () => {
   for (const spots of [
-    [{ x: 85, y: 90 }, { x: 85, y: 90 }],
-    [{ x: 85, y: 150 }, { x: 85, y: 60 }, { x: 60, y: 90 }, { x: 110, y: 90 }],
-    [{ x: -40, y: 500 }, { x: 85, y: 60 }],
+    [
+      { x: 85, y: 90 },
+      { x: 85, y: 90 },
+    ],
+    [
+      { x: 85, y: 150 },
+      { x: 85, y: 60 },
+      { x: 60, y: 90 },
+      { x: 110, y: 90 },
+    ],
+    [
+      { x: -40, y: 500 },
+      { x: 85, y: 60 },
+    ],
   ]) {
     const apart = drawApart(spots);
     apart.forEach((a, i) => {
@@ -16,7 +27,10 @@ it("draws nodes apart, also those in one place, and keeps them in the map", () =
 });
 
 it("bows arrows there and back to different sides", () => {
-  const [a, b] = [{ x: 85, y: 40 }, { x: 85, y: 140 }];
+  const [a, b] = [
+    { x: 85, y: 40 },
+    { x: 85, y: 140 },
+  ];
   const control = (path: string) => Number(/Q([\d.-]+) /.exec(path)?.[1]);
   expect(Math.sign(control(bowPath(a, b)) - 85)).toBe(-Math.sign(control(bowPath(b, a)) - 85));
   expect(loopPath(a)).not.toContain("NaN");

@@ -20,7 +20,8 @@ export class BodyMap extends View {
 
   override willUpdate(): void {
     const { model, learned } = this.app;
-    if (!model || !learned || this.bodyOf === model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts)) return;
+    if (!model || !learned || this.bodyOf === model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts))
+      return;
     this.bodyOf = model.info.sequences[0]?.sha256 + JSON.stringify(model.info.parts);
     this.body = this.layOut();
   }
@@ -41,7 +42,8 @@ export class BodyMap extends View {
     });
     const part = partOfJoints(info.joints.length, info.parts);
     const bones = info.figure.nodes.flatMap(({ parent }, node) =>
-      parent === null ? [] : [{ a: flat[parent]!, b: flat[node]!, part: part[info.figure.nodes[parent]!.joint] ?? 0 }]);
+      parent === null ? [] : [{ a: flat[parent]!, b: flat[node]!, part: part[info.figure.nodes[parent]!.joint] ?? 0 }],
+    );
     const spots = info.parts.map((_, index) => {
       const own = info.figure.nodes.flatMap(({ joint }, node) => (part[joint] === index ? [flat[node]!] : []));
       const n = Math.max(1, own.length);
@@ -100,11 +102,15 @@ export class BodyMap extends View {
         aria-label="Body map: an arrow for each coupling, as thick as its weight. The sliders in the table change the same couplings.">
         ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style="--part:${partColour(part)}" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
         ${parts.flatMap((_, source) => parts.map((__, target) => this.arrow(source, target)))}
-        ${parts.map(({ name }, part) => spots[part] ? svg`
+        ${parts.map(({ name }, part) =>
+          spots[part]
+            ? svg`
           <g style="--part:${partColour(part)}">
             <circle class="map-node" cx=${spots[part].x} cy=${spots[part].y} r=${NODE} />
             <title>${name}</title>
-          </g>` : "")}
+          </g>`
+            : "",
+        )}
       </svg>`;
   }
 }

@@ -75,11 +75,13 @@ export class CouplingsView extends View {
           </tr>
         </thead>
         <tbody>
-          ${parts.map(({ name }, source) => html`
+          ${parts.map(
+            ({ name }, source) => html`
             <tr>
               <th scope="row">${head(name, source)}</th>
               ${parts.map((_, target) => this.cell(source, target))}
-            </tr>`)}
+            </tr>`,
+          )}
         </tbody>
       </table>`;
   }
@@ -96,9 +98,11 @@ export class CouplingsView extends View {
           <button type="button" aria-pressed=${inferred ? "true" : "false"} data-testid="reading-inferred"
             @click=${() => setReading(this.app, "re-inferred")}>experts re-inferred</button>
         </div>
-        <p>${inferred
-          ? "What the same data would have taught each part’s predictions under these couplings."
-          : "Only the weights change: each part predicts as before, and counts for more or less."}</p>
+        <p>${
+          inferred
+            ? "What the same data would have taught each part’s predictions under these couplings."
+            : "Only the weights change: each part predicts as before, and counts for more or less."
+        }</p>
         <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!altered} @click=${() => resetCouplings(this.app)}>
           ${icon("reset")} Reset all <kbd>0</kbd></button>
       </fieldset>`;
@@ -124,16 +128,20 @@ export class CouplingsView extends View {
         <p class="hint">Which part predicts which. Right is strong.</p>
         ${model ? this.starts() : nothing}
       </header>
-      ${model
-        ? html`
+      ${
+        model
+          ? html`
           <div class="couplings-body">
             ${model.info.parts.length > 1 ? html`<pg-body-map .app=${this.app}></pg-body-map>` : nothing}
             <div class="table-box">${this.table()}</div>
             ${this.readings()}
           </div>`
-        : html`<p class="empty">${engineState === "failed"
-            ? "The model could not be started, so its couplings cannot be changed."
-            : "How the parts drive each other appears here."}</p>`}
+          : html`<p class="empty">${
+              engineState === "failed"
+                ? "The model could not be started, so its couplings cannot be changed."
+                : "How the parts drive each other appears here."
+            }</p>`
+      }
     `;
   }
 }

@@ -100,7 +100,11 @@ export async function setStart(app: App, start: number): Promise<void> {
 }
 
 /** Takes up a model that the worker has opened or trained. A clip that is being looked at stays on the stage when asked to. */
-export function takeUp(app: App, { model, rollout }: OpenedModel, keep: { couplings?: boolean; clip?: boolean } = {}): void {
+export function takeUp(
+  app: App,
+  { model, rollout }: OpenedModel,
+  keep: { couplings?: boolean; clip?: boolean } = {},
+): void {
   queueOf(app).drop();
   app.model = model;
   app.learned = rollout;

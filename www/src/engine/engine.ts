@@ -30,7 +30,8 @@ export function watched(worker: Worker) {
   return { worker, broken };
 }
 
-const open = (name: string) => watched(new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }));
+const open = (name: string) =>
+  watched(new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }));
 
 /** A trap of the wasm names an instruction, which is no news to a person. */
 function inWords(problem: unknown): unknown {
@@ -39,7 +40,11 @@ function inWords(problem: unknown): unknown {
 }
 
 /** Work under way that `cancel` brings to an early end when the signal comes. */
-export async function cancellable<Result>(signal: AbortSignal, cancel: () => unknown, work: () => Promise<Result>): Promise<Result> {
+export async function cancellable<Result>(
+  signal: AbortSignal,
+  cancel: () => unknown,
+  work: () => Promise<Result>,
+): Promise<Result> {
   signal.throwIfAborted();
   const stop = () => void cancel();
   signal.addEventListener("abort", stop);
@@ -58,7 +63,11 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
   return {
     worker: {
       train: (job, report, signal) =>
-        cancellable(signal, () => remote.cancelTraining(), () => remote.train(job, Comlink.proxy(report))),
+        cancellable(
+          signal,
+          () => remote.cancelTraining(),
+          () => remote.train(job, Comlink.proxy(report)),
+        ),
     },
     ready: remote.start(wasm),
     broken,

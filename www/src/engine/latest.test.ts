@@ -3,8 +3,7 @@ import { Latest } from "./latest";
 
 function slow() {
   const open: { request: number; answer: (value: number) => void; fail: (problem: Error) => void }[] = [];
-  const ask = (request: number) =>
-    new Promise<number>((answer, fail) => open.push({ request, answer, fail }));
+  const ask = (request: number) => new Promise<number>((answer, fail) => open.push({ request, answer, fail }));
   return { open, ask };
 }
 const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
@@ -12,7 +11,11 @@ const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
 it("asks for the newest only, and one at a time", async () => {
   const { open, ask } = slow();
   const results: number[] = [];
-  const latest = new Latest(ask, (result) => results.push(result), () => {});
+  const latest = new Latest(
+    ask,
+    (result) => results.push(result),
+    () => {},
+  );
   [1, 2, 3, 4].forEach((n) => latest.request(n));
   expect(open.map(({ request }) => request)).toEqual([1]);
   open[0]!.answer(10);
@@ -27,7 +30,11 @@ it("goes on after a failure, and forgets what was dropped", async () => {
   const { open, ask } = slow();
   const results: number[] = [];
   const problems: unknown[] = [];
-  const latest = new Latest(ask, (result) => results.push(result), (problem) => problems.push(problem));
+  const latest = new Latest(
+    ask,
+    (result) => results.push(result),
+    (problem) => problems.push(problem),
+  );
   latest.request(1);
   open[0]!.fail(new Error("no"));
   await settle();

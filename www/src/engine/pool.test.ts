@@ -54,7 +54,12 @@ it("works in the order of asking, on no more workers than it is wide, and starts
   await settle();
   at("d").end("D");
   await settle();
-  expect([...ends]).toEqual([["b", "B"], ["a", "A"], ["c", "C"], ["d", "D"]]);
+  expect([...ends]).toEqual([
+    ["b", "B"],
+    ["a", "A"],
+    ["c", "C"],
+    ["d", "D"],
+  ]);
   expect(workers).toHaveLength(2);
 });
 
@@ -136,7 +141,9 @@ it("gives no work to a worker that died while it was idle", async () => {
 });
 
 it("goes on when a worker does not start", async () => {
-  const { ask, at, ends } = scene(1, undefined, (name) => (name === 0 ? Promise.reject(new Error("no memory")) : Promise.resolve()));
+  const { ask, at, ends } = scene(1, undefined, (name) =>
+    name === 0 ? Promise.reject(new Error("no memory")) : Promise.resolve(),
+  );
   ask("a");
   ask("b");
   await settle();

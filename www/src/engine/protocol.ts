@@ -256,4 +256,3 @@ export interface Workbench {
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
 }
-

@@ -25,21 +25,35 @@ export interface ComparingWorker {
   compare(results: Results): Promise<Comparison>;
   draw(job: ExperimentJob): Promise<SyntheticTruth>;
   /** Keeps the best so far when the signal comes. */
-  experiment(job: ExperimentJob, report: (report: ExperimentReport) => void, signal: AbortSignal): Promise<TrainingOutcome>;
+  experiment(
+    job: ExperimentJob,
+    report: (report: ExperimentReport) => void,
+    signal: AbortSignal,
+  ): Promise<TrainingOutcome>;
 }
 
 function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
-  const { worker, broken } = watched(new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name: "comparing" }));
+  const { worker, broken } = watched(
+    new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name: "comparing" }),
+  );
   const remote = Comlink.wrap<Comparer>(worker);
   return {
     worker: {
       evaluate: (job, report, signal) =>
-        cancellable(signal, () => remote.cancelEvaluation(), () => remote.evaluate(job, Comlink.proxy(report))),
+        cancellable(
+          signal,
+          () => remote.cancelEvaluation(),
+          () => remote.evaluate(job, Comlink.proxy(report)),
+        ),
       emptyResults: (clips, settings) => remote.emptyResults(clips, settings),
       compare: (results) => remote.compare(results),
       draw: (job) => remote.draw(job),
       experiment: (job, report, signal) =>
-        cancellable(signal, () => remote.cancelExperiment(), () => remote.experiment(job, Comlink.proxy(report))),
+        cancellable(
+          signal,
+          () => remote.cancelExperiment(),
+          () => remote.experiment(job, Comlink.proxy(report)),
+        ),
     },
     ready: remote.start(wasm),
     broken,

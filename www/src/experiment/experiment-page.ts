@@ -41,9 +41,10 @@ export class SyntheticPage extends View {
     if (lesson.busy) {
       if (asked.every(({ iteration }) => iteration === 0)) return "Setting up";
       const [first] = asked;
-      const where = asked.length === 1
-        ? `Iteration ${first!.iteration}`
-        : `${asked.filter(({ state }) => state === "done" || state === "failed").length} of ${asked.length} seeds done`;
+      const where =
+        asked.length === 1
+          ? `Iteration ${first!.iteration}`
+          : `${asked.filter(({ state }) => state === "done" || state === "failed").length} of ${asked.length} seeds done`;
       return html`<span>${where}</span><span>${sentence(timeLeft(restOf(asked, lesson.width)))}</span>`;
     }
     if (shown?.state === "failed") return html`<span class="bad">Training failed. ${sentence(shown.ending)}</span>`;
@@ -65,7 +66,11 @@ export class SyntheticPage extends View {
   private button(tried: boolean) {
     const lesson = lessonOf(this.app);
     const { busy, job } = lesson;
-    const why = busy ? "Stops here and keeps the best so far" : tried ? "This seed was trained to the end; it would find the same again" : "";
+    const why = busy
+      ? "Stops here and keeps the best so far"
+      : tried
+        ? "This seed was trained to the end; it would find the same again"
+        : "";
     return html`
       <button class="primary big" data-testid=${busy ? "lesson-cancel" : "lesson-train"} title=${why}
         ?disabled=${busy ? lesson.status === "cancelling" : tried || lesson.problem !== ""}
@@ -112,9 +117,11 @@ export class SyntheticPage extends View {
     return html`
       <h2><span class="step">1</span> What was made</h2>
       <p>Two systems, each a point that moves in the plane for ${truth?.frames ?? 300} frames.
-        ${job.driving
-          ? "Part 1 follows a rule of its own. Part 2 follows its own rule too, but one tenth of each move comes from part 1."
-          : "Each follows a rule of its own. This is the control: part 1 has no share in part 2."}
+        ${
+          job.driving
+            ? "Part 1 follows a rule of its own. Part 2 follows its own rule too, but one tenth of each move comes from part 1."
+            : "Each follows a rule of its own. This is the control: part 1 has no share in part 2."
+        }
         The rules are drawn at random, so that the points go round, each at its own rate.</p>
       <p class="formula">${point(1, false)} = g<sub>1</sub>(${point(1, true)})<br />
         ${point(2, false)} = ${job.driving ? html`0.1 g<sub>1</sub>(${point(1, true)}) + 0.9 ` : nothing}g<sub>2</sub>(${point(2, true)})</p>
@@ -162,10 +169,12 @@ export class SyntheticPage extends View {
         It does not always work: of seeds 0 to 9 with driving, two miss by little; of seeds 0 to 29, five miss.</p>
       <p class="tally" data-testid="lesson-tally">${tally(tries)}</p>
       ${triesTable(tries, shown, ({ seed, driving }) => changeSettings(app, { drawn: seed, driving }))}
-      ${truth
-        ? html`<p class="hint">Found means: α from 2 to 1 is at least ${truth.much} times α from 1 to 1, and α from 1 to 2 within a factor of ${truth.alike} of α from 2 to 2;
+      ${
+        truth
+          ? html`<p class="hint">Found means: α from 2 to 1 is at least ${truth.much} times α from 1 to 1, and α from 1 to 2 within a factor of ${truth.alike} of α from 2 to 2;
             without driving it is at least ${truth.much} times as large.</p>`
-        : nothing}`;
+          : nothing
+      }`;
   }
 
   protected override render() {
@@ -173,10 +182,12 @@ export class SyntheticPage extends View {
     return html`
       <section class="panel lesson-setup" aria-label="The experiment">${this.setup()}</section>
       <div class="lesson">
-        ${lesson.problem
-          ? html`<p class="panel bad" role="alert">The experiment could not be made: ${sentence(lesson.problem)}
+        ${
+          lesson.problem
+            ? html`<p class="panel bad" role="alert">The experiment could not be made: ${sentence(lesson.problem)}
               <button class="small" @click=${() => lesson.drawAgain()}>Try again</button></p>`
-          : nothing}
+            : nothing
+        }
         <section class="panel made-panel" aria-label="What was made">${this.made()}</section>
         <section class="panel" aria-label="What the model sees">${this.seen()}</section>
         <section class="panel wide-panel" aria-label="What training finds">${this.found()}</section>

@@ -105,10 +105,14 @@ export class Lesson {
       this.workers = pool.width;
       const { cancelled, reason } = await pool.run((worker) => {
         one.state = "running";
-        return worker.experiment({ seed: one.seed, driving: one.driving }, ({ progress, elapsed, findings }) => {
-          Object.assign(one, { iteration: progress.iteration, fraction: progress.fraction, elapsed, findings });
-          this.app.tellSoon("lesson");
-        }, signal);
+        return worker.experiment(
+          { seed: one.seed, driving: one.driving },
+          ({ progress, elapsed, findings }) => {
+            Object.assign(one, { iteration: progress.iteration, fraction: progress.fraction, elapsed, findings });
+            this.app.tellSoon("lesson");
+          },
+          signal,
+        );
       }, signal);
       one.state = cancelled ? "cancelled" : "done";
       one.ending = reason;

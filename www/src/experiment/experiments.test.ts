@@ -11,33 +11,62 @@ const CONTROL = { ...RULES, drive: 0 };
 function findings(back: number, forth: number, driving = true): SyntheticFindings {
   const forthIsRight = driving ? forth >= 1 / RULES.alike && forth <= RULES.alike : forth >= RULES.much;
   return {
-    alpha: [[0.1, 0.1 * forth], [0.1 * back, 0.1]],
-    weights: [[1 - 1 / (1 + back), 1 / (1 + forth)], [1 / (1 + back), 1 - 1 / (1 + forth)]],
+    alpha: [
+      [0.1, 0.1 * forth],
+      [0.1 * back, 0.1],
+    ],
+    weights: [
+      [1 - 1 / (1 + back), 1 / (1 + forth)],
+      [1 / (1 + back), 1 - 1 / (1 + forth)],
+    ],
     verdict: { back, forth, backIsRight: back >= RULES.much, forthIsRight },
-    learned: [[], []], explained: [1, 1], start: { bound: 0, mse: 1 }, now: { bound: 1, mse: 0 },
+    learned: [[], []],
+    explained: [1, 1],
+    start: { bound: 0, mse: 1 },
+    now: { bound: 1, mse: 0 },
   };
 }
 
-const tried = (seed: number, more: Partial<Try> = {}): Try => ({ ...newTry({ seed, driving: true }), state: "done", fraction: 1, ...more });
+const tried = (seed: number, more: Partial<Try> = {}): Try => ({
+  ...newTry({ seed, driving: true }),
+  state: "done",
+  fraction: 1,
+  ...more,
+});
 
 describe("the answer in words", () => {
   it("says what was found", () => {
     expect(headline(findings(1800, 2), true)).toMatch(/^Found: part 1 drives part 2/);
     expect(headline(findings(1800, 2000, false), false)).toBe("Found: neither part drives the other.");
     const [back, forth] = readings(findings(1847.7, 2), DRIVEN);
-    expect(back).toEqual({ right: true, words: "α from 2 to 1 is 1,848 times α from 1 to 1: part 2 counts for nothing in part 1. That is true." });
-    expect(forth).toEqual({ right: true, words: "α from 1 to 2 is 2.00 times α from 2 to 2: part 1 has a say in part 2. That is true." });
+    expect(back).toEqual({
+      right: true,
+      words: "α from 2 to 1 is 1,848 times α from 1 to 1: part 2 counts for nothing in part 1. That is true.",
+    });
+    expect(forth).toEqual({
+      right: true,
+      words: "α from 1 to 2 is 2.00 times α from 2 to 2: part 1 has a say in part 2. That is true.",
+    });
   });
 
   it("says what was missed, and by how much", () => {
     expect(headline(findings(1800, 4.18), true)).toMatch(/^Missed/);
     expect(readings(findings(1800, 4.18), DRIVEN)[1]).toEqual({
       right: false,
-      words: "α from 1 to 2 is 4.18 times α from 2 to 2: too small a say of part 1 in part 2; up to 4 times counts as found.",
+      words:
+        "α from 1 to 2 is 4.18 times α from 2 to 2: too small a say of part 1 in part 2; up to 4 times counts as found.",
     });
-    expect(readings(findings(1800, 0.1), DRIVEN)[1]!.words).toMatch(/more say in part 2 than part 2 itself, which is not so/);
-    expect(readings(findings(1.2, 2), DRIVEN)[0]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 1, which it has not; 10 times or more") });
-    expect(readings(findings(1800, 2, false), CONTROL)[1]).toMatchObject({ right: false, words: expect.stringContaining("a say in part 2, which it has not; 10 times or more") });
+    expect(readings(findings(1800, 0.1), DRIVEN)[1]!.words).toMatch(
+      /more say in part 2 than part 2 itself, which is not so/,
+    );
+    expect(readings(findings(1.2, 2), DRIVEN)[0]).toMatchObject({
+      right: false,
+      words: expect.stringContaining("a say in part 1, which it has not; 10 times or more"),
+    });
+    expect(readings(findings(1800, 2, false), CONTROL)[1]).toMatchObject({
+      right: false,
+      words: expect.stringContaining("a say in part 2, which it has not; 10 times or more"),
+    });
   });
 
   it("writes ratios as finely as they need", () => {
@@ -55,12 +84,20 @@ describe("what was tried", () => {
   ];
 
   it("counts what was found, not what was stopped or failed", () => {
-    expect(tally(tries)).toBe("Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.");
+    expect(tally(tries)).toBe(
+      "Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.",
+    );
     expect(tally([])).toBe("");
   });
 
   it("stands in order: with driving first, then by seed", () => {
-    expect(inOrder(tries).map(({ seed, driving }) => [seed, driving])).toEqual([[3, true], [5, true], [6, true], [8, true], [0, false]]);
+    expect(inOrder(tries).map(({ seed, driving }) => [seed, driving])).toEqual([
+      [3, true],
+      [5, true],
+      [6, true],
+      [8, true],
+      [0, false],
+    ]);
   });
 });
 

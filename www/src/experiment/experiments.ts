@@ -40,9 +40,12 @@ export function readings(
   { drive, much, alike }: Pick<SyntheticTruth, "drive" | "much" | "alike">,
 ): { words: string; right: boolean }[] {
   const { back, forth, backIsRight, forthIsRight } = verdict;
-  const none = (is: string, source: number, target: number, right: boolean) => `${is}: part ${source} ${right
-    ? `counts for nothing in part ${target}. That is true.`
-    : `seems to have a say in part ${target}, which it has not; ${much} times or more would say so.`}`;
+  const none = (is: string, source: number, target: number, right: boolean) =>
+    `${is}: part ${source} ${
+      right
+        ? `counts for nothing in part ${target}. That is true.`
+        : `seems to have a say in part ${target}, which it has not; ${much} times or more would say so.`
+    }`;
   const some = (is: string) => {
     if (forthIsRight) return `${is}: part 1 has a say in part 2. That is true.`;
     return forth > alike
@@ -60,7 +63,9 @@ export function readings(
 /** The answer in one sentence. */
 export function headline(findings: SyntheticFindings, driving: boolean): string {
   if (!isFound(findings)) return "Missed: not all that the couplings say is true.";
-  return driving ? "Found: part 1 drives part 2, and part 2 does not drive part 1." : "Found: neither part drives the other.";
+  return driving
+    ? "Found: part 1 drives part 2, and part 2 does not drive part 1."
+    : "Found: neither part drives the other.";
 }
 
 /** How often the truth was found; trainings that were stopped early do not count. */

@@ -29,8 +29,10 @@ export function alphaTable(findings: SyntheticFindings | null) {
     <table class="alphas">
       <caption class="visually-hidden">The learned couplings: rows predict columns</caption>
       <thead><tr><td></td>${PARTS.map((target) => html`<th scope="col"><small>predicts</small> ${partName(target)}</th>`)}</tr></thead>
-      <tbody>${PARTS.map((source) => html`
-        <tr><th scope="row">${partName(source)}</th>${PARTS.map((target) => cell(source, target))}</tr>`)}
+      <tbody>${PARTS.map(
+        (source) => html`
+        <tr><th scope="row">${partName(source)}</th>${PARTS.map((target) => cell(source, target))}</tr>`,
+      )}
       </tbody>
     </table>`;
 }
@@ -55,9 +57,13 @@ export function fitTable(one: Try | null) {
 /** The answer in words. */
 export function verdictWords(one: Try | null, truth: SyntheticTruth | null) {
   if (one?.state === "failed") return html`<p class="bad">Training failed. ${one.ending}</p>`;
-  if (!one?.findings || !truth) return html`<p class="empty">${one ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
+  if (!one?.findings || !truth)
+    return html`<p class="empty">${one ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
   const { findings, driving, state, iteration } = one;
-  const so = state === "done" ? nothing : html`<small>${state === "cancelled" ? "Stopped" : "So far,"} after ${grouped(iteration)} iterations</small>`;
+  const so =
+    state === "done"
+      ? nothing
+      : html`<small>${state === "cancelled" ? "Stopped" : "So far,"} after ${grouped(iteration)} iterations</small>`;
   return html`
     <div class="verdict">
       <p class="headline ${isFound(findings) ? "" : "bad"}" data-testid="lesson-verdict">${headline(findings, driving)} ${so}</p>

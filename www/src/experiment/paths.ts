@@ -13,7 +13,10 @@ const MARGIN = 0.06;
 
 /** The frame in which all points [n x 2], row after row, are seen, with the same scale for both axes. */
 export function frameOf(points: readonly number[], side: number): Frame {
-  const [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+  const [low, high] = [
+    [Infinity, Infinity],
+    [-Infinity, -Infinity],
+  ];
   points.forEach((value, i) => {
     low[i % 2] = Math.min(low[i % 2]!, value);
     high[i % 2] = Math.max(high[i % 2]!, value);
@@ -56,7 +59,9 @@ export function curvePaths({ values, columns, frames, width, height }: Curves): 
   return Array.from({ length: columns }, (_, column) => {
     const steps: string[] = [];
     for (let t = 0; (t + 1) * columns <= shown.length; t++) {
-      steps.push(`${tenth((t / Math.max(1, frames - 1)) * width)} ${tenth((column + 0.5) * row - scale * shown[t * columns + column]!)}`);
+      steps.push(
+        `${tenth((t / Math.max(1, frames - 1)) * width)} ${tenth((column + 0.5) * row - scale * shown[t * columns + column]!)}`,
+      );
     }
     return `M${steps.join("L")}`;
   });

@@ -10,7 +10,12 @@ const SIDE = 200;
 export const CURVE_FRAMES = 100;
 
 /** A part's true latents, and the learned ones over them where there are any. */
-export function latentPicture(part: number, truth: SyntheticTruth | null, learned: number[] | null, explained: number | null) {
+export function latentPicture(
+  part: number,
+  truth: SyntheticTruth | null,
+  learned: number[] | null,
+  explained: number | null,
+) {
   const actual = truth?.latents[part] ?? [];
   const frame = frameOf(actual, SIDE);
   const label = learned
@@ -29,7 +34,9 @@ export function latentPicture(part: number, truth: SyntheticTruth | null, learne
 /** What the model sees of a part. */
 export function curvesPicture(part: number, truth: SyntheticTruth | null) {
   const [width, height] = [300, 130];
-  const paths = truth ? curvePaths({ values: truth.observed[part] ?? [], columns: truth.columns, frames: CURVE_FRAMES, width, height }) : [];
+  const paths = truth
+    ? curvePaths({ values: truth.observed[part] ?? [], columns: truth.columns, frames: CURVE_FRAMES, width, height })
+    : [];
   return html`
     <figure class="curves-picture" style=${swatchStyle(partColour(part))}>
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="Part ${part + 1}: ten noisy curves over time">

@@ -22,7 +22,8 @@ function answer({ state, findings, fraction, seed, ending }: Try) {
 
 function row(one: Try, shown: Try | null, show: (one: Try) => void) {
   const { seed, driving, iteration, findings } = one;
-  const ratio = (value: number, right: boolean) => (right ? times(value) : html`<strong class="bad">${times(value)}</strong>`);
+  const ratio = (value: number, right: boolean) =>
+    right ? times(value) : html`<strong class="bad">${times(value)}</strong>`;
   const course = (start: string, now: string) => html`${start} <span aria-label="to">→</span> ${now}`;
   return html`
     <tr data-testid="lesson-try" data-state=${one.state} class=${one === shown ? "chosen" : ""}>
@@ -30,15 +31,17 @@ function row(one: Try, shown: Try | null, show: (one: Try) => void) {
         aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(one)}>${seed}</button></th>
       <td>${driving ? "yes" : "no"}</td>
       <td class="answer">${answer(one)}</td>
-      ${findings
-        ? html`
+      ${
+        findings
+          ? html`
           <td>${ratio(findings.verdict.back, findings.verdict.backIsRight)}</td>
           <td>${ratio(findings.verdict.forth, findings.verdict.forthIsRight)}</td>
           <td>${course(grouped(findings.start.bound), grouped(findings.now.bound))}</td>
           <td>${course(short(findings.start.mse), short(findings.now.mse))}</td>
           <td>${findings.explained.map(percent).join(", ")}</td>
           <td>${grouped(iteration)}</td>`
-        : html`<td colspan="6"></td>`}
+          : html`<td colspan="6"></td>`
+      }
     </tr>`;
 }
 

@@ -37,16 +37,24 @@ export function widthOf(ticks: Tick[], type: number): number {
 }
 
 /** Both axes with their grid; titles say quantity, unit and whether the scale is logarithmic. */
-export function axes(plot: Plot, x: { scale: Scale; ticks: Tick[]; title: string }, y: { scale: Scale; ticks: Tick[]; title: string }) {
+export function axes(
+  plot: Plot,
+  x: { scale: Scale; ticks: Tick[]; title: string },
+  y: { scale: Scale; ticks: Tick[]; title: string },
+) {
   const { left, right, bottom, type } = plot;
   return svg`
     <g class="axes" font-size=${type}>
-      ${y.ticks.map(({ value, label }) => svg`
+      ${y.ticks.map(
+        ({ value, label }) => svg`
         <line class="grid" x1=${left} x2=${right} y1=${y.scale.at(value)} y2=${y.scale.at(value)}></line>
-        <text x=${left - 7} y=${y.scale.at(value) + 0.35 * type} text-anchor="end">${label}</text>`)}
-      ${x.ticks.map(({ value, label }) => svg`
+        <text x=${left - 7} y=${y.scale.at(value) + 0.35 * type} text-anchor="end">${label}</text>`,
+      )}
+      ${x.ticks.map(
+        ({ value, label }) => svg`
         <line class="axis" x1=${x.scale.at(value)} x2=${x.scale.at(value)} y1=${bottom} y2=${bottom + 4}></line>
-        <text x=${x.scale.at(value)} y=${bottom + 5 + type} text-anchor="middle">${label}</text>`)}
+        <text x=${x.scale.at(value)} y=${bottom + 5 + type} text-anchor="middle">${label}</text>`,
+      )}
       <line class="axis" x1=${left} x2=${right} y1=${bottom} y2=${bottom}></line>
       <text class="axis-title" x=${0} y=${type} text-anchor="start">${y.title}</text>
       <text class="axis-title" x=${right} y=${bottom + 8 + 2.2 * type} text-anchor="end">${x.title}</text>

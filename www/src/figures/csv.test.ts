@@ -2,7 +2,15 @@ import { expect, it } from "vitest";
 import { csv } from "./csv";
 
 it("quotes what would be read as something else, and ends each line as the standard says", () => {
-  expect(csv({ header: ["model", "a \"b\""], rows: [["x, y", "two\nlines"], ["plain", ""]] })).toBe('model,"a ""b"""\r\n"x, y","two\nlines"\r\nplain,\r\n');
+  expect(
+    csv({
+      header: ["model", 'a "b"'],
+      rows: [
+        ["x, y", "two\nlines"],
+        ["plain", ""],
+      ],
+    }),
+  ).toBe('model,"a ""b"""\r\n"x, y","two\nlines"\r\nplain,\r\n');
 });
 
 it("keeps full precision, and leaves out what is not known", () => {

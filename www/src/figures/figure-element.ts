@@ -76,9 +76,10 @@ export abstract class ComparisonFigure<Data> extends LitElement {
   private async save(ending: "csv" | "png"): Promise<void> {
     const name = `${this.file}.${ending}`;
     try {
-      const content = ending === "png"
-        ? await pictureOf(this.querySelector("figure")!)
-        : new Blob([csv(this.table(this.data!))], { type: "text/csv;charset=utf-8" });
+      const content =
+        ending === "png"
+          ? await pictureOf(this.querySelector("figure")!)
+          : new Blob([csv(this.table(this.data!))], { type: "text/csv;charset=utf-8" });
       download(name, content);
     } catch (problem) {
       const detail: SaveFailure = { name, message: messageOf(problem) };
@@ -94,11 +95,15 @@ export abstract class ComparisonFigure<Data> extends LitElement {
       <figure class="comparison-figure">
         <div class="figure-head">
           <h3>${this.heading}</h3>
-          ${missing !== null ? nothing : html`
+          ${
+            missing !== null
+              ? nothing
+              : html`
             <div class="figure-files" data-not-in-picture>
               <button class="small" title="Save the numbers of this figure" aria-label="CSV: ${this.heading}" @click=${() => this.save("csv")}>CSV</button>
               <button class="small" title="Save a picture of this figure" aria-label="PNG: ${this.heading}" @click=${() => this.save("png")}>PNG</button>
-            </div>`}
+            </div>`
+          }
         </div>
         ${missing !== null ? html`<p class="empty">${missing}</p>` : this.width > 0 ? this.figure(data) : nothing}
       </figure>`;

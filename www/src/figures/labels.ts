@@ -13,7 +13,11 @@ export function spread(wanted: readonly number[], gap: number, low: number, high
   const pools: { sum: number; count: number }[] = [];
   order.forEach((index, rank) => {
     pools.push({ sum: wanted[index]! - rank * step, count: 1 });
-    for (let [before, last] = pools.slice(-2); pools.length > 1 && before!.sum / before!.count > last!.sum / last!.count; [before, last] = pools.slice(-2)) {
+    for (
+      let [before, last] = pools.slice(-2);
+      pools.length > 1 && before!.sum / before!.count > last!.sum / last!.count;
+      [before, last] = pools.slice(-2)
+    ) {
       pools.splice(-2, 2, { sum: before!.sum + last!.sum, count: before!.count + last!.count });
     }
   });
@@ -50,7 +54,13 @@ const ROUNDS = 4;
 const CLEAR = 4;
 
 /** A box for the label of each point, beside it where nothing else is; `reach` is a mark's half width. */
-export function beside(points: readonly Point[], widths: readonly number[], height: number, reach: number, within: Box): Box[] {
+export function beside(
+  points: readonly Point[],
+  widths: readonly number[],
+  height: number,
+  reach: number,
+  within: Box,
+): Box[] {
   const around = reach + CLEAR;
   const marks = points.map(({ x, y }) => ({ x: x - around, y: y - around, width: 2 * around, height: 2 * around }));
   const choices = points.map(({ x, y }, i) => {
@@ -58,7 +68,14 @@ export function beside(points: readonly Point[], widths: readonly number[], heig
     const [right, left] = [x + reach + 3, x - reach - 3 - width];
     const [above, middle, below] = [y - reach - height, y - height / 2, y + reach];
     const corners: [number, number][] = [
-      [right, middle], [left, middle], [x - width / 2, above], [x - width / 2, below], [right, above], [right, below], [left, above], [left, below],
+      [right, middle],
+      [left, middle],
+      [x - width / 2, above],
+      [x - width / 2, below],
+      [right, above],
+      [right, below],
+      [left, above],
+      [left, below],
     ];
     return corners.map(([bx, by]): Box => ({ x: bx, y: by, width, height }));
   });
@@ -66,7 +83,9 @@ export function beside(points: readonly Point[], widths: readonly number[], heig
   for (let round = 0; round < ROUNDS; round++) {
     choices.forEach((boxes, i) => {
       const others = [...marks, ...placed].filter((_, other) => other % points.length !== i);
-      const cost = (box: Box) => 4 * (box.width * box.height - overlap(box, within)) + others.reduce((sum, other) => sum + overlap(box, other), 0);
+      const cost = (box: Box) =>
+        4 * (box.width * box.height - overlap(box, within)) +
+        others.reduce((sum, other) => sum + overlap(box, other), 0);
       // Less by a pixel: rounding is no reason to leave the first choice.
       placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) - 1 ? box : best));
     });
@@ -79,10 +98,14 @@ export function withoutCommonEnd(labels: readonly string[]): { short: string[]; 
   const words = labels.map((label) => label.split(" "));
   const most = Math.min(...words.map(({ length }) => length)) - 1;
   let common = 0;
-  while (labels.length > 1 && common < most && words.every((of) => of.at(-1 - common) === words[0]!.at(-1 - common))) common++;
+  while (labels.length > 1 && common < most && words.every((of) => of.at(-1 - common) === words[0]!.at(-1 - common)))
+    common++;
   // "4 + 8" and "8 + 8" end in the same number, which says something.
   const end = words[0]?.slice(words[0].length - common) ?? [];
   const lastNumber = end.findLastIndex((word) => !/^\p{L}/u.test(word));
   common -= lastNumber + 1;
-  return { short: words.map((of) => of.slice(0, of.length - common).join(" ")), end: end.slice(lastNumber + 1).join(" ") };
+  return {
+    short: words.map((of) => of.slice(0, of.length - common).join(" ")),
+    end: end.slice(lastNumber + 1).join(" "),
+  };
 }

@@ -2,8 +2,18 @@ import { expect, it } from "vitest";
 import { evenLabels, plain, powerLabels, spreadWords, twoDecimals } from "./numbers";
 
 it.each([
-  [0, "0.00"], [0.0011, "0.00110"], [3.14159, "3.14"], [33.4, "33.4"], [431.7, "432"], [101234, "101,234"], [-20.5, "−20.5"],
-  [9.999, "10.00"], [1.23e-9, "1.23 × 10⁻⁹"], [4.5e13, "4.50 × 10¹³"], [Number.NaN, "unknown"], [Infinity, "unknown"],
+  [0, "0.00"],
+  [0.0011, "0.00110"],
+  [3.14159, "3.14"],
+  [33.4, "33.4"],
+  [431.7, "432"],
+  [101234, "101,234"],
+  [-20.5, "−20.5"],
+  [9.999, "10.00"],
+  [1.23e-9, "1.23 × 10⁻⁹"],
+  [4.5e13, "4.50 × 10¹³"],
+  [Number.NaN, "unknown"],
+  [Infinity, "unknown"],
 ])("writes %s as %s", (value, words) => expect(plain(value)).toBe(words));
 
 it("writes a mean with as many digits as its standard error leaves", () => {

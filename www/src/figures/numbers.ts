@@ -5,7 +5,9 @@ const MINUS = "\u2212";
 const MOST_DECIMALS = 8;
 
 function fixed(value: number, decimals: number): string {
-  const text = new Intl.NumberFormat("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(value);
+  const text = new Intl.NumberFormat("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(
+    value,
+  );
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 }
 
@@ -33,14 +35,16 @@ export function plain(value: number): string {
 /** A mean, and what is known about its error: as many digits as the error leaves. */
 export function spreadWords({ mean, standardError, count }: Spread): { mean: string; error: string } {
   if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
-  if (standardError === null || !Number.isFinite(standardError)) return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
+  if (standardError === null || !Number.isFinite(standardError))
+    return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
   const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
   if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };
   return { mean: fixed(mean, Math.max(0, decimals)), error: `± ${fixed(standardError, Math.max(0, decimals))}` };
 }
 
-const decimalsOf = (value: number) => (String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0));
+const decimalsOf = (value: number) =>
+  String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0);
 
 /** Labels of values with equal steps between them: all with as many decimals as one of them needs. */
 export function evenLabels(values: readonly number[]): { value: number; label: string }[] {

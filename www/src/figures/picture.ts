@@ -4,14 +4,54 @@ const SIDES = ["top", "right", "bottom", "left"];
 
 /** What a figure's look depends on. Sizes follow from the content, which is laid out again. */
 const PROPERTIES = [
-  "display", "box-sizing", "flex-direction", "flex-wrap", "flex-grow", "flex-shrink", "flex-basis", "align-items", "justify-content", "justify-items",
-  "align-self", "justify-self", "row-gap", "column-gap", "grid-template-columns", "grid-column-start", "grid-column-end",
+  "display",
+  "box-sizing",
+  "flex-direction",
+  "flex-wrap",
+  "flex-grow",
+  "flex-shrink",
+  "flex-basis",
+  "align-items",
+  "justify-content",
+  "justify-items",
+  "align-self",
+  "justify-self",
+  "row-gap",
+  "column-gap",
+  "grid-template-columns",
+  "grid-column-start",
+  "grid-column-end",
   ...SIDES.flatMap((side) => [`margin-${side}`, `padding-${side}`]),
-  "min-width", "max-width", "border-collapse", "border-spacing", ...SIDES.flatMap((side) => ["width", "style", "color"].map((what) => `border-${side}-${what}`)),
+  "min-width",
+  "max-width",
+  "border-collapse",
+  "border-spacing",
+  ...SIDES.flatMap((side) => ["width", "style", "color"].map((what) => `border-${side}-${what}`)),
   ...["top-left", "top-right", "bottom-left", "bottom-right"].map((corner) => `border-${corner}-radius`),
-  "background-color", "color", "opacity", "visibility", "font-family", "font-size", "font-style", "font-weight", "font-variant-numeric", "line-height",
-  "letter-spacing", "text-align", "vertical-align", "white-space", "overflow-wrap", "list-style-type",
-  "fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "paint-order", "text-anchor",
+  "background-color",
+  "color",
+  "opacity",
+  "visibility",
+  "font-family",
+  "font-size",
+  "font-style",
+  "font-weight",
+  "font-variant-numeric",
+  "line-height",
+  "letter-spacing",
+  "text-align",
+  "vertical-align",
+  "white-space",
+  "overflow-wrap",
+  "list-style-type",
+  "fill",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "paint-order",
+  "text-anchor",
 ];
 
 /** Browsers draw nothing on a larger canvas. */
@@ -32,7 +72,8 @@ function styled(element: Element): Element | null {
     copy.style.height = `${height}px`;
   }
   for (const child of element.childNodes) {
-    const made = child instanceof Element ? styled(child) : child.nodeType === Node.TEXT_NODE ? child.cloneNode() : null;
+    const made =
+      child instanceof Element ? styled(child) : child.nodeType === Node.TEXT_NODE ? child.cloneNode() : null;
     if (made) copy.append(made);
   }
   return copy;
@@ -41,7 +82,9 @@ function styled(element: Element): Element | null {
 /** The width at which nothing in it has to be scrolled. */
 function wholeWidth(element: HTMLElement): number {
   const scrolls = (of: Element) => /auto|scroll/.test(getComputedStyle(of).overflowX);
-  const beyond = [...element.querySelectorAll("div")].filter(scrolls).map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+  const beyond = [...element.querySelectorAll("div")]
+    .filter(scrolls)
+    .map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
   return Math.ceil(element.getBoundingClientRect().width + Math.max(0, ...beyond));
 }
 
@@ -76,7 +119,9 @@ export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): P
   const [fullWidth, fullHeight] = [width + 2 * margin, height + 2 * margin];
   const [across, down] = [Math.round(scale * fullWidth), Math.round(scale * fullHeight)];
   if (Math.max(across, down) > LARGEST) {
-    throw new Error(`The picture would be ${across} by ${down} pixels, and a browser draws at most ${LARGEST} either way.`);
+    throw new Error(
+      `The picture would be ${across} by ${down} pixels, and a browser draws at most ${LARGEST} either way.`,
+    );
   }
   const html = new XMLSerializer().serializeToString(copy);
   const drawing = `<svg xmlns="http://www.w3.org/2000/svg" width="${across}" height="${down}" viewBox="0 0 ${fullWidth} ${fullHeight}">
@@ -95,6 +140,9 @@ export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): P
   context.fillRect(0, 0, across, down);
   context.drawImage(image, 0, 0, across, down);
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser made no PNG of the figure."))), "image/png");
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error("The browser made no PNG of the figure."))),
+      "image/png",
+    );
   });
 }

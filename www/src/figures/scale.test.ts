@@ -17,13 +17,28 @@ describe("a linear scale", () => {
   });
 
   it("names round values", () => {
-    expect(labels(linearScale([0.0004, 0.012], 0, 1), 7)).toEqual(["0.000", "0.002", "0.004", "0.006", "0.008", "0.010", "0.012"]);
+    expect(labels(linearScale([0.0004, 0.012], 0, 1), 7)).toEqual([
+      "0.000",
+      "0.002",
+      "0.004",
+      "0.006",
+      "0.008",
+      "0.010",
+      "0.012",
+    ]);
     expect(labels(linearScale([-1, 1], 0, 1), 5)).toEqual(["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
     expect(labels(linearScale([21034.3, 30344], 0, 1), 5)).toEqual(["22,000", "24,000", "26,000", "28,000", "30,000"]);
   });
 
   it("names never more than there is room for, and two where there is room for two", () => {
-    for (const values of [[0, 1], [0.1, 0.9], [-3, 17], [1e-4, 3e-4], [21034, 30344], [-7e6, -6.9e6]]) {
+    for (const values of [
+      [0, 1],
+      [0.1, 0.9],
+      [-3, 17],
+      [1e-4, 3e-4],
+      [21034, 30344],
+      [-7e6, -6.9e6],
+    ]) {
       for (const most of [2, 3, 4, 5, 8]) {
         const { length } = linearScale(values, 0, 1).ticks(most);
         expect(length, `${values}, ${most}`).toBeLessThanOrEqual(most);

@@ -35,7 +35,9 @@ function evenly(low: number, high: number, most: number): number[] {
   const steps = Array.from({ length: 4 }, (_, i) => [1, 2, 5].map((times) => Number(`${times}e${fine + i}`))).flat();
   const multiples = (step: number) => {
     const first = Math.ceil(low / step);
-    return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+    return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) =>
+      Number(((first + i) * step).toPrecision(12)),
+    );
   };
   return steps.map(multiples).find(({ length }) => length <= most) ?? [];
 }
@@ -45,7 +47,9 @@ function byPowers(low: number, high: number, most: number): number[] {
   const [first, last] = [Math.floor(Math.log10(low)), Math.floor(Math.log10(high))];
   const dense = (times: readonly number[], every: number) => {
     const powers = Array.from({ length: last - first + 1 }, (_, i) => first + i);
-    const values = powers.flatMap((power) => times.map((of) => Number(`${of}e${power}`))).filter((value) => value >= low && value <= high);
+    const values = powers
+      .flatMap((power) => times.map((of) => Number(`${of}e${power}`)))
+      .filter((value) => value >= low && value <= high);
     return values.filter((_, i) => i % every === 0);
   };
   const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6].map((every) => dense([1], every))];
@@ -57,7 +61,9 @@ export function linearScale(values: readonly number[], from: number, to: number)
   const room = greatest - least || Math.abs(least) || 1;
   const [low, high] = [least - MARGIN * room, greatest + MARGIN * room];
   return {
-    kind: "linear", low, high,
+    kind: "linear",
+    low,
+    high,
     at: (value) => placed(value, low, high, from, to),
     ticks: (most) => evenLabels(evenly(low, high, Math.max(1, most))),
   };
@@ -71,7 +77,9 @@ export function logScale(values: readonly number[], from: number, to: number): S
   const [low, high] = [least * Math.exp(-beyond), greatest * Math.exp(beyond)];
   const [logLow, logHigh] = [Math.log(low), Math.log(high)];
   return {
-    kind: "log", low, high,
+    kind: "log",
+    low,
+    high,
     at: (value) => placed(value > 0 ? Math.log(value) : -Infinity, logLow, logHigh, from, to),
     ticks: (most) => {
       const powers = byPowers(low, high, Math.max(1, most));

@@ -85,7 +85,12 @@ function rows(points: Float64Array, picture: LatentPicture): number {
   return Math.floor(points.length / picture.projection.dimensions);
 }
 
-function drawTraining(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+function drawTraining(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  points: Float64Array,
+): void {
   draw.fillStyle = theme().quiet;
   draw.globalAlpha = 0.32;
   const count = rows(points, picture);
@@ -152,7 +157,12 @@ function arrow(draw: CanvasRenderingContext2D, from: number[], to: number[], hea
 }
 
 /** Each history as a dot and a line through its states, then an arrow to what it predicts. */
-function drawPairs(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, inducing: DynamicsInducing): void {
+function drawPairs(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  inducing: DynamicsInducing,
+): void {
   const { ink } = theme();
   const { order } = picture;
   draw.strokeStyle = ink;

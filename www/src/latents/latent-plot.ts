@@ -143,7 +143,8 @@ export class LatentPlot extends View {
     const latents = rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
     const box = canvas.parentElement!;
-    const lit = pointed !== null && part === (pointed.point.kind === "pose" ? pointed.point.part : pointed.point.source);
+    const lit =
+      pointed !== null && part === (pointed.point.kind === "pose" ? pointed.point.part : pointed.point.source);
     const others = model.info.parts.flatMap((_, other) => (other === part || !marks.between ? [] : [other]));
     return {
       width: box.clientWidth,
@@ -157,8 +158,16 @@ export class LatentPlot extends View {
       training: model.trainingLatents?.[part] ?? null,
       poses: marks.pose ? (model.poseInducing[part] ?? null) : null,
       dynamics: marks.dynamics ? (model.dynamicsInducing[part]?.[part] ?? null) : null,
-      outgoing: others.map((other) => ({ inducing: model.dynamicsInducing[part]![other]!, other, colour: partColour(other) })),
-      incoming: others.map((other) => ({ inducing: model.dynamicsInducing[other]![part]!, other, colour: partColour(other) })),
+      outgoing: others.map((other) => ({
+        inducing: model.dynamicsInducing[part]![other]!,
+        other,
+        colour: partColour(other),
+      })),
+      incoming: others.map((other) => ({
+        inducing: model.dynamicsInducing[other]![part]!,
+        other,
+        colour: partColour(other),
+      })),
       order: model.info.order,
       frame: player.frame,
       live: shown?.kind === "model",
@@ -258,15 +267,18 @@ export class LatentPlot extends View {
           @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
           @keydown=${this.keys}>
           <canvas aria-hidden="true"></canvas>
-          ${repeat(this.list, ({ key }) => key, ({ key, point: to, label }, i) => html`
+          ${repeat(
+            this.list,
+            ({ key }) => key,
+            ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
               aria-pressed=${JSON.stringify(to) === chosen ? "true" : "false"}
               @pointerenter=${point(to)} @pointerleave=${point(null)}
-              @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`)}
+              @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
+          )}
         </div>
       </figure>
     `;
   }
 }
 customElements.define("pg-latent-plot", LatentPlot);
-

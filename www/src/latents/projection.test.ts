@@ -33,7 +33,10 @@ describe("principal axes", () => {
 
   it("takes one dimension, more than three, and points all in one place", () => {
     expect(principalAxes(new Float64Array([1, 2, 3]), 1).axes[0]).toBe(1);
-    const many = principalAxes(Float64Array.from({ length: 50 }, (_, i) => Math.sin(i * i)), 5);
+    const many = principalAxes(
+      Float64Array.from({ length: 50 }, (_, i) => Math.sin(i * i)),
+      5,
+    );
     expect([...many.axes].every(Number.isFinite)).toBe(true);
     expect(principalAxes(new Float64Array(9), 3).reach).toBe(1);
     expect(principalAxes(new Float64Array(0), 3).reach).toBe(1);

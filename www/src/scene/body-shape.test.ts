@@ -4,7 +4,9 @@ import { shapeOf } from "./body-shape";
 function body(names: [string, number | null, [number, number, number]][], end?: [number, [number, number, number]]) {
   const nodes = names.map(([, parent], joint) => ({ joint, parent, endSite: false }));
   const at: number[][] = [];
-  names.forEach(([, parent, offset], i) => (at[i] = offset.map((value, k) => value + (parent === null ? 0 : at[parent]![k]!))));
+  names.forEach(
+    ([, parent, offset], i) => (at[i] = offset.map((value, k) => value + (parent === null ? 0 : at[parent]![k]!))),
+  );
   if (end) {
     nodes.push({ joint: end[0], parent: end[0], endSite: true });
     at.push(end[1].map((value, k) => value + at[end[0]]![k]!));
@@ -12,11 +14,19 @@ function body(names: [string, number | null, [number, number, number]][], end?: 
   return { figure: { nodes }, joints: names.map(([name]) => name), pose: new Float32Array(at.flat()) };
 }
 
-const person = body([
-  ["Hips", null, [0, 1, 0]], ["LeftUpLeg", 0, [0.1, 0, 0]], ["LeftLeg", 1, [0, -0.4, 0]],
-  ["RightUpLeg", 0, [-0.1, 0, 0]], ["RightLeg", 3, [0, -0.4, 0]],
-  ["Spine", 0, [0, 0.2, 0]], ["Head", 5, [0, 0.4, 0]], ["Same", 6, [0, 0, 0]],
-], [6, [0, 0.18, 0]]);
+const person = body(
+  [
+    ["Hips", null, [0, 1, 0]],
+    ["LeftUpLeg", 0, [0.1, 0, 0]],
+    ["LeftLeg", 1, [0, -0.4, 0]],
+    ["RightUpLeg", 0, [-0.1, 0, 0]],
+    ["RightLeg", 3, [0, -0.4, 0]],
+    ["Spine", 0, [0, 0.2, 0]],
+    ["Head", 5, [0, 0.4, 0]],
+    ["Same", 6, [0, 0, 0]],
+  ],
+  [6, [0, 0.18, 0]],
+);
 
 describe("the shape of a figure", () => {
   const { capsules, balls } = shapeOf(person.figure, person.joints, person.pose);
@@ -41,15 +51,28 @@ describe("the shape of a figure", () => {
   });
 
   it("finds sides in other conventions", () => {
-    for (const [left, right] of [["mixamorig:LeftUpLeg", "mixamorig:RightUpLeg"], ["LHipJoint", "RHipJoint"], ["l_thigh", "r_thigh"], ["thigh.L", "thigh.R"]]) {
-      const other = body([["Hips", null, [0, 1, 0]], [left!, 0, [0.1, 0, 0]], [right!, 0, [-0.1, 0, 0]], ["Spine", 0, [0, 0.2, 0]]]);
+    for (const [left, right] of [
+      ["mixamorig:LeftUpLeg", "mixamorig:RightUpLeg"],
+      ["LHipJoint", "RHipJoint"],
+      ["l_thigh", "r_thigh"],
+      ["thigh.L", "thigh.R"],
+    ]) {
+      const other = body([
+        ["Hips", null, [0, 1, 0]],
+        [left!, 0, [0.1, 0, 0]],
+        [right!, 0, [-0.1, 0, 0]],
+        ["Spine", 0, [0, 0.2, 0]],
+      ]);
       const spine = shapeOf(other.figure, other.joints, other.pose).capsules.find(({ to }) => to === 3)!;
       expect(spine.across, left).toEqual([2, 1]);
     }
   });
 
   it("takes names that say nothing", () => {
-    const plain = body([["a", null, [0, 1, 0]], ["b", 0, [0, 0.3, 0]]]);
+    const plain = body([
+      ["a", null, [0, 1, 0]],
+      ["b", 0, [0, 0.3, 0]],
+    ]);
     const shape = shapeOf(plain.figure, plain.joints, plain.pose);
     expect(shape.capsules[0]!.r0).toBeGreaterThan(0.01);
     expect(shape.balls).toEqual([]);

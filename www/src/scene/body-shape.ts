@@ -88,7 +88,11 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
       const most = 0.45 * long;
       [r0, r1] = [Math.min(r0, Math.max(most, 0.01)), Math.min(r1, Math.max(most, 0.01))];
     }
-    const across = TRUNK.test(name) ? (/hip|pelvis|low|root/i.test(name) ? (hips ?? shoulders) : (shoulders ?? hips)) : null;
+    const across = TRUNK.test(name)
+      ? /hip|pelvis|low|root/i.test(name)
+        ? (hips ?? shoulders)
+        : (shoulders ?? hips)
+      : null;
     capsules.push({ from: parent, to: node, length: long, r0, r1, joint, across });
   });
   // Thin bones that leave the trunk sideways (hip and shoulder joints) stay thin enough to be covered by it.

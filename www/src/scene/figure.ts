@@ -109,7 +109,8 @@ export class FigureView {
     const own = part < 0 ? ghost : partColour(part);
     const look = { roughness: 0.62, metalness: 0 };
     const accent = style.kind === "accent" && style.part === part;
-    const opacity = style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
+    const opacity =
+      style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
     const color = accent || style.kind === "solid" ? own : ghost;
     const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity });
     stencil(material, opacity < 1);

@@ -33,7 +33,10 @@ describe("placing a pose", () => {
 
   it("chains in order", () => {
     const motion = swinging(60);
-    const [a, b] = [{ yaw: 0.5, x: 1, z: 2 }, { yaw: -1.2, x: 0.3, z: 0 }];
+    const [a, b] = [
+      { yaw: 0.5, x: 1, z: 2 },
+      { yaw: -1.2, x: 0.3, z: 0 },
+    ];
     const once: Motion = { ...motion, frames: 1, positions: pose(motion, 4, a) };
     expect(apart(pose(once, 0, b), pose(motion, 4, chain(a, b)))).toBeLessThan(1e-5);
   });

@@ -71,7 +71,8 @@ export function distances(motion: Motion, from: Motion): Float64Array {
     poseAt(from, frame, HERE, other);
     poseAt(from, frame, placeOnto(other, pose), other);
     let sum = 0;
-    for (let i = 0; i < pose.length; i += 3) sum += Math.hypot(pose[i]! - other[i]!, pose[i + 1]! - other[i + 1]!, pose[i + 2]! - other[i + 2]!);
+    for (let i = 0; i < pose.length; i += 3)
+      sum += Math.hypot(pose[i]! - other[i]!, pose[i + 1]! - other[i + 1]!, pose[i + 2]! - other[i + 2]!);
     return sum / motion.nodes;
   });
 }

@@ -1,5 +1,13 @@
 import { describe, expect, it } from "vitest";
-import { ALPHA_MAX, initialSettings, isEmbedded, readSettings, SETTINGS, withinLimits, writeSettings } from "./settings";
+import {
+  ALPHA_MAX,
+  initialSettings,
+  isEmbedded,
+  readSettings,
+  SETTINGS,
+  withinLimits,
+  writeSettings,
+} from "./settings";
 
 describe("settings in the URL", () => {
   it("leaves the settings of the start out", () => {
@@ -11,21 +19,48 @@ describe("settings in the URL", () => {
     const settings = {
       ...initialSettings(),
       parts: "hand",
-      split: [{ name: "legs & hips", joints: [0, 1, 2, 3, 7] }, { name: "rest", joints: [4, 5, 6] }],
-      latent: 2, dynamicsIps: 8, poseIps: 25, order: 1, framesPerSecond: 24, seed: 4294967295, maxIterations: 1000, trainings: 5,
-      frames: 600, start: 3, reading: "re-inferred" as const, alpha: { "0.1": 4.6, "1.0": 0.001 },
-      plot: "3d" as const, speed: 0.25 as const, loop: false,
-      view: "compare" as const, models: ["vgpdm", "tmp"] as const, ips: [4, 20], bases: [5], balanced: true, heldOut: 2, seeds: 3,
-      comparedIterations: 20, growth: true, drawn: 7, driving: false,
+      split: [
+        { name: "legs & hips", joints: [0, 1, 2, 3, 7] },
+        { name: "rest", joints: [4, 5, 6] },
+      ],
+      latent: 2,
+      dynamicsIps: 8,
+      poseIps: 25,
+      order: 1,
+      framesPerSecond: 24,
+      seed: 4294967295,
+      maxIterations: 1000,
+      trainings: 5,
+      frames: 600,
+      start: 3,
+      reading: "re-inferred" as const,
+      alpha: { "0.1": 4.6, "1.0": 0.001 },
+      plot: "3d" as const,
+      speed: 0.25 as const,
+      loop: false,
+      view: "compare" as const,
+      models: ["vgpdm", "tmp"] as const,
+      ips: [4, 20],
+      bases: [5],
+      balanced: true,
+      heldOut: 2,
+      seeds: 3,
+      comparedIterations: 20,
+      growth: true,
+      drawn: 7,
+      driving: false,
     };
     const untouched = Object.entries(settings).filter(
-      ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial));
+      ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
+    );
     expect(untouched).toEqual([]);
     expect(readSettings(`#${writeSettings(settings)}`)).toEqual(settings);
   });
 
   it("enforces the limits on what the URL says", () => {
-    const settings = readSettings("#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe");
+    const settings = readSettings(
+      "#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe",
+    );
     expect(settings.latent).toBe(SETTINGS.latent.max);
     expect([settings.drawn, settings.driving]).toEqual([0, true]);
     expect(settings.dynamicsIps).toBe(SETTINGS.dynamicsIps.min);

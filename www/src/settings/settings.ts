@@ -19,7 +19,11 @@ export interface NumberSetting extends Setting<number> {
 
 function whole(key: string, initial: number, min: number, max: number, step = 1): NumberSetting {
   return {
-    key, initial, min, max, step,
+    key,
+    initial,
+    min,
+    max,
+    step,
     read(text) {
       if (!/^\s*[-+]?\d+(\.\d*)?(e\d+)?\s*$/i.test(text)) return null;
       return Math.round(Math.min(max, Math.max(min, Number(text))));
@@ -28,9 +32,15 @@ function whole(key: string, initial: number, min: number, max: number, step = 1)
   };
 }
 
-function choice<T extends string | number>(key: string, initial: T, values: readonly T[]): Setting<T> & { values: readonly T[] } {
+function choice<T extends string | number>(
+  key: string,
+  initial: T,
+  values: readonly T[],
+): Setting<T> & { values: readonly T[] } {
   return {
-    key, initial, values,
+    key,
+    initial,
+    values,
     read: (text) => values.find((value) => String(value) === text) ?? null,
     write: String,
   };
@@ -38,7 +48,8 @@ function choice<T extends string | number>(key: string, initial: T, values: read
 
 function flag(key: string, initial: boolean): Setting<boolean> {
   return {
-    key, initial,
+    key,
+    initial,
     read: (text) => (text === "1" || text === "" ? true : text === "0" ? false : null),
     write: (value) => (value ? "1" : "0"),
   };
@@ -69,7 +80,9 @@ const changedCouplings: Setting<ChangedCouplings> = {
     return changed;
   },
   write: (changed) =>
-    Object.entries(changed).map(([pair, alpha]) => `${pair}:${Number(alpha.toPrecision(4))}`).join(","),
+    Object.entries(changed)
+      .map(([pair, alpha]) => `${pair}:${Number(alpha.toPrecision(4))}`)
+      .join(","),
 };
 
 /** Joints of one part as "0-8.12": places in the skeleton. */
@@ -114,8 +127,7 @@ const split: Setting<PartSpec[]> = {
     }
     return parts.length <= MAX_PARTS ? parts : null;
   },
-  write: (parts) =>
-    parts.map(({ name, joints }) => `${name.replace(/[;:]/g, " ")}:${writeJoints(joints)}`).join(";"),
+  write: (parts) => parts.map(({ name, joints }) => `${name.replace(/[;:]/g, " ")}:${writeJoints(joints)}`).join(";"),
 };
 
 const preset: Setting<string> = {
@@ -133,9 +145,15 @@ const reading: Setting<Reading> = {
 };
 
 /** Several of some words, in the order of the words. */
-function several<T extends string>(key: string, initial: readonly T[], values: readonly T[]): Setting<readonly T[]> & { values: readonly T[] } {
+function several<T extends string>(
+  key: string,
+  initial: readonly T[],
+  values: readonly T[],
+): Setting<readonly T[]> & { values: readonly T[] } {
   return {
-    key, initial, values,
+    key,
+    initial,
+    values,
     read(text) {
       const words = text.split(",").filter(Boolean);
       return words.every((word) => values.includes(word as T)) ? values.filter((value) => words.includes(value)) : null;
@@ -145,9 +163,16 @@ function several<T extends string>(key: string, initial: readonly T[], values: r
 }
 
 /** Several whole numbers, each once, rising. */
-function counts(key: string, initial: readonly number[], min: number, max: number, most: number): Setting<readonly number[]> {
+function counts(
+  key: string,
+  initial: readonly number[],
+  min: number,
+  max: number,
+  most: number,
+): Setting<readonly number[]> {
   return {
-    key, initial,
+    key,
+    initial,
     read(text) {
       const words = text.split(/[\s,]+/).filter(Boolean);
       if (words.length === 0 || !words.every((word) => /^\d{1,6}$/.test(word))) return null;

@@ -2,7 +2,10 @@ import { describe, expect, it } from "vitest";
 import { decodeFirstMotion, encodeFirstMotion } from "./first-motion.js";
 
 function walker() {
-  const nodes = [{ joint: 0, parent: null, endSite: false }, { joint: 0, parent: 0, endSite: true }];
+  const nodes = [
+    { joint: 0, parent: null, endSite: false },
+    { joint: 0, parent: 0, endSite: true },
+  ];
   const frames = 5;
   const positions = Float32Array.from({ length: frames * 6 }, (_, i) => Math.sin(i) + i / 30);
   const parts = [{ name: "Körper", joints: [0] }];

@@ -69,13 +69,16 @@ export class StageView extends View {
       <div class="stage-caption">
         <strong data-testid="stage-title">${title}</strong>
         <span>${text}</span>
-        ${shown?.kind === "clip" && this.app.model
-          ? html`<button class="small" @click=${() => endPreview(this.app)}>Back to the model</button>`
-          : nothing}
+        ${
+          shown?.kind === "clip" && this.app.model
+            ? html`<button class="small" @click=${() => endPreview(this.app)}>Back to the model</button>`
+            : nothing
+        }
       </div>
       <ul class="stage-legend" aria-label="Parts">
         ${(shown?.parts ?? []).map(
-          ({ name }, part) => html`<li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</li>`)}
+          ({ name }, part) => html`<li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
+        )}
       </ul>
     `;
   }

@@ -1,12 +1,5 @@
 // The stage: figure, ghost and ground, seen by a camera that follows the walk.
-import {
-  PCFShadowMap,
-  PerspectiveCamera,
-  Scene,
-  SRGBColorSpace,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import { PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App, Shown } from "../app/app";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
@@ -57,8 +50,15 @@ export class Stage {
     this.scene.add(this.ground.group);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, {
-      enablePan: false, enableDamping: true, dampingFactor: 0.12, minDistance: 1.6, maxDistance: 12,
-      minPolarAngle: 0.15, maxPolarAngle: Math.PI / 2 - 0.03, rotateSpeed: 0.8, zoomSpeed: 0.7,
+      enablePan: false,
+      enableDamping: true,
+      dampingFactor: 0.12,
+      minDistance: 1.6,
+      maxDistance: 12,
+      minPolarAngle: 0.15,
+      maxPolarAngle: Math.PI / 2 - 0.03,
+      rotateSpeed: 0.8,
+      zoomSpeed: 0.7,
     });
     this.controls.target.copy(this.focus);
     this.controls.addEventListener("change", () => (this.dirty = true));
@@ -144,7 +144,12 @@ export class Stage {
       const { point } = pointed;
       const parts = point.kind === "pose" ? [point.part] : [point.source, point.target];
       this.marked = pointed.poses.map((_, i) =>
-        this.make(shown, { kind: "accent", part: parts[i] ?? 0, opacity: point.kind === "dynamics" && i === 0 ? 0.5 : 1 }));
+        this.make(shown, {
+          kind: "accent",
+          part: parts[i] ?? 0,
+          opacity: point.kind === "dynamics" && i === 0 ? 0.5 : 1,
+        }),
+      );
     }
     this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
   }
@@ -164,7 +169,10 @@ export class Stage {
     const angle = heading + 0.95;
     this.controls.target.copy(this.focus);
     this.camera.position.set(
-      this.focus.x + away * Math.sin(angle), this.focus.y + 0.5, this.focus.z + away * Math.cos(angle));
+      this.focus.x + away * Math.sin(angle),
+      this.focus.y + 0.5,
+      this.focus.z + away * Math.cos(angle),
+    );
     this.controls.update();
     this.placed = true;
   }

@@ -83,8 +83,9 @@ export class TimelineView extends View {
         <label class="speed"><span class="hidden">Speed</span>
           <select aria-label="Speed" @change=${(event: Event) =>
             changeSettings(this.app, { speed: Number((event.target as HTMLSelectElement).value) as 1 })}>
-            ${SETTINGS.speed.values.map((speed) =>
-              html`<option value=${speed} ?selected=${speed === settings.speed}>${speed}×</option>`)}
+            ${SETTINGS.speed.values.map(
+              (speed) => html`<option value=${speed} ?selected=${speed === settings.speed}>${speed}×</option>`,
+            )}
           </select>
         </label>
       </div>

@@ -32,7 +32,11 @@ function boundStroke(run: Run, told: Run): Stroke {
 }
 
 /** Values by iteration; nothing where a run has not been. */
-function byIteration(steps: readonly TrainingProgress[], length: number, value: (step: TrainingProgress) => number): (number | null)[] {
+function byIteration(
+  steps: readonly TrainingProgress[],
+  length: number,
+  value: (step: TrainingProgress) => number,
+): (number | null)[] {
   const row = new Array<number | null>(length).fill(null);
   for (const step of steps) row[step.iteration - 1] = value(step);
   return row;
@@ -41,8 +45,21 @@ function byIteration(steps: readonly TrainingProgress[], length: number, value: 
 function termLines(parts: readonly string[]): Line[] {
   const { quiet, faint } = theme();
   return [
-    ...parts.map((name, i): Line => ({ label: `poses, ${name}`, colour: partColour(i), value: ({ terms }) => terms.kinematics[i] ?? 0 })),
-    ...parts.map((name, i): Line => ({ label: `dynamics, ${name}`, colour: partColour(i), dash: [5, 4], value: ({ terms }) => terms.dynamics[i] ?? 0 })),
+    ...parts.map(
+      (name, i): Line => ({
+        label: `poses, ${name}`,
+        colour: partColour(i),
+        value: ({ terms }) => terms.kinematics[i] ?? 0,
+      }),
+    ),
+    ...parts.map(
+      (name, i): Line => ({
+        label: `dynamics, ${name}`,
+        colour: partColour(i),
+        dash: [5, 4],
+        value: ({ terms }) => terms.dynamics[i] ?? 0,
+      }),
+    ),
     { label: "entropy", colour: quiet, value: ({ terms }) => terms.entropy },
     { label: "first frames", colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
   ];
@@ -94,12 +111,32 @@ export class BoundChart extends View {
         legend: { show: false },
         cursor: { show: false },
         padding: [8, 16, 0, 0],
-        scales: { x: { time: false }, y: { range: (plot) => boundRange(plot.data.slice(1).flat() as (number | null)[]) } },
+        scales: {
+          x: { time: false },
+          y: { range: (plot) => boundRange(plot.data.slice(1).flat() as (number | null)[]) },
+        },
         axes: [
           { stroke: quiet, grid: { show: false }, ticks: { show: false }, font, size: 22, gap: 2 },
-          { stroke: quiet, grid, ticks: { show: false }, font, size: 58, gap: 4, values: (_, ticks) => ticks.map(grouped) },
+          {
+            stroke: quiet,
+            grid,
+            ticks: { show: false },
+            font,
+            size: 58,
+            gap: 4,
+            values: (_, ticks) => ticks.map(grouped),
+          },
         ],
-        series: [{}, ...lines.map(({ label, colour, width, dash }) => ({ label, stroke: colour, width: width ?? 1.75, ...(dash ? { dash } : {}), points: { show: false } }))],
+        series: [
+          {},
+          ...lines.map(({ label, colour, width, dash }) => ({
+            label,
+            stroke: colour,
+            width: width ?? 1.75,
+            ...(dash ? { dash } : {}),
+            points: { show: false },
+          })),
+        ],
       },
       [[], ...lines.map(() => [])],
       box,
@@ -128,13 +165,21 @@ export class BoundChart extends View {
       this.of = key;
       this.bound?.destroy();
       this.terms?.destroy();
-      this.bound = this.make(Chart, this.querySelector(".bound")!, drawn.map((run) => boundStroke(run, told)), 132);
+      this.bound = this.make(
+        Chart,
+        this.querySelector(".bound")!,
+        drawn.map((run) => boundStroke(run, told)),
+        132,
+      );
       this.terms = this.make(Chart, this.querySelector(".terms")!, lines, 92);
     }
     const last = ({ steps }: Run) => steps.at(-1)?.iteration ?? 0;
     const iterations = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
     const longest = Math.max(...drawn.map(last));
-    this.bound.setData([iterations(longest), ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound))]);
+    this.bound.setData([
+      iterations(longest),
+      ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound)),
+    ]);
     const length = last(told);
     this.terms.setData([iterations(length), ...lines.map(({ value }) => byIteration(told.steps, length, value))]);
   }
@@ -159,9 +204,11 @@ export class BoundChart extends View {
         <figcaption ?hidden=${none}>Its terms</figcaption>
         <div class="terms" ?hidden=${none} role="img" aria-label="The terms of the bound over the iterations"></div>
         <ul ?hidden=${none} class="term-list">
-          ${termLines(parts).map(({ label, colour, dash, value }) => html`
+          ${termLines(parts).map(
+            ({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
-              <output>${last ? grouped(value(last)) : ""}</output></li>`)}
+              <output>${last ? grouped(value(last)) : ""}</output></li>`,
+          )}
         </ul>
       </figure>`;
   }

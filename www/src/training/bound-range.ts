@@ -6,7 +6,9 @@ const ENOUGH = 3000;
 /** The range to draw: the first iterations come from far below and would flatten the rest. Where a run has not been there is null. */
 export function boundRange(values: readonly (number | null)[]): [number, number] {
   const every = Math.ceil(values.length / ENOUGH);
-  const finite = values.filter((value, i): value is number => Number.isFinite(value) && (values.length - 1 - i) % every === 0);
+  const finite = values.filter(
+    (value, i): value is number => Number.isFinite(value) && (values.length - 1 - i) % every === 0,
+  );
   if (finite.length === 0) return [0, 1];
   const sorted = [...finite].sort((a, b) => a - b);
   const top = sorted.at(-1)!;

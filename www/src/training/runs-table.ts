@@ -34,9 +34,11 @@ export class RunsView extends View {
         <td>${steps.at(-1)?.iteration ?? ""}</td>
         <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
         <td class="state">${this.state(run)}</td>
-        <td>${canRemove(app, run)
-          ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => removeRun(app, run)}>${icon("close")}</button>`
-          : nothing}</td>
+        <td>${
+          canRemove(app, run)
+            ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => removeRun(app, run)}>${icon("close")}</button>`
+            : nothing
+        }</td>
       </tr>
       ${state === "failed" ? html`<tr class="why"><td colspan=${6 + columns.length} class="bad">${sentence(ending)}</td></tr>` : nothing}`;
   }

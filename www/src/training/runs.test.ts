@@ -3,13 +3,33 @@ import type { TrainingProgress } from "../engine/protocol";
 import { bestRun, dataOf, differences, type Run, secondsLeft, seedsFrom, share } from "./runs";
 
 const settings = {
-  parts: [{ name: "lower", joints: [0, 1] }, { name: "upper", joints: [2, 3] }],
-  latent: 3, dynamicsIps: 12, poseIps: 12, order: 2, framesPerSecond: 30, seed: 1, maxIterations: 100,
+  parts: [
+    { name: "lower", joints: [0, 1] },
+    { name: "upper", joints: [2, 3] },
+  ],
+  latent: 3,
+  dynamicsIps: 12,
+  poseIps: 12,
+  order: 2,
+  framesPerSecond: 30,
+  seed: 1,
+  maxIterations: 100,
 };
 
 function step(iteration: number, best: number): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
-  return { iteration, maxIterations: 100, evaluations: iteration, bound: best, best, terms, phase: "", done: false, reason: null, fraction: iteration / 100 };
+  return {
+    iteration,
+    maxIterations: 100,
+    evaluations: iteration,
+    bound: best,
+    best,
+    terms,
+    phase: "",
+    done: false,
+    reason: null,
+    fraction: iteration / 100,
+  };
 }
 
 function run(change: Partial<Run> = {}, iteration = 0, best = 0): Run {

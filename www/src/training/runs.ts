@@ -97,13 +97,18 @@ export interface Course {
   fraction: number;
 }
 
-const courseOf = ({ state, elapsed, steps }: Run): Course => ({ state, elapsed, fraction: steps.at(-1)?.fraction ?? 0 });
+const courseOf = ({ state, elapsed, steps }: Run): Course => ({
+  state,
+  elapsed,
+  fraction: steps.at(-1)?.fraction ?? 0,
+});
 
 /** The share of all their iterations that is behind these runs, 0 to 1. */
 export const share = (runs: readonly Run[]): number => shareOf(runs.map(courseOf));
 
 /** Seconds that these runs take at most, so many at once; null while it is too early to say. */
-export const secondsLeft = (runs: readonly Run[], workers: number): number | null => restOf(runs.map(courseOf), workers);
+export const secondsLeft = (runs: readonly Run[], workers: number): number | null =>
+  restOf(runs.map(courseOf), workers);
 
 /** The share of all their iterations that is behind these trainings, 0 to 1. */
 export function shareOf(courses: readonly Course[]): number {

@@ -37,19 +37,26 @@ export function stageRun(app: App, run: Run, keep: Parameters<typeof takeUp>[2] 
   app.tell("training");
   staging.during = app.training;
   staging.at = Infinity;
-  staging.turn = staging.turn.then(async () => {
-    if (asked !== staging.asked || !model || !app.engine) return;
-    try {
-      const opened = await app.engine.openModel(model.text, app.settings.frames);
-      opened.model.trainingLatents = model.latents;
-      takeUp(app, opened, keep);
-      staging.model = model;
-    } catch (problem) {
-      app.notify({ kind: "error", title: `The model of seed ${run.settings.seed} was not taken up`, text: messageOf(problem), at: null });
-    }
-  }).finally(() => {
-    if (asked === staging.asked) staging.at = performance.now();
-  });
+  staging.turn = staging.turn
+    .then(async () => {
+      if (asked !== staging.asked || !model || !app.engine) return;
+      try {
+        const opened = await app.engine.openModel(model.text, app.settings.frames);
+        opened.model.trainingLatents = model.latents;
+        takeUp(app, opened, keep);
+        staging.model = model;
+      } catch (problem) {
+        app.notify({
+          kind: "error",
+          title: `The model of seed ${run.settings.seed} was not taken up`,
+          text: messageOf(problem),
+          at: null,
+        });
+      }
+    })
+    .finally(() => {
+      if (asked === staging.asked) staging.at = performance.now();
+    });
   return staging.turn;
 }
 
@@ -62,7 +69,7 @@ export function followRun(app: App, run: Run): boolean {
   const { training } = app;
   if (!app.busy || performance.now() - staging.at < EVERY) return false;
   const leader = training.picked ? app.chosen : bestRun(training.runs);
-  if (!leader || (leader.model === null || leader.model === staging.model)) return leader === run;
+  if (!leader || leader.model === null || leader.model === staging.model) return leader === run;
   void stageRun(app, leader, keeping(app));
   return false;
 }

@@ -13,7 +13,15 @@ import { icon } from "../ui/icons";
 import "../clips/parts-editor";
 import { swatchStyle, View } from "../ui/view";
 
-type Count = "latent" | "dynamicsIps" | "poseIps" | "framesPerSecond" | "seed" | "maxIterations" | "order" | "trainings";
+type Count =
+  | "latent"
+  | "dynamicsIps"
+  | "poseIps"
+  | "framesPerSecond"
+  | "seed"
+  | "maxIterations"
+  | "order"
+  | "trainings";
 
 export class TrainingView extends View {
   static override topics = ["training", "settings", "clips", "engine"] as const;
@@ -57,8 +65,10 @@ export class TrainingView extends View {
         </select>
       </label>
       <ul class="part-row" aria-label="The parts to train">
-        ${now.map(({ name, joints }, part) => html`
-          <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`)}
+        ${now.map(
+          ({ name, joints }, part) => html`
+          <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
+        )}
       </ul>
       ${hand && clip ? html`<pg-parts-editor .app=${app}></pg-parts-editor>` : nothing}`;
   }
@@ -68,10 +78,13 @@ export class TrainingView extends View {
     const { app } = this;
     const { runs, ending, failed } = app.training;
     const last = runs.length === 1 ? runs[0]!.steps.at(-1) : undefined;
-    const iteration = last ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}${app.busy ? "" : "."}</span>` : nothing;
+    const iteration = last
+      ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}${app.busy ? "" : "."}</span>`
+      : nothing;
     if (app.busy) {
       if (runs.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
-      const done = runs.length > 1 ? html`<span>${runs.filter(isOver).length} of ${runs.length} trainings done</span>` : iteration;
+      const done =
+        runs.length > 1 ? html`<span>${runs.filter(isOver).length} of ${runs.length} trainings done</span>` : iteration;
       return html`${done}<span>${sentence(timeLeft(secondsLeft(runs, app.pool?.width ?? 1)))}</span>`;
     }
     if (why) return sentence(why);
@@ -88,7 +101,9 @@ export class TrainingView extends View {
     const { status, runs, ending } = this.app.training;
     if (status === "running") {
       const done = Math.floor(share(runs) * 10) * 10;
-      return runs.some(({ steps }) => steps.length > 0) ? `Training, ${done} per cent of the iterations` : "Training started";
+      return runs.some(({ steps }) => steps.length > 0)
+        ? `Training, ${done} per cent of the iterations`
+        : "Training started";
     }
     if (status === "cancelling") return "Cancelling";
     return ending ? `Training ended. ${sentence(ending)}` : "";
@@ -100,13 +115,15 @@ export class TrainingView extends View {
     return html`
       <header class="panel-head"><h2>Training</h2></header>
       <div class="train-row">
-        ${app.busy
-          ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
+        ${
+          app.busy
+            ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
               title="Stops here and keeps what was learned so far" @click=${() => cancelTraining(app)}>Cancel</button>
               <button data-testid="add" ?disabled=${app.training.status === "cancelling"}
               title="Trains with the settings below too, beside the others" @click=${() => void train(app)}>Add</button>`
-          : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
-              @click=${() => void train(app)}>Train</button>`}
+            : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
+              @click=${() => void train(app)}>Train</button>`
+        }
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
       <progress max="1" .value=${app.busy ? share(app.training.runs) : 0} aria-label="Training"

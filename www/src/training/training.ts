@@ -15,7 +15,13 @@ export function trainingSettings(app: App): TrainingSettings | null {
   const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations, parts, split } = app.settings;
   return {
     parts: partsFor(clip.loaded.info, parts, split),
-    latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations,
+    latent,
+    dynamicsIps,
+    poseIps,
+    order,
+    framesPerSecond,
+    seed,
+    maxIterations,
   };
 }
 
@@ -30,9 +36,18 @@ export function whyNotTrain(app: App): string {
 let lastRun = 0;
 
 function runsFor(app: App, settings: TrainingSettings): Run[] {
-  const clips = app.tickedClips().map(({ loaded, title, source, first, end }) => ({ id: loaded.id, title, source, first, end }));
+  const clips = app
+    .tickedClips()
+    .map(({ loaded, title, source, first, end }) => ({ id: loaded.id, title, source, first, end }));
   return seedsFrom(settings.seed, app.settings.trainings).map((seed) => ({
-    id: ++lastRun, settings: { ...settings, seed }, clips, state: "waiting", steps: [], elapsed: 0, ending: "", model: null,
+    id: ++lastRun,
+    settings: { ...settings, seed },
+    clips,
+    state: "waiting",
+    steps: [],
+    elapsed: 0,
+    ending: "",
+    model: null,
   }));
 }
 
@@ -70,7 +85,15 @@ export async function train(app: App): Promise<void> {
   app.runs = [...app.runs, ...asked];
   const begins = !app.busy;
   if (begins) {
-    app.training = { status: "running", runs: [], stop: new AbortController(), work: [], picked: false, ending: "", failed: false };
+    app.training = {
+      status: "running",
+      runs: [],
+      stop: new AbortController(),
+      work: [],
+      picked: false,
+      ending: "",
+      failed: false,
+    };
     app.chosen = asked[0]!;
   }
   const { runs, stop, work } = app.training;
@@ -97,9 +120,14 @@ function ending(runs: readonly Run[], best: Run | null): { ending: string; faile
   if (failed.length === runs.length) return { ending: failed[0]!.ending, failed: true };
   if (runs.length === 1) return { ending: runs[0]!.ending, failed: false };
   const count = (state: Run["state"]) => runs.filter((run) => run.state === state).length;
-  const counts = (["done", "cancelled", "failed"] as const).filter((state) => count(state) > 0).map((state) => `${count(state)} ${state}`);
+  const counts = (["done", "cancelled", "failed"] as const)
+    .filter((state) => count(state) > 0)
+    .map((state) => `${count(state)} ${state}`);
   const shown = best ? ` The best so far, seed ${best.settings.seed}, is on the stage.` : "";
-  return { ending: `${counts.join(", ")}.${count("cancelled") > 0 ? shown : shown.replace(" so far", "")}`, failed: false };
+  return {
+    ending: `${counts.join(", ")}.${count("cancelled") > 0 ? shown : shown.replace(" so far", "")}`,
+    failed: false,
+  };
 }
 
 /** Stops all runs. Each that has begun keeps its best so far. */

@@ -2,8 +2,16 @@ import { expect, it } from "vitest";
 import { duration, grouped, short, timeLeft, weight } from "./format";
 
 it("writes numbers shortly", () => {
-  expect([0, 0.00012, 0.0123, 0.456, 4.56, 45.6, 456, 45678].map(short))
-    .toEqual(["0", "1.2e-4", "0.012", "0.46", "4.6", "45.6", "456", "4.6e4"]);
+  expect([0, 0.00012, 0.0123, 0.456, 4.56, 45.6, 456, 45678].map(short)).toEqual([
+    "0",
+    "1.2e-4",
+    "0.012",
+    "0.46",
+    "4.6",
+    "45.6",
+    "456",
+    "4.6e4",
+  ]);
   expect([0, 0.001, 0.5, 1].map(weight)).toEqual(["0.00", "<0.01", "0.50", "1.00"]);
   expect(grouped(-124275.4)).toBe("−124,275");
   expect([4.4, 80, 7510].map(duration)).toEqual(["4 s", "1 min 20 s", "2 h 5 min"]);

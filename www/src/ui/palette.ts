@@ -28,10 +28,22 @@ export interface Theme {
 }
 
 const LIGHT: Theme = {
-  dark: false, ground: "#f3f2ef", ink: "#1d2329", quiet: "#5c6670", faint: "#8b949c", line: "#dcdad5", ghost: "#8d9399",
+  dark: false,
+  ground: "#f3f2ef",
+  ink: "#1d2329",
+  quiet: "#5c6670",
+  faint: "#8b949c",
+  line: "#dcdad5",
+  ghost: "#8d9399",
 };
 const DARK: Theme = {
-  dark: true, ground: "#13161a", ink: "#e9ebed", quiet: "#a3abb3", faint: "#7a838b", line: "#31373d", ghost: "#8b939a",
+  dark: true,
+  ground: "#13161a",
+  ink: "#e9ebed",
+  quiet: "#a3abb3",
+  faint: "#7a838b",
+  line: "#31373d",
+  ghost: "#8b939a",
 };
 
 const darkScheme = typeof matchMedia === "function" ? matchMedia("(prefers-color-scheme: dark)") : null;

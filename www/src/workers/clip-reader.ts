@@ -29,7 +29,10 @@ export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
     let clip = this.read.get(id);
     if (!clip) {
       const { Clip } = this.from;
-      clip = "sample" in source ? Clip.sample(source.sample) : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+      clip =
+        "sample" in source
+          ? Clip.sample(source.sample)
+          : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
       this.read.set(id, clip);
     }
     return clip;

@@ -1,11 +1,20 @@
 // What a worker does for the synthetic lesson: makes the data, and trains on them step by step. No DOM.
 import { SyntheticExperiment } from "vcgpdm";
-import type { ExperimentJob, Experimenter, ExperimentReport, TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import type {
+  ExperimentJob,
+  Experimenter,
+  ExperimentReport,
+  TrainingOutcome,
+  TrainingProgress,
+} from "../engine/protocol";
 import { breathe, SLICE } from "./slices";
 
 let training: { cancelled: boolean } | null = null;
 
-async function experiment({ seed, driving }: ExperimentJob, report: (report: ExperimentReport) => void): Promise<TrainingOutcome> {
+async function experiment(
+  { seed, driving }: ExperimentJob,
+  report: (report: ExperimentReport) => void,
+): Promise<TrainingOutcome> {
   if (training) throw new Error("This worker is training already.");
   const run = { cancelled: false };
   training = run;

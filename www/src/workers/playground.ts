@@ -28,7 +28,10 @@ function currentModel(): Model {
 
 /** Sends the buffers over instead of copying them. */
 function handOver<T extends object>(value: T, ...arrays: ArrayBufferView[]): T {
-  return Comlink.transfer(value, arrays.map((a) => a.buffer as ArrayBuffer));
+  return Comlink.transfer(
+    value,
+    arrays.map((a) => a.buffer as ArrayBuffer),
+  );
 }
 
 function loaded(clip: Clip): LoadedClip {
@@ -116,8 +119,7 @@ function inducing(point: InducingPoint, request: RolloutRequest): InducingReport
   if (!rolled || rolled.revision !== revision || !sameRollout(rolled.request, request)) {
     rolled = roll(of, request);
   }
-  const row = (values: Float64Array, index: number, width: number) =>
-    values.slice(index * width, (index + 1) * width);
+  const row = (values: Float64Array, index: number, width: number) => values.slice(index * width, (index + 1) * width);
   if (point.kind === "pose") {
     const { part, index } = point;
     const q = of.info().parts[part]?.latent ?? 0;
