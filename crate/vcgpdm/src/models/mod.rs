@@ -31,6 +31,6 @@ pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};
 pub use period::{Period, period};
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use rollout::{Poser, Roller, RolloutError};
-pub use search::Phase;
+pub use search::{EndReason, Phase};
 pub use sequences::{Sequences, SequencesError};
 pub use variational::trainer::TrainingError;
