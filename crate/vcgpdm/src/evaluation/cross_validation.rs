@@ -1,12 +1,11 @@
 //! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
 //! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
 use crate::gp::NumericsError;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, MovementModel, Movements, RolloutError, Sequence,
-    Source,
+    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements,
+    RolloutError, Sequence, Source,
 };
 use crate::motion::{Clip, ClipError, PartSpec, PoseError};
 use nalgebra::DMatrix;
@@ -148,7 +147,7 @@ impl Fold {
     }
 
     /// A training of a model in this fold, ready to begin.
-    pub fn learner(&self, candidate: &Candidate, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+    pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let learner = candidate.learner(&self.movements, seed);
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
@@ -157,7 +156,7 @@ impl Fold {
     /// there is no outcome. `seconds` is a clock.
     pub fn evaluate(
         &self,
-        candidate: &Candidate,
+        candidate: &ModelSettings,
         seed: u32,
         seconds: &dyn Fn() -> f64,
         watch: &mut dyn FnMut(&LearningProgress) -> bool,
@@ -215,8 +214,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::candidate::{GpdmSettings, PointSettings};
-    use crate::models::ModelKind;
+    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
     use crate::motion::{presets, samples};
 
     fn trials() -> Vec<Clip> {
@@ -229,16 +227,17 @@ mod tests {
         let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
         let fold = Fold::new(&trials, 1, usize::MAX, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
-        let gpdm = GpdmSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
-        let point = PointSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        let gpdm =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
         for candidate in [
-            Candidate::Vcgpdm(gpdm.clone()),
-            Candidate::Vgpdm(gpdm),
-            Candidate::MapGpdm(point.clone()),
-            Candidate::MapCgpdm(point),
-            Candidate::Tmp { primitives: Some(4) },
-            Candidate::DmpDiscrete { bases: 20 },
-            Candidate::DmpRhythmic { bases: 20 },
+            ModelSettings::Vcgpdm(gpdm.clone()),
+            ModelSettings::Vgpdm(gpdm),
+            ModelSettings::MapGpdm(point.clone()),
+            ModelSettings::MapCgpdm(point),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4) }),
+            ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
+            ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
         ] {
             let mut steps = 0;
             let mut watch = |progress: &LearningProgress| {
@@ -250,7 +249,7 @@ mod tests {
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
             let text = serde_json::to_string(&candidate).unwrap();
-            assert_eq!(serde_json::from_str::<Candidate>(&text).unwrap(), candidate);
+            assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
         }
     }
 
@@ -259,7 +258,7 @@ mod tests {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
-        let candidate = Candidate::DmpRhythmic { bases: 5 };
+        let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
 

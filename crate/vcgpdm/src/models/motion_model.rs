@@ -4,7 +4,8 @@ use crate::gp::NumericsError;
 use crate::models::body::Body;
 use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
-use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, TrainingSettings};
+use crate::models::settings::VariationalSettings;
+use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer};
 use crate::motion::{Clip, PoseError};
 use nalgebra::DMatrix;
 
@@ -16,8 +17,10 @@ pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
-    /// What training was asked to do, the seed included.
-    pub settings: TrainingSettings,
+    /// What training was asked to do.
+    pub settings: VariationalSettings,
+    /// The seed of everything random.
+    pub seed: u32,
     /// The frame rate asked for.
     pub frames_per_second: f64,
     /// The final bound, in nats.
@@ -83,6 +86,7 @@ impl MotionModel {
         let provenance = Provenance {
             engine: ENGINE.to_owned(),
             settings: trainer.settings().clone(),
+            seed: trainer.seed(),
             frames_per_second,
             bound: progress.best,
             terms: progress.terms,

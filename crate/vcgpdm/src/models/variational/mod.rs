@@ -15,4 +15,4 @@ pub use learner::{VariationalLearner, VariationalModel};
 pub use params::{Expert, Params, PartParams};
 pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
 pub use start::starting_point;
-pub use trainer::{Trainer, TrainingProgress, TrainingSettings, schedule};
+pub use trainer::{Trainer, TrainingProgress, schedule};
