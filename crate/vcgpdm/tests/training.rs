@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use vcgpdm::models::variational::{Trainer, TrainingSettings};
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{bvh, presets, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -16,8 +16,8 @@ fn dataset() -> Dataset {
 }
 
 fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
-    let settings = TrainingSettings { max_iterations, seed: 3, ..TrainingSettings::default() };
-    Trainer::new(dataset.y.clone(), dataset.lengths(), settings).unwrap()
+    let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
+    Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 3).unwrap()
 }
 
 /// Standard deviation of the latents over some frames, all dimensions together.

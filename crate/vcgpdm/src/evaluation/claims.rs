@@ -127,7 +127,8 @@ pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &La
     for Contender { settings, .. } in several() {
         if let Some(c) = correlation(settings, String::new(), labels) {
             let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
-            let found = format!("{} over {} settings: {:.2}{}", c.model.id(), c.settings, c.rank, over(c.folds));
+            let found =
+                format!("{} over {} settings: {:.2}{}", c.model.id(), c.settings, c.rank, over(c.folds));
             say(claim, found, c.rank < -0.5);
         }
     }

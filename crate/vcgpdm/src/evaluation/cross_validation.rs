@@ -4,8 +4,8 @@
 use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
 use crate::gp::NumericsError;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements, RolloutError, Sequence,
-    Source,
+    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements,
+    RolloutError, Sequence, Source,
 };
 use crate::motion::{Clip, ClipError, PartSpec, PoseError};
 use nalgebra::DMatrix;
@@ -243,7 +243,8 @@ mod tests {
         let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
         let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
-        let gpdm = VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let gpdm =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
         let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
         for candidate in [
             ModelSettings::Vcgpdm(gpdm.clone()),

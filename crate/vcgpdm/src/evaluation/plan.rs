@@ -143,8 +143,7 @@ impl Plan {
         if let Some(&found) = folds.iter().find(|fold| !(1..=trials).contains(*fold)) {
             return Err(PlanError::HeldOut { trials, found });
         }
-        let counts =
-            if self.training_trials.is_empty() { vec![most] } else { self.training_trials.clone() };
+        let counts = if self.training_trials.is_empty() { vec![most] } else { self.training_trials.clone() };
         if let Some(&found) = counts.iter().find(|count| !(1..=most).contains(*count)) {
             return Err(PlanError::TrainingTrials { most, found });
         }
@@ -169,7 +168,8 @@ impl Plan {
     /// The coupled models on one trial, on two, and so on up to all but one of the `most` that there are.
     fn growth_jobs(&self, folds: &[usize], most: usize) -> Vec<Job> {
         let (Some(&held_out), Some(&seed)) = (folds.first(), self.seeds.first()) else { return Vec::new() };
-        let coupled = ModelKind::ALL.into_iter().filter(|kind| kind.is_coupled() && self.models.contains(kind));
+        let coupled =
+            ModelKind::ALL.into_iter().filter(|kind| kind.is_coupled() && self.models.contains(kind));
         coupled
             .filter_map(|kind| {
                 let candidates = self.candidates_of(kind);

@@ -354,7 +354,10 @@ mod tests {
         let error = Results::from_json(&later.to_json().unwrap()).unwrap_err().to_string();
         assert_eq!(error, "expected vcgpdm-evaluation version 1, found \"vcgpdm-evaluation\" version 2");
         let error = Results::from_json("{}").unwrap_err().to_string();
-        assert!(error.starts_with("expected the results of an evaluation: missing field `format`"), "{error}");
+        assert!(
+            error.starts_with("expected the results of an evaluation: missing field `format`"),
+            "{error}"
+        );
         let alone = Results::new(setting(1)).to_json().unwrap();
         assert_eq!(Results::from_json(&alone), Err(ResultsError::Setting(SettingError::Trials(1))));
     }

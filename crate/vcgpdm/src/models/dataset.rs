@@ -1,6 +1,6 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
-use crate::models::variational::trainer::TrainingError;
+use crate::models::training_error::TrainingError;
 use crate::motion::{
     BodyMismatch, Clip, ClipError, PartSpec, PartsError, PartsLayout, PoseError, PoseMapping,
 };

@@ -5,23 +5,24 @@ use crate::json::rows;
 use crate::models::body::Body;
 use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
-use crate::models::variational::{
-    BoundTerms, FittedModel, Reading, Trainer, TrainingSettings, coupling_weight_matrix,
-};
+use crate::models::settings::VariationalSettings;
+use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, coupling_weight_matrix};
 use crate::motion::{Clip, PoseError};
 use nalgebra::DMatrix;
 use serde::Deserialize;
 
-/// What a document says wrote it.
-pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
+/// The program and its version, as documents and results name what made them.
+pub const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
 
 /// How a model was made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
-    /// What training was asked to do, the seed included.
-    pub settings: TrainingSettings,
+    /// What training was asked to do.
+    pub settings: VariationalSettings,
+    /// The seed of everything random.
+    pub seed: u32,
     /// The frame rate asked for.
     pub frames_per_second: f64,
     /// The final bound, in nats.
@@ -92,6 +93,7 @@ impl MotionModel {
         let provenance = Provenance {
             engine: ENGINE.to_owned(),
             settings: trainer.settings().clone(),
+            seed: trainer.seed(),
             frames_per_second,
             bound: progress.best,
             terms: progress.terms,

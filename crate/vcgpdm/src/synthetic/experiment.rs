@@ -1,9 +1,8 @@
 //! The experiment under way: the data, a training on it, and what it has found so far.
 
 use crate::gp::NumericsError;
-use crate::models::variational::{
-    Params, Trainer, TrainingProgress, TrainingSettings, coupling_weight_matrix,
-};
+use crate::models::VariationalSettings;
+use crate::models::variational::{Params, Trainer, TrainingProgress, coupling_weight_matrix};
 use crate::synthetic::alignment::{Alignment, align};
 use crate::synthetic::{Synthetic, SyntheticError, Verdict};
 use nalgebra::DMatrix;
@@ -42,8 +41,8 @@ pub struct Experiment {
 
 impl Experiment {
     /// Ready to train on the data.
-    pub fn new(data: Synthetic, settings: TrainingSettings) -> Result<Self, SyntheticError> {
-        let trainer = data.trainer(settings)?;
+    pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
+        let trainer = data.trainer(settings, seed)?;
         let start = Fit { bound: trainer.progress().best, mse: data.mse(&trainer.model()?)? };
         Ok(Self { data, trainer, start })
     }

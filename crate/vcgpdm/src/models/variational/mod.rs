@@ -16,7 +16,7 @@ pub use elbo::{
 };
 pub use inducing::InducingError;
 pub use learner::{VariationalLearner, VariationalModel};
-pub use params::{Expert, LARGEST_COUPLING, Params, PartParams};
+pub use params::{Expert, Params, PartParams};
 pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
 pub use start::starting_point;
-pub use trainer::{Trainer, TrainingPhase, TrainingProgress, TrainingSettings, schedule};
+pub use trainer::{Trainer, TrainingPhase, TrainingProgress, schedule};

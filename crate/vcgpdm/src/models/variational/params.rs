@@ -5,9 +5,6 @@ use crate::models::flat::{ALPHA, BETA, IPS, Kind, LAMBDA, MU, Parameters, S, SIG
 use nalgebra::DMatrix;
 use std::slice::{from_mut, from_ref};
 
-/// No coupling variance that is learned is larger.
-pub const LARGEST_COUPLING: f64 = ALPHA.highest();
-
 /// The parameters of one part: its latents and its map from latents to poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartParams {

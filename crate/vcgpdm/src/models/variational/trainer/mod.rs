@@ -2,16 +2,16 @@
 
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
+use crate::models::latents::{check_dimensions, check_training};
 use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
-use crate::models::sequences::{Sequences, SequencesError};
+use crate::models::settings::VariationalSettings;
+use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::params::Params;
 use crate::models::variational::posterior::FittedModel;
 use crate::models::variational::start::starting_point;
-use crate::words::counted;
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
-use thiserror::Error;
+use serde::Serialize;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
@@ -19,93 +19,6 @@ const JITTER: f64 = 1e-6;
 const BLOCK_ITERATIONS: usize = 50;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
-const MOST_DIMENSIONS: usize = 100;
-
-/// What training is asked to do.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct TrainingSettings {
-    /// Latent dimensions Q of every part.
-    pub latent: usize,
-    /// Dynamics inducing points K of every expert.
-    pub dynamics_ips: usize,
-    /// Pose inducing points L of every part.
-    pub pose_ips: usize,
-    /// Order p of the dynamics.
-    pub order: usize,
-    /// The seed of everything random.
-    pub seed: u32,
-    /// Most iterations of the optimiser, all blocks together.
-    pub max_iterations: usize,
-}
-
-impl Default for TrainingSettings {
-    fn default() -> Self {
-        Self { latent: 3, dynamics_ips: 12, pose_ips: 12, order: 2, seed: 0, max_iterations: 800 }
-    }
-}
-
-/// Why training could not start.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum TrainingError {
-    /// A setting is out of its range.
-    #[error("{name} must be from {lowest} to {highest}, found {found}")]
-    Setting {
-        /// What the setting is called.
-        name: &'static str,
-        /// Smallest value.
-        lowest: usize,
-        /// Largest value.
-        highest: usize,
-        /// The value asked for.
-        found: usize,
-    },
-    /// There is nothing to do.
-    #[error("expected at least one phase in the schedule, found none")]
-    NoPhases,
-    /// There is no part.
-    #[error("expected at least one part, found none")]
-    NoParts,
-    /// Observations and sequences do not fit each other.
-    #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
-    Frames {
-        /// Counted from 0.
-        part: usize,
-        /// Frames of the sequences.
-        expected: usize,
-        /// Frames found.
-        found: usize,
-    },
-    /// No sequence is a whole movement.
-    #[error("expected at least one whole movement to learn from, found none")]
-    NoWhole,
-    /// A sequence holds too little to learn from.
-    #[error("sequence {sequence} has {}; expected at least {expected}", counted(*found, "frame"))]
-    Short {
-        /// Counted from 0.
-        sequence: usize,
-        /// Fewest frames.
-        expected: usize,
-        /// Frames found.
-        found: usize,
-    },
-    /// The sequences cannot be trained on.
-    #[error(transparent)]
-    Sequences(#[from] SequencesError),
-    /// The bound cannot be computed at the starting point.
-    #[error("training could not start: {0}")]
-    Numerics(#[from] NumericsError),
-}
-
-impl TrainingError {
-    /// The sequence that it is about, where it is about one, counted from 0.
-    pub fn sequence(&self) -> Option<usize> {
-        match self {
-            TrainingError::Short { sequence: found, .. }
-            | TrainingError::Sequences(SequencesError::TooShort { index: found, .. }) => Some(*found),
-            _ => None,
-        }
-    }
-}
 
 /// What is being optimised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -187,7 +100,8 @@ impl Target for Bound {
 /// A training under way.
 pub struct Trainer {
     ascent: Ascent<Bound>,
-    settings: TrainingSettings,
+    settings: VariationalSettings,
+    seed: u32,
 }
 
 impl Trainer {
@@ -195,25 +109,27 @@ impl Trainer {
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,
-        settings: TrainingSettings,
+        settings: &VariationalSettings,
+        seed: u32,
     ) -> Result<Self, TrainingError> {
-        check_settings(&settings)?;
+        check_settings(settings)?;
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
-        let params = starting_point(&y, &sequences, &settings);
+        let params = starting_point(&y, &sequences, settings, seed);
         let phases = schedule(settings.max_iterations);
-        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings)
+        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings, seed)
     }
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
-    /// number of iterations and for the model's provenance.
+    /// number of iterations and, with the seed, for the model's provenance.
     pub fn from_start(
         objective: Objective,
         start: Params,
         phases: Vec<Phase>,
-        settings: TrainingSettings,
+        settings: &VariationalSettings,
+        seed: u32,
     ) -> Result<Self, TrainingError> {
         // Otherwise the document of the model could not be read again.
-        check_settings(&settings)?;
+        check_settings(settings)?;
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
         }
@@ -223,7 +139,7 @@ impl Trainer {
         let value = (terms.total(), terms);
         let bound = Bound { objective, workspace };
         let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
-        Ok(Self { ascent, settings })
+        Ok(Self { ascent, settings: settings.clone(), seed })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -250,8 +166,13 @@ impl Trainer {
     }
 
     /// What training was asked to do.
-    pub fn settings(&self) -> &TrainingSettings {
+    pub fn settings(&self) -> &VariationalSettings {
         &self.settings
+    }
+
+    /// The seed of everything random.
+    pub fn seed(&self) -> u32 {
+        self.seed
     }
 
     /// The parameters of the best bound so far; before the first step, the starting point.
@@ -271,38 +192,10 @@ impl Trainer {
     }
 }
 
-fn check_settings(settings: &TrainingSettings) -> Result<(), TrainingError> {
-    in_range("the latent dimension", settings.latent, MOST_DIMENSIONS)?;
-    in_range("the order of the dynamics", settings.order, MOST_DIMENSIONS)?;
+fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
+    check_dimensions(settings.latent, settings.order)?;
     in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
     in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
-}
-
-/// What every model with latents asks of its observations `y` [N x D_i] and settings.
-pub fn check_training(
-    y: &[DMatrix<f64>],
-    lengths: Vec<usize>,
-    latent: usize,
-    order: usize,
-) -> Result<Sequences, TrainingError> {
-    in_range("the latent dimension", latent, MOST_DIMENSIONS)?;
-    in_range("the order of the dynamics", order, MOST_DIMENSIONS)?;
-    if y.is_empty() {
-        return Err(TrainingError::NoParts);
-    }
-    let sequences = Sequences::new(lengths, order)?;
-    let expected = sequences.frames();
-    if let Some(part) = y.iter().position(|y| y.nrows() != expected) {
-        return Err(TrainingError::Frames { part, expected, found: y[part].nrows() });
-    }
-    Ok(sequences)
-}
-
-fn in_range(name: &'static str, found: usize, highest: usize) -> Result<(), TrainingError> {
-    if (1..=highest).contains(&found) {
-        return Ok(());
-    }
-    Err(TrainingError::Setting { name, lowest: 1, highest, found })
 }
 
 /// First what the latents are explained with, while they stay at their principal components; then everything together.
