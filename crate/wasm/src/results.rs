@@ -6,7 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
 use js_sys::Reflect;
 use serde::Serialize;
-use vcgpdm::evaluation::{Comparison, Finished, Plan, PlannedJob, Results as AllResults, Setting};
+use vcgpdm::evaluation::{Comparison, Finished, Plan, Results as AllResults, Setting};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -238,9 +238,8 @@ impl Results {
     /// The jobs that are finished, in the order of tables: by model, then by size, then by seed.
     #[wasm_bindgen(unchecked_return_type = "FinishedJob[]")]
     pub fn finished(&self) -> Result<JsValue, VcgpdmError> {
-        let finished = self.results.in_order();
-        let identified = |value: &'_ Finished| Identified { id: value.job.to_string(), value };
-        to_js(&finished.into_iter().map(identified).collect::<Vec<_>>())
+        let finished = self.results.in_order().into_iter();
+        to_js(&finished.map(|value| Identified { id: value.job.to_string(), value }).collect::<Vec<_>>())
     }
 
     /// The jobs that the plan asks for, fold after fold, so that the first tables come early.
@@ -252,8 +251,8 @@ impl Results {
         let plan: Plan = from_js(ErrorCode::Comparison, "plan", &plan)?;
         let one_part = self.results.setting().parts.len() < 2;
         let jobs = self.results.jobs(&if one_part { plan.without_coupled() } else { plan })?;
-        let identified = |value: &'_ PlannedJob| Identified { id: value.job.to_string(), value };
-        to_js(&jobs.iter().map(identified).collect::<Vec<_>>())
+        let jobs = jobs.iter().map(|value| Identified { id: value.job.to_string(), value });
+        to_js(&jobs.collect::<Vec<_>>())
     }
 
     /// Keeps the outcome of a job that this program trained. An outcome that is there already stays.
