@@ -1,10 +1,10 @@
 //! Trained models: what they hold, and what they predict.
 
 use crate::body::BodyInfo;
-use crate::convert::{flat, from_js, rows, to_js};
+use crate::convert::{flat, from_js, rows, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::rollout::Rollout;
-use crate::settings::TrainingSettings;
+use crate::settings::{Task, settings_to_js};
 use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::models::variational::BoundTerms;
@@ -72,7 +72,8 @@ struct PartInfo<'a> {
 #[derive(Serialize)]
 struct Provenance<'a> {
     engine: &'a str,
-    settings: TrainingSettings,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    settings: JsValue,
     bound: f64,
     terms: &'a BoundTerms,
     iterations: usize,
@@ -88,13 +89,11 @@ struct ModelInfo<'a> {
     alpha: Vec<Vec<f64>>,
     dynamics_ips: Vec<Vec<usize>>,
     sequences: &'a [SequenceInfo],
-    #[serde(flatten)]
-    body: BodyInfo,
     provenance: Provenance<'a>,
 }
 
 impl<'a> ModelInfo<'a> {
-    fn new(model: &'a MotionModel) -> Self {
+    fn new(model: &'a MotionModel, settings: JsValue) -> Self {
         let (fitted, body, made) = (&model.fitted, &model.body, &model.provenance);
         let specs = body.layout.parts();
         let parts = specs.iter().zip(&fitted.parts).map(|(spec, map)| PartInfo {
@@ -111,15 +110,9 @@ impl<'a> ModelInfo<'a> {
             alpha: rows(&fitted.alpha),
             dynamics_ips: counts.collect(),
             sequences: &body.sequences,
-            body: BodyInfo::new(body.mapping.skeleton()),
             provenance: Provenance {
                 engine: &made.engine,
-                settings: TrainingSettings {
-                    parts: specs.to_vec(),
-                    frames_per_second: made.frames_per_second,
-                    seed: made.seed,
-                    variational: made.settings.clone(),
-                },
+                settings,
                 bound: made.bound,
                 terms: &made.terms,
                 iterations: made.iterations,
@@ -153,7 +146,11 @@ impl Model {
     /// What there is to know of it.
     #[wasm_bindgen(unchecked_return_type = "ModelInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
-        to_js(&ModelInfo::new(&self.model))
+        let (body, made) = (&self.model.body, &self.model.provenance);
+        let parts = body.layout.parts().to_vec();
+        let task = Task { parts, frames_per_second: made.frames_per_second, seed: made.seed };
+        let info = ModelInfo::new(&self.model, settings_to_js(&task, &made.settings)?);
+        to_js_beside(&info, &BodyInfo::new(body.mapping.skeleton()))
     }
 
     /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
