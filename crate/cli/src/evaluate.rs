@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for job in &all {
         let key = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
-            entry.insert(Fold::new(&clips, key.0 - 1, key.1, &parts, arguments.fps)?);
+            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps)?);
         }
     }
     let share = share(arguments, all.len())?;

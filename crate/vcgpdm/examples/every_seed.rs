@@ -65,7 +65,7 @@ const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
 const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
 
 fn phase(groups: &'static [Group], iterations: usize) -> Phase {
-    Phase { name: "", groups, iterations }
+    Phase { groups, iterations }
 }
 
 const OURS: Way = Way {

@@ -73,7 +73,7 @@ let workers: Promise<Workers> | null = null;
 
 /** Loads the whole program, once. */
 export function comparing(): Promise<Workers> {
-  workers ??= compile(new URL("../../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then(
+  workers ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then(
     (wasm) => ({
       pool: new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm)),
       desk: new Pool(1, () => hire(wasm)),

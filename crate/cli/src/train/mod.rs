@@ -100,7 +100,7 @@ fn variational(
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
     }
     let reason = train(&mut learner, |learner, progress| {
-        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase)
+        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase.words())
     })?;
     let seconds = begin.elapsed().as_secs_f64();
 

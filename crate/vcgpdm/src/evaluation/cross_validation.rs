@@ -28,6 +28,14 @@ pub enum EvaluationError {
         /// The one asked for, counted from 1.
         found: usize,
     },
+    /// There are not so many trials to train on.
+    #[error("expected from 1 to {most} trials to train on, found {found}")]
+    TrainingTrials {
+        /// Trials besides the one held out.
+        most: usize,
+        /// The number asked for.
+        found: usize,
+    },
     /// The trials cannot be used together.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
@@ -91,20 +99,28 @@ pub struct Outcome {
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 0, against the others, or the first `most` of them.
+    /// The trial `held_out`, counted from 1, against the first `training_trials` of the others.
+    ///
+    /// # Errors
+    /// There are not so many trials, or they cannot be trained on together at this frame rate.
     pub fn new(
         trials: &[Clip],
         held_out: usize,
-        most: usize,
+        training_trials: usize,
         parts: &[PartSpec],
         frames_per_second: f64,
     ) -> Result<Self, EvaluationError> {
-        let Some(trial) = trials.get(held_out).filter(|_| trials.len() > 1) else {
-            return Err(EvaluationError::Trial { count: trials.len(), found: held_out + 1 });
+        let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
+        let Some(place) = place else {
+            return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
         };
-        let whole = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
+        let (trial, most) = (&trials[place], trials.len() - 1);
+        if !(1..=most).contains(&training_trials) {
+            return Err(EvaluationError::TrainingTrials { most, found: training_trials });
+        }
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
         let mut sources: Vec<Source> =
-            whole.take(most.max(1)).map(|clip| Source { clip, first_frames: None }).collect();
+            others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.prepared(1.0 / dataset.frame_time)?)?.y;
@@ -225,7 +241,7 @@ mod tests {
     fn every_model_predicts_a_walk() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 1, usize::MAX, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
@@ -257,7 +273,7 @@ mod tests {
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
         let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
@@ -266,12 +282,15 @@ mod tests {
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 3, usize::MAX, parts, 20.0).unwrap_err().to_string();
+        let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
         assert_eq!(
             error,
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
-        assert!(Fold::new(&trials[..1], 0, usize::MAX, parts, 20.0).is_err());
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
     /// Predicts that all columns fly away.
@@ -303,7 +322,7 @@ mod tests {
     fn no_outcome_holds_what_is_no_number() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
         let of = |to: f64, best: f64, seconds: f64| {
             let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();
             let training = LearningProgress {

@@ -6,6 +6,7 @@ use crate::motion::{
 };
 use crate::words::counted;
 use nalgebra::DMatrix;
+use serde::Serialize;
 use thiserror::Error;
 
 /// A clip that becomes a sequence of the training set.
@@ -18,7 +19,7 @@ pub struct Source<'a> {
 }
 
 /// Where a sequence came from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SequenceInfo {
     /// The clip's name.
     pub name: String,

@@ -1,13 +1,15 @@
 //! A trained model of a body: the fitted vCGPDM with what turns its columns into poses, and where it came from.
 
 use crate::gp::NumericsError;
+use crate::json::rows;
 use crate::models::body::Body;
 use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
 use crate::models::settings::VariationalSettings;
-use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer};
+use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, coupling_weight_matrix};
 use crate::motion::{Clip, PoseError};
 use nalgebra::DMatrix;
+use serde::Deserialize;
 
 /// What a document says wrote it.
 pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
@@ -48,15 +50,18 @@ pub struct MotionModel {
 }
 
 /// What a rollout is asked for.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RolloutRequest {
     /// Frames in all, the start included.
     pub frames: usize,
     /// The training sequence whose start latents begin it, counted from 0.
     pub sequence: usize,
     /// Couplings [M x M], row the source; absent: as learned.
+    #[serde(default, deserialize_with = "rows::optional_matrix")]
     pub alpha: Option<DMatrix<f64>>,
     /// What changed couplings do to the experts.
+    #[serde(default)]
     pub reading: Reading,
 }
 
@@ -67,6 +72,8 @@ pub struct Rollout {
     pub latents: Vec<DMatrix<f64>>,
     /// All columns, means included [frames x D].
     pub y: DMatrix<f64>,
+    /// The weights of the experts under its couplings [M x M], row the source; those into each part sum to 1.
+    pub weights: DMatrix<f64>,
 }
 
 impl MotionModel {
@@ -105,7 +112,7 @@ impl MotionModel {
         let roller = Roller::new(&self.fitted, alpha, request.reading)?;
         let latents = roller.latents(self.fitted.start(request.sequence)?, request.frames)?;
         let y = self.columns_at(&latents);
-        Ok(Rollout { latents, y })
+        Ok(Rollout { latents, y, weights: coupling_weight_matrix(alpha) })
     }
 
     /// All columns at the latents of every part [frames x Q_i]; a part without rows stays at its mean pose.

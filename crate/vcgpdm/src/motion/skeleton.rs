@@ -1,6 +1,7 @@
 //! The joint tree of a body: names, parents, offsets and the channels each joint is recorded in.
 
 use nalgebra::{UnitQuaternion, Vector3};
+use serde::Serialize;
 use thiserror::Error;
 
 /// The most joints that a body may have; more is a broken or hostile file.
@@ -101,7 +102,7 @@ pub struct Skeleton {
 }
 
 /// What the stage draws at one point: a joint or the end of a bone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct FigureNode {
     /// The joint it is, or, for an end site, the joint whose bone ends here.
     pub joint: usize,

@@ -56,7 +56,7 @@ impl From<TrainingProgress> for LearningProgress {
             objective: p.bound,
             best: p.best,
             done: p.done,
-            reason: p.reason,
+            reason: p.reason.map(|reason| reason.words("bound")),
             fraction: p.fraction,
         }
     }

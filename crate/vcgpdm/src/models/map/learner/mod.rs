@@ -64,18 +64,12 @@ impl MapLearner {
         let target = Evaluated { density, terms, gradient: params.zeros_like() };
         let phases = vec![
             Phase {
-                name: "couplings and kernels",
                 groups: &[Group::Kernels],
                 iterations: BLOCK_ITERATIONS.min(settings.max_iterations / 8),
             },
-            Phase {
-                name: "everything together",
-                groups: &[Group::Latents, Group::Kernels],
-                iterations: settings.max_iterations,
-            },
+            Phase { groups: &[Group::Latents, Group::Kernels], iterations: settings.max_iterations },
         ];
-        let settled = "the density no longer rises";
-        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations, settled);
+        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations);
         Ok(Self { ascent })
     }
 
@@ -138,7 +132,7 @@ impl Learner for MapLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        self.ascent.progress()
+        self.ascent.progress("density")
     }
 
     fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {

@@ -3,7 +3,7 @@
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
 use crate::models::latents::{check_dimensions, check_training};
-use crate::models::search::ascent::{Ascent, Phase, Target};
+use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
@@ -11,7 +11,7 @@ use crate::models::variational::params::Params;
 use crate::models::variational::posterior::FittedModel;
 use crate::models::variational::start::starting_point;
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
@@ -20,9 +20,36 @@ const BLOCK_ITERATIONS: usize = 50;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
 
+/// What is being optimised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrainingPhase {
+    /// What the latents are explained with, while they are held.
+    CouplingsKernelsInducingPoints,
+    /// Everything together.
+    Everything,
+}
+
+impl TrainingPhase {
+    fn of(phase: &Phase) -> Self {
+        if phase.groups.contains(&Group::Latents) {
+            TrainingPhase::Everything
+        } else {
+            TrainingPhase::CouplingsKernelsInducingPoints
+        }
+    }
+
+    /// The phase in plain words.
+    pub fn words(self) -> &'static str {
+        match self {
+            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
+            TrainingPhase::Everything => "everything together",
+        }
+    }
+}
+
 /// How far training is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrainingProgress {
     /// Optimiser iterations so far.
     pub iteration: usize,
@@ -36,12 +63,12 @@ pub struct TrainingProgress {
     pub best: f64,
     /// The terms of the best bound.
     pub terms: BoundTerms,
-    /// What is being optimised, in plain words.
-    pub phase: String,
+    /// What is being optimised.
+    pub phase: TrainingPhase,
     /// Whether training has ended.
     pub done: bool,
-    /// Why it ended, in plain words.
-    pub reason: Option<String>,
+    /// Why it ended.
+    pub reason: Option<EndReason>,
     /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
     pub fraction: f64,
 }
@@ -111,8 +138,7 @@ impl Trainer {
         let terms = workspace.terms().clone();
         let value = (terms.total(), terms);
         let bound = Bound { objective, workspace };
-        let settled = "the bound no longer rises";
-        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations, settled);
+        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
         Ok(Self { ascent, settings: settings.clone(), seed })
     }
 
@@ -132,9 +158,9 @@ impl Trainer {
             bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
-            phase: ascent.phase().to_owned(),
+            phase: TrainingPhase::of(ascent.phase()),
             done: ascent.reason().is_some(),
-            reason: ascent.reason().map(str::to_owned),
+            reason: ascent.reason(),
             fraction: ascent.fraction(),
         }
     }
@@ -178,13 +204,10 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
 /// alone, inducing points alone) more of them end in a worse bound.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
-    let first = Phase {
-        name: "couplings, kernels and inducing points",
-        groups: &[Kernels, InducingInputs],
-        iterations: BLOCK_ITERATIONS.min(max_iterations / 8),
-    };
+    let first =
+        Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
     let all = &[Latents, Kernels, InducingInputs];
-    vec![first, Phase { name: "everything together", groups: all, iterations: max_iterations }]
+    vec![first, Phase { groups: all, iterations: max_iterations }]
 }
 
 #[cfg(test)]
