@@ -12,9 +12,6 @@ export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 /** A failure whose message is all that a person needs. */
 export class Failure extends Error {}
 
-/** Why a step cannot be done on this machine, which is no failure. */
-export class Skipped extends Error {}
-
 const exe = process.platform === "win32" ? ".exe" : "";
 
 // Tools of this project first, then cargo's own folder: a fresh rustup is not yet on the PATH of an open shell.
