@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { initialSettings } from "../settings/settings";
-import type { Finished, Job, Results } from "../engine/protocol";
+import type { Finished, Job, Results } from "../engine/whole-protocol";
 import { candidates, inOrder, jobKey, jobs, openJobs, sameSetting, secondsLeft, share, type StudyJob } from "./jobs";
 
 const settings = (change: Partial<ReturnType<typeof initialSettings>> = {}) => ({ ...initialSettings(), ...change });

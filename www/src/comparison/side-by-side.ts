@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { studying } from "./comparison-store";
 import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
-import type { Finished, Motion } from "../engine/protocol";
+import type { Finished, Motion } from "../engine/whole-protocol";
 import { candidateKey, inOrder, jobKey, type Positions } from "./jobs";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
