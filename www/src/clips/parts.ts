@@ -39,10 +39,3 @@ export function moveBranch(
     return { name, joints: index === to ? [...kept, ...moved].sort((a, b) => a - b) : kept };
   });
 }
-
-/** The part of each joint, -1 where no part has it [joints]. */
-export function partOfJoints(count: number, parts: PartSpec[]): Int16Array {
-  const part = new Int16Array(count).fill(-1);
-  parts.forEach(({ joints }, index) => joints.forEach((joint) => joint < count && (part[joint] = index)));
-  return part;
-}

@@ -4,7 +4,7 @@ import { resetCoupling, setCoupling } from "./rollouts";
 import { short, weight } from "../ui/format";
 import { HERE, poseAt } from "../scene/motion";
 import { partColour } from "../ui/palette";
-import { partOfJoints } from "../clips/parts";
+import { partOfJoints } from "../scene/part-of-joints";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import { bowPath, drawApart, HEIGHT, loopPath, NODE, type Spot, WIDTH } from "./body-layout";
 import { View } from "../ui/view";

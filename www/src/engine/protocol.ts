@@ -138,9 +138,10 @@ export interface TrainingReport {
 export type Report = (report: TrainingReport) => boolean | Promise<boolean>;
 
 export interface TrainingOutcome {
+  /** The best so far is kept. */
   cancelled: boolean;
-  /** Why training ended, in plain words. */
-  reason: string;
+  /** Why training ended; null when it was cancelled. */
+  reason: TrainingProgress["reason"];
 }
 
 export interface TrainingJob {
@@ -170,3 +171,10 @@ export interface Workbench {
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
 }
+
+/** What the page asks of the worker that shows, once it has started. */
+export type Engine = {
+  [Call in Exclude<keyof Workbench, "start">]: (
+    ...args: Parameters<Workbench[Call]>
+  ) => Promise<ReturnType<Workbench[Call]>>;
+};

@@ -14,7 +14,7 @@ import {
   Vector3,
 } from "three";
 import { partColour, theme } from "../ui/palette";
-import { partOfJoints } from "../clips/parts";
+import { partOfJoints } from "./part-of-joints";
 import type { Figure, PartSpec } from "../engine/protocol";
 import { type Ball, type Capsule, shapeOf } from "./body-shape";
 
@@ -70,7 +70,7 @@ export class FigureView {
     style: FigureStyle,
   ) {
     const shape = shapeOf(figure, joints, pose);
-    const part = partOfJoints(joints.length, parts as PartSpec[]);
+    const part = partOfJoints(joints.length, parts);
     const materials = new Map<number, MeshStandardMaterial>();
     const materialOf = (joint: number) => {
       const index = part[joint] ?? -1;
