@@ -44,15 +44,16 @@ interface Asked {
   text: string | null;
 }
 
-export interface ComparisonNeeds {
-  settings: Pick<SettingsStore, "values" | "on">;
-  clips: Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
-  engine: Pick<EngineStore, "state" | "on">;
-  whole: WholeProgram;
-}
+/** What it has to know of the other stores. */
+export type EngineState = Pick<EngineStore, "state" | "on">;
+export type SettingsNow = Pick<SettingsStore, "values" | "on">;
+export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
 
 export class ComparisonStore extends Store {
-  readonly #needs: ComparisonNeeds;
+  readonly #engine: EngineState;
+  readonly #settings: SettingsNow;
+  readonly #clips: ClipsNow;
+  readonly #whole: WholeProgram;
   readonly #entries = new Map<string, ComparisonEntry>();
   readonly #planning: Latest<Asked, PlannedComparison>;
   #shown: ComparisonEntry | null = null;
@@ -69,12 +70,15 @@ export class ComparisonStore extends Store {
   /** Outcomes are added one after the other: each goes on with the text of the one before. */
   #adding: Promise<unknown> = Promise.resolve();
 
-  constructor(needs: ComparisonNeeds) {
+  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeProgram) {
     super();
-    this.#needs = needs;
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#clips = clips;
+    this.#whole = whole;
     this.#planning = new Latest(
       async (asked) => {
-        const { desk } = await needs.whole.load();
+        const { desk } = await whole.load();
         return desk.run((worker) => plan(worker, asked));
       },
       (planned, asked) => this.#answered({ asked, planned }, ""),
@@ -137,11 +141,12 @@ export class ComparisonStore extends Store {
 
   /** What has to be done before there can be a plan. */
   #obstacle(): string {
-    const { settings, clips, engine } = this.#needs;
-    if (engine.state === "loading") return "Getting ready";
-    if (engine.state === "failed") return "The models cannot run in this browser";
+    const { state } = this.#engine;
+    const clips = this.#clips;
+    if (state === "loading") return "Getting ready";
+    if (state === "failed") return "The models cannot run in this browser";
     if (!clips.samplesLoaded) return "Getting the sample clips ready";
-    const { models, heldOut } = settings.values;
+    const { models, heldOut } = this.#settings.values;
     const ticked = clips.ticked.length;
     if (ticked < 2) return "Tick at least two clips: one is held out, the others are trained on";
     if (clips.clash) return clips.clash;
@@ -151,8 +156,7 @@ export class ComparisonStore extends Store {
 
   /** Keeps the outlook in step with settings and clips, until the answer is called. */
   follow(): () => void {
-    const { settings, clips, engine } = this.#needs;
-    const stops = [settings, clips, engine].map((store) => store.on(() => this.#ask()));
+    const stops = [this.#engine, this.#settings, this.#clips].map((store) => store.on(() => this.#ask()));
     this.#ask();
     return () => {
       for (const stop of stops) stop();
@@ -173,7 +177,7 @@ export class ComparisonStore extends Store {
     const { signal } = this.#stop;
     this.changed();
     try {
-      const { pool, desk } = await this.#needs.whole.load();
+      const { pool, desk } = await this.#whole.load();
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
@@ -203,7 +207,7 @@ export class ComparisonStore extends Store {
   /** Shows the results that a file holds: from this page or from the terminal. What is shown stays when they cannot be opened. */
   async open(text: string): Promise<void> {
     this.#refuseWhileBusy();
-    const { desk } = await this.#needs.whole.load();
+    const { desk } = await this.#whole.load();
     const results = await desk.run((worker) => worker.openResults(text));
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results);
@@ -217,8 +221,7 @@ export class ComparisonStore extends Store {
 
   /** What the settings and the ticked clips ask for now. */
   #question(): Asked | null {
-    const { settings, clips } = this.#needs;
-    const question = questionOf(clips, settings.values);
+    const question = questionOf(this.#clips, this.#settings.values);
     if (!question) return null;
     const opened = this.#shown?.question === null ? this.#shown : null;
     const known = this.#entries.get(question.key) ?? opened;
@@ -299,7 +302,7 @@ export class ComparisonStore extends Store {
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<Evaluated | null> {
-    const { pool } = await this.#needs.whole.load();
+    const { pool } = await this.#whole.load();
     return pool.run((worker) => {
       progress.state = "running";
       const start = performance.now();
@@ -314,7 +317,7 @@ export class ComparisonStore extends Store {
 
   #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
     const added = this.#adding.then(async () => {
-      const { desk } = await this.#needs.whole.load();
+      const { desk } = await this.#whole.load();
       const add = () => desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
       // The worker may have died: a fresh one needs nothing but the text.
       entry.results = await add().catch(add);

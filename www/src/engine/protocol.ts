@@ -1,11 +1,5 @@
 // What the page and its worker say to each other. Types only.
-import type {
-  ClipInfo,
-  ModelInfo,
-  SampleInfo,
-  TrainingProgress,
-  TrainingSettings,
-} from "vcgpdm";
+import type { ClipInfo, ModelInfo, SampleInfo, TrainingProgress, TrainingSettings } from "vcgpdm";
 
 export type {
   ClipInfo,
