@@ -14,6 +14,9 @@ import { type Question, questionOf } from "./question";
 /** Comparisons that are kept, so that settings can be changed to and fro. */
 const MOST_ENTRIES = 4;
 
+/** The figure of learning time needs models that were trained on so many numbers of trials. */
+const NUMBERS_OF_TRIALS = 3;
+
 /** What a press of Compare would do. */
 export interface Outlook {
   /** How many trainings the settings ask for. */
@@ -22,7 +25,7 @@ export interface Outlook {
   open: number;
   /** Whether it would go on with the comparison that is shown. */
   goesOn: boolean;
-  /** Whether models would be trained on fewer trials too. */
+  /** Whether models would be trained on so many numbers of trials that the growth of their time can be seen. */
   growth: boolean;
 }
 
@@ -122,12 +125,12 @@ export class ComparisonStore extends Store {
     if (!this.#planned) return null;
     const { asked, planned } = this.#planned;
     const known = planned.goesOn ? asked.known : null;
-    const most = Math.max(...planned.jobs.map(({ job }) => job.trainingTrials));
+    const numbersOfTrials = new Set(planned.jobs.map(({ job }) => job.trainingTrials)).size;
     return {
       asked: planned.jobs.length,
       open: openJobs(planned.jobs, known?.predictions ?? new Map()).length,
       goesOn: this.#shown === null || this.#shown === known,
-      growth: planned.jobs.some(({ job }) => job.trainingTrials < most),
+      growth: numbersOfTrials >= NUMBERS_OF_TRIALS,
     };
   }
 
