@@ -246,7 +246,7 @@ export class ComparisonStore extends Store {
 
   /** After the results have changed: what was said about them is out of date. */
   #askAnew(): void {
-    this.#planned = null;
+    [this.#planned, this.#asked] = [null, null];
     this.#ask();
     this.changed();
   }
