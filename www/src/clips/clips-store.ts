@@ -96,24 +96,8 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
-  /** Opens motion clips of the visitor's own. Answers why each that could not be opened was refused. */
-  async open(files: readonly File[]): Promise<{ name: string; problem: string }[]> {
-    const refused: { name: string; problem: string }[] = [];
-    let opened = 0;
-    for (const file of files) {
-      try {
-        const key = await this.#read(file, opened === 0);
-        opened += 1;
-        if (opened === 1) this.show(key);
-      } catch (problem) {
-        refused.push({ name: file.name, problem: messageOf(problem) });
-      }
-    }
-    if (opened > 0) await this.#checkClash();
-    return refused;
-  }
-
-  async #read(file: File, first: boolean): Promise<string> {
+  /** Opens a motion clip of the visitor's own. The first of several is shown on the stage. */
+  async open(file: File, first: boolean): Promise<void> {
     const { engine } = this.#engine;
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -123,12 +107,12 @@ export class ClipsStore extends Store {
     if (first) this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
     const key = `own-${loaded.id}`;
     this.#add({ key, title, origin: "own", source: { name: title, file: new Blob([bytes]) }, loaded, ticked: true });
-    return key;
+    if (first) this.show(key);
   }
 
   async tick(key: string, ticked: boolean): Promise<void> {
     this.#update(key, { ticked });
-    await this.#checkClash();
+    await this.checkClash();
   }
 
   /** Keeps the frames from first (counted from 0) up to, not including, end; ten at least. */
@@ -177,7 +161,24 @@ export class ClipsStore extends Store {
     if (this.#stage.clip === key) this.#stage.endClip();
     this.changed();
     await this.#engine.engine?.dropClip(clip.loaded.id);
-    await this.#checkClash();
+    await this.checkClash();
+  }
+
+  /** Finds out whether the ticked clips can be trained on together. */
+  async checkClash(): Promise<void> {
+    this.#checks += 1;
+    const check = this.#checks;
+    const ids = this.ticked.map(({ loaded }) => loaded.id);
+    let clash = "";
+    try {
+      if (ids.length > 1) await this.#engine.engine?.checkTogether(ids);
+    } catch (problem) {
+      clash = messageOf(problem);
+    }
+    // Other clips may have been ticked meanwhile.
+    if (check !== this.#checks) return;
+    this.#clash = clash;
+    this.changed();
   }
 
   #find(key: string): ClipEntry | undefined {
@@ -197,22 +198,5 @@ export class ClipsStore extends Store {
   #partsOf({ loaded }: ClipEntry): PartSpec[] {
     const { parts, split } = this.#settings.values;
     return partsFor(loaded.info, parts, split);
-  }
-
-  /** Finds out whether the ticked clips can be trained on together. */
-  async #checkClash(): Promise<void> {
-    this.#checks += 1;
-    const check = this.#checks;
-    const ids = this.ticked.map(({ loaded }) => loaded.id);
-    let clash = "";
-    try {
-      if (ids.length > 1) await this.#engine.engine?.checkTogether(ids);
-    } catch (problem) {
-      clash = messageOf(problem);
-    }
-    // Other clips may have been ticked meanwhile.
-    if (check !== this.#checks) return;
-    this.#clash = clash;
-    this.changed();
   }
 }

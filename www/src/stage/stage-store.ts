@@ -46,13 +46,13 @@ export class StageStore extends Store {
     return this.#clip?.clip ?? null;
   }
 
-  /** The motion as learned, beside one under other couplings; null where it is not to be seen. */
+  /** The motion as learned, beside the model's under other couplings. */
   get ghost(): Motion | null {
-    return this.#clip ? null : this.#ghost;
+    return this.#ghost;
   }
 
   get marks(): Marks | null {
-    return this.#clip ? null : this.#marks;
+    return this.#marks;
   }
 
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
@@ -80,11 +80,13 @@ export class StageStore extends Store {
   }
 
   setGhost(ghost: Motion | null): void {
+    if (ghost === this.#ghost) return;
     this.#ghost = ghost;
     this.changed();
   }
 
   mark(marks: Marks | null): void {
+    if (marks === this.#marks) return;
     this.#marks = marks;
     this.changed();
   }

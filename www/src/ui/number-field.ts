@@ -1,10 +1,9 @@
 // A labelled field for a number.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 
-export interface NumberField {
-  label: string;
-  /** Shown when the mouse rests on it. */
-  hint: string;
+interface NumberInput {
+  /** For a label elsewhere. */
+  id?: string;
   testId: string;
   limits: { min: number; max: number; step: number };
   value: number;
@@ -13,21 +12,21 @@ export interface NumberField {
   change(value: number): number;
 }
 
-export function numberField({ label, hint, testId, limits, value, disabled, change }: NumberField): TemplateResult {
-  return html`
-    <label class="field" title=${hint}>
-      <span>${label}</span>
-      ${numberInput({ testId, limits, value, disabled, change })}
-    </label>`;
+export interface NumberField extends Omit<NumberInput, "id"> {
+  label: string;
+  /** Shown when the mouse rests on it. */
+  hint: string;
 }
 
-/** The same without a label. */
-export function numberInput(field: Omit<NumberField, "label" | "hint"> & { id?: string }): TemplateResult {
-  const { id = "", testId, limits, value, disabled, change } = field;
-  return html`<input type="number" id=${id} data-testid=${testId} min=${limits.min} max=${limits.max} step=${limits.step}
+export function numberInput({ id, testId, limits, value, disabled, change }: NumberInput): TemplateResult {
+  return html`<input type="number" id=${id ?? nothing} data-testid=${testId} min=${limits.min} max=${limits.max} step=${limits.step}
     .value=${String(value)} ?disabled=${disabled}
     @change=${(event: Event) => {
       const input = event.target as HTMLInputElement;
       input.value = String(change(input.valueAsNumber));
     }} />`;
+}
+
+export function numberField({ label, hint, ...input }: NumberField): TemplateResult {
+  return html`<label class="field" title=${hint}><span>${label}</span>${numberInput(input)}</label>`;
 }
