@@ -30,7 +30,7 @@ function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: Experi
       <th scope="row"><button class="seed-link" aria-pressed=${run === shown ? "true" : "false"} title="Look at this one"
         aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(run)}>${seed}</button></th>
       <td>${driving ? "yes" : "no"}</td>
-      <td class="answer">${answer(one)}</td>
+      <td class="answer">${answer(run)}</td>
       ${
         findings
           ? html`

@@ -4,7 +4,7 @@ import { evenLabels, percent, plain, powerLabels, ratio, spreadWords, twoDecimal
 it.each([
   [0, "0.00"],
   [0.0011, "0.00110"],
-  [3.14159, "3.14"],
+  [2.34567, "2.35"],
   [33.4, "33.4"],
   [431.7, "432"],
   [101234, "101,234"],
