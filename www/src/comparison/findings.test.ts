@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
 import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
-import type { Correlation, ModelSummary } from "../engine/protocol";
+import type { Correlation, ModelSummary } from "../engine/whole-protocol";
 
 const of = (rank: number, settings = 5): Correlation => ({
   model: "vcgpdm",

@@ -4,7 +4,7 @@ import { comparing } from "../engine/whole-engine";
 import { messageOf } from "../ui/format";
 import { Latest } from "../engine/latest";
 import { isSame, newTry, type Try } from "./experiments";
-import type { ExperimentJob, SyntheticTruth } from "../engine/protocol";
+import type { ExperimentJob, SyntheticTruth } from "../engine/whole-protocol";
 
 /** The experiments of this visit, and how they are going. */
 export class Lesson {

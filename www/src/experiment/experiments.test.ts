@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { headline, inOrder, newTry, readings, tally, times, type Try } from "./experiments";
 import { restOf, shareOf } from "../training/runs";
-import type { SyntheticFindings } from "../engine/protocol";
+import type { SyntheticFindings } from "../engine/whole-protocol";
 
 const RULES = { much: 10, alike: 4 };
 const DRIVEN = { ...RULES, drive: 0.1 };

@@ -1,6 +1,6 @@
 // The synthetic experiment: what was tried, how far it is, and what it found, in words. No rendering, no worker.
 import { grouped } from "../ui/format";
-import type { ExperimentJob, SyntheticFindings, SyntheticTruth } from "../engine/protocol";
+import type { ExperimentJob, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 
 /** One training: asked for, under way or over. */

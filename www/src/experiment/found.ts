@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { grouped, short, weight } from "../ui/format";
 import { headline, isFound, readings, type Try } from "./experiments";
 import { partColour } from "../ui/palette";
-import type { SyntheticFindings, SyntheticTruth } from "../engine/protocol";
+import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import { swatchStyle } from "../ui/view";
 
 const PARTS = [0, 1];

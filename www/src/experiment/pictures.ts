@@ -1,7 +1,7 @@
 // The pictures of the lesson: true and learned latents, and the curves that the model sees.
 import { html, nothing, svg } from "lit";
 import { partColour } from "../ui/palette";
-import type { SyntheticTruth } from "../engine/protocol";
+import type { SyntheticTruth } from "../engine/whole-protocol";
 import { swatchStyle } from "../ui/view";
 import { curvePaths, frameOf, linePath } from "./paths";
 

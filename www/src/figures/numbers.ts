@@ -1,5 +1,5 @@
 // Numbers as the figures write them.
-import type { Spread } from "../engine/protocol";
+import type { Spread } from "../engine/whole-protocol";
 
 const MINUS = "\u2212";
 const MOST_DECIMALS = 8;
