@@ -27,7 +27,7 @@ export class App {
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
-    return new ComparisonStore(this.engine, this.settings, this.clips, this.notices, await this.#whole.get());
+    return new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
   });
 
   readonly experiment = new Lazy(async () => {
