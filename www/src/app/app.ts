@@ -1,11 +1,16 @@
 // What the page knows, in one place: makes the stores and gives each those that it needs.
-import { EngineStore } from "../engine/engine-store";
 import { ClipsStore } from "../clips/clips-store";
+import { ModelStore } from "../couplings/model-store";
+import type { StartedEngine } from "../engine/engine";
+import { EngineStore } from "../engine/engine-store";
+import { PointingStore } from "../latents/pointing-store";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
+import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
+import { Lazy } from "./lazy";
 
 export class App {
   readonly notices = new NoticesStore();
@@ -14,6 +19,21 @@ export class App {
   readonly playback: Playback;
   readonly stage: StageStore;
   readonly clips: ClipsStore;
+  readonly model: ModelStore;
+  readonly pointing: PointingStore;
+  readonly training: TrainingStore;
+
+  readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
+
+  readonly comparison = new Lazy(async () => {
+    const { ComparisonStore } = await import("../comparison/comparison-store");
+    return new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+  });
+
+  readonly experiment = new Lazy(async () => {
+    const { ExperimentStore } = await import("../experiment/experiment-store");
+    return new ExperimentStore(this.settings, await this.#whole.get());
+  });
 
   constructor(
     address: AddressBar,
@@ -24,5 +44,33 @@ export class App {
     this.playback = new Playback(this.settings);
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
+    this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+    this.pointing = new PointingStore(this.engine, this.model, this.stage);
+    this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
+  }
+
+  /** Whether the stage is to be seen: not a comparison or the synthetic experiment. */
+  get isPlayView(): boolean {
+    return this.embedded || this.settings.values.view === "play";
+  }
+
+  /** Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a model. */
+  async start(startEngine: () => Promise<StartedEngine>, text: Promise<string | null>): Promise<void> {
+    await this.engine.start(startEngine, async () => {
+      const first = await text;
+      if (first !== null) await this.model.open(first, { couplings: true, clip: false });
+    });
+    if (this.engine.state !== "ready") return;
+    try {
+      await this.clips.loadSamples();
+    } catch (problem) {
+      this.engine.fail(problem);
+    }
+  }
+
+  /** The visitor has followed a link or pressed Back. */
+  followAddress(): void {
+    this.settings.readAddress();
+    this.model.restart();
   }
 }

@@ -16,7 +16,7 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
     for (const joint of own) if (joint < joints.length) part[joint] = index;
   });
   joints.forEach(({ parent }, joint) => {
-    if (part[joint] === -1) part[joint] = parent === null ? 0 : part[parent]!;
+    if (part[joint] === -1) part[joint] = parent === null ? 0 : (part[parent] ?? 0);
   });
   return split
     .map(({ name }, index) => ({ name, joints: part.flatMap((of, joint) => (of === index ? [joint] : [])) }))

@@ -38,16 +38,21 @@ export class EngineStore extends Store {
     return this.#started?.version ?? "";
   }
 
-  /** Starts the engine; it is ready when `prepare` is done with it too. */
-  async start(start: () => Promise<StartedEngine>, prepare: (engine: Engine) => Promise<void>): Promise<void> {
+  /** Starts the engine; it is ready when `prepare` is done too. */
+  async start(start: () => Promise<StartedEngine>, prepare: () => Promise<void>): Promise<void> {
     try {
       this.#started = await start();
-      await prepare(this.#started.engine);
+      await prepare();
       this.#state = "ready";
+      this.changed();
     } catch (problem) {
-      this.#state = "failed";
-      this.#problem = messageOf(problem);
+      this.fail(problem);
     }
+  }
+
+  fail(problem: unknown): void {
+    this.#state = "failed";
+    this.#problem = messageOf(problem);
     this.changed();
   }
 }

@@ -66,7 +66,7 @@ const COLUMNS: Column[] = [
   {
     head: "Clips",
     meaning: "Clips",
-    text: ({ clips }) => (clips.length === 1 ? clips[0]!.title : String(clips.length)),
+    text: ({ clips }) => (clips.length === 1 ? (clips[0]?.title ?? "") : String(clips.length)),
     key: ({ clips }) => clips.map(({ title, first, end }) => `${title} ${first + 1}-${end}`).join(", "),
   },
   {

@@ -6,6 +6,7 @@ import type {
   InducingPoint,
   InducingReport,
   LoadedClip,
+  ModelInfo,
   ModelView,
   OpenedModel,
   RolloutRequest,
@@ -14,16 +15,24 @@ import type {
 } from "../engine/protocol";
 import { trainee } from "./training";
 
+/** A model that is shown. */
+interface Held {
+  model: Model;
+  info: ModelInfo;
+  /** Grows with every model that is taken up. */
+  revision: number;
+}
+
 const clips = new Map<number, Clip>();
 let lastClip = 0;
-let model: Model | null = null;
-let revision = 0;
-/** The latents of the last rollout, for the frames an inducing point speaks for. */
+let held: Held | null = null;
+let lastRevision = 0;
+/** The last rollout whose latents were asked for, for the frames that an inducing point speaks for. */
 let rolled: RolloutResult | null = null;
 
-function currentModel(): Model {
-  if (!model) throw new Error("There is no model yet: train one or open one.");
-  return model;
+function current(): Held {
+  if (!held) throw new Error("There is no model yet: train one or open one.");
+  return held;
 }
 
 /** Sends the buffers over instead of copying them. */
@@ -53,26 +62,24 @@ function clipOf(id: number): Clip {
   return clip;
 }
 
-function view(of: Model): ModelView {
-  const info = of.info();
+function view({ model, info, revision }: Held): ModelView {
   const parts = info.parts.map((_, i) => i);
   const dynamics = (source: number, target: number): DynamicsInducing => ({
     count: info.dynamicsIps[source]?.[target] ?? 0,
-    inputs: of.dynamicsIps(source, target),
-    outputs: of.dynamicsIvs(source, target),
+    inputs: model.dynamicsIps(source, target),
+    outputs: model.dynamicsIvs(source, target),
   });
   return {
     revision,
     info,
-    poseInducing: parts.map((part) => of.poseIps(part)),
+    poseInducing: parts.map((part) => model.poseIps(part)),
     dynamicsInducing: parts.map((source) => parts.map((target) => dynamics(source, target))),
     trainingLatents: null,
   };
 }
 
-function roll(of: Model, request: RolloutRequest): RolloutResult {
-  const info = of.info();
-  const rollout = of.rollout(request);
+function roll({ model, info, revision }: Held, request: RolloutRequest): RolloutResult {
+  const rollout = model.rollout(request);
   try {
     return {
       revision,
@@ -84,28 +91,25 @@ function roll(of: Model, request: RolloutRequest): RolloutResult {
         frameTime: info.frameTime,
       },
       latents: info.parts.map((_, part) => rollout.latents(part)),
-      weights: of.weights(request.alpha ?? info.alpha),
+      weights: model.weights(request.alpha ?? info.alpha),
     };
   } finally {
     rollout.free();
   }
 }
 
-/** Takes a model up as the current one and rolls it out as learned. */
-function takeUp(next: Model, frames: number): OpenedModel {
-  const before = model;
-  revision += 1;
-  model = next;
+/** Takes a model up as the current one and rolls it out as learned. The one before stays where that fails. */
+function takeUp(model: Model, frames: number): OpenedModel {
   try {
-    const opened = {
-      model: view(next),
-      rollout: roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" }),
-    };
-    before?.free();
+    const next = { model, info: model.info(), revision: lastRevision + 1 };
+    const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" });
+    const opened = { model: view(next), rollout };
+    held?.model.free();
+    held = next;
+    lastRevision = next.revision;
     return opened;
   } catch (problem) {
-    model = before;
-    next.free();
+    model.free();
     throw problem;
   }
 }
@@ -115,28 +119,25 @@ function sameRollout(a: RolloutRequest, b: RolloutRequest): boolean {
 }
 
 function inducing(point: InducingPoint, request: RolloutRequest): InducingReport {
-  const of = currentModel();
-  if (!rolled || rolled.revision !== revision || !sameRollout(rolled.request, request)) {
-    rolled = roll(of, request);
-  }
+  const now = current();
+  if (rolled?.revision !== now.revision || !sameRollout(rolled.request, request)) rolled = roll(now, request);
+  const { model, info } = now;
+  const { order, parts } = info;
+  const latents = (part: number) => rolled?.latents[part] ?? new Float64Array(0);
+  const width = (part: number) => parts[part]?.latent ?? 0;
   const row = (values: Float64Array, index: number, width: number) => values.slice(index * width, (index + 1) * width);
   if (point.kind === "pose") {
     const { part, index } = point;
-    const q = of.info().parts[part]?.latent ?? 0;
-    const poses = [of.pose(part, row(of.poseIps(part), index, q))];
-    return { point, poses, frames: of.poseIpWeights(part, index, rolled.latents[part]!) };
+    const poses = [model.pose(part, row(model.poseIps(part), index, width(part)))];
+    return { point, poses, frames: model.poseIpWeights(part, index, latents(part)) };
   }
   const { source, target, index } = point;
-  const { parts, order } = of.info();
-  const qs = parts[source]?.latent ?? 0;
-  const qt = parts[target]?.latent ?? 0;
-  const history = row(of.dynamicsIps(source, target), index, order * qs);
+  const history = row(model.dynamicsIps(source, target), index, order * width(source));
   const poses = [
-    of.pose(source, history.slice((order - 1) * qs)),
-    of.pose(target, row(of.dynamicsIvs(source, target), index, qt)),
+    model.pose(source, row(history, order - 1, width(source))),
+    model.pose(target, row(model.dynamicsIvs(source, target), index, width(target))),
   ];
-  const frames = of.dynamicsIpWeights(source, target, index, rolled.latents[source]!);
-  return { point, poses, frames };
+  return { point, poses, frames: model.dynamicsIpWeights(source, target, index, latents(source)) };
 }
 
 const workbench: Workbench = {
@@ -161,13 +162,13 @@ const workbench: Workbench = {
   },
   openModel: (text, frames) => takeUp(Model.fromJson(text), frames),
   rollout(request) {
-    const result = roll(currentModel(), request);
+    const result = roll(current(), request);
     return handOver(result, result.motion.positions, ...result.latents);
   },
   inducing,
-  modelJson: () => currentModel().toJson(),
+  modelJson: () => current().model.toJson(),
   rolloutBvh(request) {
-    const rollout = currentModel().rollout(request);
+    const rollout = current().model.rollout(request);
     try {
       return rollout.toBvh();
     } finally {
