@@ -1,9 +1,9 @@
 // What to compare: the models, the trials and their settings.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
-import { BY_HAND, MODELS, SETTINGS } from "../settings/settings";
+import { type NumberName, settingField } from "../settings/setting-field";
+import { BY_HAND, MODELS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { numberField } from "../ui/number-field";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "./model-style";
@@ -18,8 +18,6 @@ const ABOUT: Record<(typeof MODELS)[number], string> = {
   "dmp-discrete": "A spring pulled towards a goal",
   "dmp-rhythmic": "A spring pulled around a cycle",
 };
-
-type NumberName = "heldOut" | "seeds" | "comparedIterations" | "seed" | "framesPerSecond" | "latent" | "order";
 
 const isTicked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
@@ -46,18 +44,7 @@ export class ComparisonChoices extends View {
 
   #number(name: NumberName, label: string, hint: string) {
     const { settings, comparison } = this;
-    return numberField({
-      label,
-      hint,
-      testId: `compare-${name}`,
-      limits: SETTINGS[name],
-      value: settings.values[name],
-      disabled: comparison.busy,
-      change: (value) => {
-        settings.change({ [name]: value });
-        return settings.values[name];
-      },
-    });
+    return settingField(settings, name, { label, hint, testId: `compare-${name}`, disabled: comparison.busy });
   }
 
   #numbers(name: "ips" | "bases", label: string, hint: string) {

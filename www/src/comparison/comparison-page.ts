@@ -4,6 +4,7 @@ import { type ClipsStore, LARGEST_FILE } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
+import { fileButton } from "../ui/file-button";
 import { messageOf, sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
@@ -103,13 +104,6 @@ export class ComparisonPage extends View {
     }
   }
 
-  #openFile(event: Event): void {
-    const input = event.target as HTMLInputElement;
-    const [file] = input.files ?? [];
-    input.value = "";
-    if (file) void this.#open(file.name, () => chosenResults(file));
-  }
-
   #button() {
     const { comparison } = this;
     return comparison.busy
@@ -124,9 +118,15 @@ export class ComparisonPage extends View {
     const canSave = shown !== null && shown.results.finished.length > 0;
     return html`
       <div class="files">
-        <label class="small file-button">${icon("open")} Open results
-          <input type="file" class="visually-hidden" data-testid="open-results" accept=".json,application/json" ?disabled=${busy}
-            aria-label="Open results (.json) of this page or of the terminal" @change=${(event: Event) => this.#openFile(event)} /></label>
+        ${fileButton({
+          label: "Open results",
+          meaning: "Open results (.json) of this page or of the terminal",
+          testId: "open-results",
+          accept: ".json,application/json",
+          multiple: false,
+          disabled: busy,
+          chosen: ([file]) => file && void this.#open(file.name, () => chosenResults(file)),
+        })}
         <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => shown && save(shown.results.text)}>${icon("save")} Save results</button>
         <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title="All models, ten walks of one person, 30 frames a second"
           @click=${() => void this.#open("Ten recorded walks", recordedWalks)}>${icon("eye")} Ten recorded walks</button>

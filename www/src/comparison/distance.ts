@@ -76,8 +76,9 @@ export class DistanceFigure extends FigureElement<Distances> {
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
     this.place = (frame) => x.at(frame * frameTime);
-    const drawn = lines.map(({ model, metres }) => ({
+    const drawn = lines.map(({ model, metres }, i) => ({
       model,
+      name: words[i] ?? "",
       places: [...metres].map((distance, frame) => [x.at(frame * frameTime), y.at(100 * distance)] as const),
     }));
     const ends = spread(
@@ -101,14 +102,16 @@ export class DistanceFigure extends FigureElement<Distances> {
           { scale: y, ticks: up, title: "Mean distance of the joints, cm" },
         )}
         <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
-        ${drawn.map(
-          ({ model, places }, i) => svg`<g style=${inColour(model)} font-size=${type}>
-          ${path(places)}
-          <path class="leader" d="M${places.at(-1)?.[0] ?? right} ${places.at(-1)?.[1] ?? bottom}L${right + LEAD} ${ends[i]!}"></path>
-          ${modelMark(model, right + LEAD, ends[i]!, MARK_SIZE * type)}
-          <text class="label" x=${right + LEAD + 0.85 * type} y=${ends[i]! + 0.35 * type}>${words[i]}</text>
-        </g>`,
-        )}
+        ${drawn.map(({ model, name, places }, i) => {
+          const [endX, endY] = places.at(-1) ?? [right, bottom];
+          const labelY = ends[i] ?? bottom;
+          return svg`<g style=${inColour(model)} font-size=${type}>
+            ${path(places)}
+            <path class="leader" d="M${endX} ${endY}L${right + LEAD} ${labelY}"></path>
+            ${modelMark(model, right + LEAD, labelY, MARK_SIZE * type)}
+            <text class="label" x=${right + LEAD + 0.85 * type} y=${labelY + 0.35 * type}>${name}</text>
+          </g>`;
+        })}
       </svg>
       <figcaption>Of a body 1.7 m tall, with the hips laid on the real ones. The error in the table is that of joint rotations and the root’s movement after warping in time: to be early or late counts here, and little there.</figcaption>`;
   }

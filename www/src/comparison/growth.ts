@@ -49,7 +49,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
     narrow: boolean,
   ) {
     const { type } = this;
-    const [lastX, lastY] = places.at(-1)!;
+    const [lastX, lastY] = places.at(-1) ?? [end.x, end.y];
     const text = end.x + 0.85 * type;
     return svg`<g style=${inColour(model)} font-size=${type}>
       <path class="leader" d="M${lastX} ${lastY}L${end.x} ${end.y}"></path>
@@ -65,12 +65,17 @@ export class GrowthFigure extends FigureElement<Comparison> {
   }
 
   protected figure({ growth }: Comparison) {
-    const lines = growth.map((line) => ({ line, points: drawable(line) })).filter(({ points }) => points.length > 0);
     const { type } = this;
     const width = Math.min(MOST, this.width);
     const narrow = width < NARROW;
-    const words = lines.map(({ line }) => ({ name: modelStyle(line.model).name, exponent: exponentWords(line) }));
-    const wide = words.map(({ name, exponent }) => {
+    const lines = growth
+      .map((line) => ({
+        line,
+        points: drawable(line),
+        words: { name: modelStyle(line.model).name, exponent: exponentWords(line) },
+      }))
+      .filter(({ points }) => points.length > 0);
+    const wide = lines.map(({ words: { name, exponent } }) => {
       const strong = textWidth(name, type, 600);
       return narrow ? Math.max(strong, textWidth(exponent, type)) : strong + textWidth(`, ${exponent}`, type);
     });
@@ -90,12 +95,13 @@ export class GrowthFigure extends FigureElement<Comparison> {
       left,
       right,
     );
-    const drawn = lines.map(({ line, points }) => ({
+    const drawn = lines.map(({ line, words, points }) => ({
       line,
+      words,
       places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const),
     }));
     const ends = spread(
-      drawn.map(({ places }) => places.at(-1)![1]),
+      drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
       step,
       top + type,
       bottom - type,
@@ -107,7 +113,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
           { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
           { scale: y, ticks: up, title: "Seconds an iteration, log scale" },
         )}
-        ${drawn.map(({ line, places }, i) => this.line(line, places, words[i]!, { x: right + LEAD, y: ends[i]! }, narrow)).reverse()}
+        ${drawn.map(({ line, places, words }, i) => this.line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
       </svg>
       <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;
   }
