@@ -3,42 +3,27 @@ import * as Comlink from "comlink";
 import { messageOf } from "../ui/format";
 import { cancellable, compile, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
-import type { TrainingClip, TrainingOutcome } from "./protocol";
-import type {
-  ComparisonSettings,
-  Evaluated,
-  EvaluationJob,
-  Experiment,
-  ExperimentReport,
-  Job,
-  Outcome,
-  Plan,
-  PlannedComparison,
-  ResultsView,
-  SyntheticTruth,
-  WholeWorker,
-} from "./whole-protocol";
+import type { TrainingOutcome } from "./protocol";
+import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
+
+/** A call to a worker answers with a promise. */
+type Remote<Call> = Call extends (...given: infer Given) => infer Answer
+  ? (...given: Given) => Promise<Awaited<Answer>>
+  : never;
+
+type Questions = "planComparison" | "addOutcome" | "openResults" | "drawExperiment";
 
 /** What the page asks of a worker of the whole program. */
-export interface WholeProgramWorker {
-  planComparison(
-    clips: TrainingClip[],
-    settings: ComparisonSettings,
-    plan: Plan,
-    known: string | null,
-  ): Promise<PlannedComparison>;
-  addOutcome(text: string, job: Job, outcome: Outcome): Promise<ResultsView>;
-  openResults(text: string): Promise<ResultsView>;
+export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
   /** Answers null when the signal came first. */
   evaluate(job: EvaluationJob, report: (fraction: number) => void, signal: AbortSignal): Promise<Evaluated | null>;
-  drawExperiment(experiment: Experiment): Promise<SyntheticTruth>;
   /** Keeps the best so far when the signal comes. */
   trainExperiment(
     experiment: Experiment,
     report: (report: ExperimentReport) => void,
     signal: AbortSignal,
   ): Promise<TrainingOutcome>;
-}
+};
 
 export interface WholeProgramWorkers {
   /** Trains: as many at once as the machine has cores. */
@@ -59,8 +44,8 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
   const remote = Comlink.wrap<WholeWorker>(worker);
   return {
     worker: {
-      planComparison: (clips, settings, plan, known) => remote.planComparison(clips, settings, plan, known),
-      addOutcome: (text, job, outcome) => remote.addOutcome(text, job, outcome),
+      planComparison: (...given) => remote.planComparison(...given),
+      addOutcome: (...given) => remote.addOutcome(...given),
       openResults: (text) => remote.openResults(text),
       evaluate: (job, report, signal) =>
         cancellable(

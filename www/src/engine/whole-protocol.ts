@@ -1,6 +1,5 @@
 // What the page and the workers of the whole program say to each other. Types only.
 import type {
-  Candidate,
   Comparison,
   ComparisonSettings,
   FinishedJob,
@@ -34,16 +33,11 @@ export type {
   SyntheticTruth,
 } from "vcgpdm";
 
-/** One model in one fold: what is trained, and on what. */
-export interface EvaluationJob {
+/** A job, and what it is carried out on. */
+export interface EvaluationJob extends Job {
   /** All trials. */
   clips: TrainingClip[];
   settings: ComparisonSettings;
-  candidate: Candidate;
-  /** The trial held out, counted from 1. */
-  heldOut: number;
-  trainingTrials: number;
-  seed: number;
 }
 
 /** What came of one model in one fold. */

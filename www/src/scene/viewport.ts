@@ -105,7 +105,7 @@ export class Viewport {
 
   /** The picture was drawn; `empty` when there was nothing in it. */
   finish(empty = false): void {
-    if (!empty) this.canvas.dataset["framesDrawn"] = String(++this.#drawn);
+    if (!empty) this.canvas.dataset.framesDrawn = String(++this.#drawn);
     this.#pace.drawn();
   }
 
