@@ -129,8 +129,10 @@ export function restOf(courses: readonly Course[], workers: number): number | nu
   const busy = courses.filter(({ state }) => state === "running").map(({ fraction }) => whole * (1 - fraction));
   while (busy.length < workers) busy.push(0);
   for (const { state } of courses) {
+    if (state !== "waiting") continue;
     // The next one that waits goes where it can begin first.
-    if (state === "waiting") busy[busy.indexOf(Math.min(...busy))]! += whole;
+    const soonest = Math.min(...busy);
+    busy[busy.indexOf(soonest)] = soonest + whole;
   }
   return Math.max(...busy);
 }
