@@ -17,7 +17,7 @@ import { isEmbedded } from "./settings/settings";
 const app = new App(browserAddressBar, isEmbedded(location.search));
 const root = document.documentElement;
 const showState = () => {
-  root.dataset["engine"] = app.engine.state;
+  root.dataset.engine = app.engine.state;
 };
 showState();
 app.engine.on(showState);

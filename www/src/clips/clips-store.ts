@@ -118,7 +118,11 @@ export class ClipsStore extends Store {
   /** Keeps the frames from first (counted from 0) up to, not including, end; ten at least. */
   cut(key: string, first: number, end: number): void {
     const clip = this.#find(key);
-    if (!clip || !Number.isFinite(first) || !Number.isFinite(end)) return this.changed();
+    if (!clip || !Number.isFinite(first) || !Number.isFinite(end)) {
+      // The fields show again what holds.
+      this.changed();
+      return;
+    }
     const { frames } = clip.loaded.info;
     const fewest = Math.min(FEWEST_FRAMES, frames);
     const from = Math.min(Math.max(0, Math.round(first)), frames - fewest);

@@ -19,7 +19,7 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
     if (part[joint] === -1) part[joint] = parent === null ? 0 : (part[parent] ?? 0);
   });
   return split
-    .map(({ name }, index) => ({ name, joints: part.flatMap((of, joint) => (of === index ? [joint] : [])) }))
+    .map(({ name }, index) => ({ name, joints: part.flatMap((other, joint) => (other === index ? [joint] : [])) }))
     .filter(({ joints: own }) => own.length > 0);
 }
 
@@ -35,7 +35,7 @@ export function moveBranch(
     if (parent !== null && moved.has(parent)) moved.add(child);
   });
   return split.map(({ name, joints: own }, index) => {
-    const kept = own.filter((one) => !moved.has(one));
+    const kept = own.filter((other) => !moved.has(other));
     return { name, joints: index === to ? [...kept, ...moved].sort((a, b) => a - b) : kept };
   });
 }

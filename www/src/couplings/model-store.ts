@@ -181,7 +181,10 @@ export class ModelStore extends Store {
   }
 
   #takeLearned(rollout: RolloutResult): void {
-    if (!this.altered) return this.#takeRollout(rollout);
+    if (!this.altered) {
+      this.#takeRollout(rollout);
+      return;
+    }
     this.#learned = rollout;
     this.#rollOut();
   }

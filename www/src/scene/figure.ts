@@ -3,7 +3,6 @@ import {
   AlwaysStencilFunc,
   Group,
   LatheGeometry,
-  type Material,
   Matrix4,
   Mesh,
   MeshStandardMaterial,
@@ -168,7 +167,7 @@ export class FigureView {
 
   dispose(): void {
     for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
-    this.materials.forEach((material: Material) => material.dispose());
+    for (const material of this.materials) material.dispose();
     this.group.removeFromParent();
   }
 }

@@ -214,7 +214,7 @@ export class Stage {
     if (pose && this.figure) this.poseAll(pose, seconds);
     this.renderer.render(this.scene, this.camera);
     this.drawn += 1;
-    if (this.figure) this.canvas.dataset["framesDrawn"] = String(this.drawn);
+    if (this.figure) this.canvas.dataset.framesDrawn = String(this.drawn);
     this.pace.drawn();
     this.dirty = false;
   }

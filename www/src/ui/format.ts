@@ -43,7 +43,7 @@ export function clipTitle(name: string): string {
 export function sentence(words: string): string {
   const text = words.trim();
   if (text === "") return "";
-  return `${text[0]!.toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
 }
 
 /** What a caught problem says. */
