@@ -4,13 +4,13 @@
 
 use vcgpdm::models::variational::{Trainer, TrainingSettings};
 use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
-use vcgpdm::motion::{bvh, presets, samples};
+use vcgpdm::motion::{bvh, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
 fn dataset() -> Dataset {
     let clips: Vec<_> = ["walk-1", "walk-2"].iter().map(|id| samples::clip(id).unwrap()).collect();
-    let parts = presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let sources: Vec<_> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     Dataset::new(&sources, &parts, FRAMES_PER_SECOND).unwrap()
 }
