@@ -62,7 +62,7 @@ fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     assert_eq!(again.rollout(&request).unwrap().y, rollout.y);
 
     let clip = model.clip(&rollout, "rollout.bvh").unwrap();
-    let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap();
+    let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap().into_clip();
     assert_eq!(read.frames(), 300);
     let hips = |frame: usize| read.world_pose(frame).positions[0];
     let travelled = (hips(299) - hips(0)).norm() / read.height();
