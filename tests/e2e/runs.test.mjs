@@ -40,7 +40,7 @@ const provenance = async (/** @type {Page} */ page) =>
 async function table(/** @type {Page} */ page) {
   return page.getByTestId("run").evaluateAll((rows) =>
     rows.map((row) => ({
-      state: /** @type {HTMLElement} */ (row).dataset["state"],
+      state: /** @type {HTMLElement} */ (row).dataset.state,
       seed: Number(row.querySelector("th")?.textContent),
       chosen: row.querySelector("input")?.checked,
       best: row.querySelector(".best") !== null,
