@@ -57,8 +57,7 @@ impl Clip {
     /// Reads a BVH file; a leading T-pose is dropped, with a warning. Throws an error that names the file, the line, what was
     /// expected and what was found.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, JsError> {
-        let (clip, _) = bvh::read(name, bytes).map_err(error)?.drop_t_pose();
-        Ok(Clip { clip })
+        Ok(Clip { clip: bvh::read(name, bytes).map_err(error)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.

@@ -13,7 +13,8 @@ use crate::models::variational::{
 use crate::models::{
     AnyModel, BaselineModel, Body, ModelKind, MotionModel, MovementModel, Provenance, Record, SequenceInfo,
 };
-use crate::motion::{PartSpec, PartsLayout, PoseMapping};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::pose::PoseMapping;
 use nalgebra::{DMatrix, DVector};
 
 const MOST_PARTS: usize = 64;

@@ -8,7 +8,9 @@ use crate::models::{
     Body, Dataset, DatasetError, Learner, LearningProgress, MovementModel, Movements, RolloutError, Sequence,
     Source,
 };
-use crate::motion::{Clip, ClipError, PartSpec, PoseError};
+use crate::motion::parts::PartSpec;
+use crate::motion::pose::PoseError;
+use crate::motion::{Clip, ClipError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -108,7 +110,7 @@ impl Fold {
             whole.take(most.max(1)).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
-        let actual = dataset.mapping.encode(&trial.prepared(1.0 / dataset.frame_time)?)?.y;
+        let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
         let lengths = dataset.lengths();
         let last = lengths.len() - 1;
         let sequences =
@@ -217,7 +219,7 @@ mod tests {
     use super::*;
     use crate::evaluation::candidate::{GpdmSettings, PointSettings};
     use crate::models::ModelKind;
-    use crate::motion::{presets, samples};
+    use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
         samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
@@ -226,7 +228,8 @@ mod tests {
     #[test]
     fn every_model_predicts_a_walk() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+        let parts =
+            &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
         let fold = Fold::new(&trials, 1, usize::MAX, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm = GpdmSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
@@ -257,7 +260,7 @@ mod tests {
     #[test]
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
         let candidate = Candidate::DmpRhythmic { bases: 5 };
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
@@ -266,7 +269,7 @@ mod tests {
     #[test]
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let error = Fold::new(&trials, 3, usize::MAX, parts, 20.0).unwrap_err().to_string();
         assert_eq!(
             error,
@@ -303,7 +306,7 @@ mod tests {
     #[test]
     fn no_outcome_holds_what_is_no_number() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
         let of = |to: f64, best: f64, seconds: f64| {
             let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();

@@ -2,7 +2,8 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::cross_validation::{Outcome, START_FRAMES};
-use crate::motion::{Clip, PartSpec};
+use crate::motion::Clip;
+use crate::motion::parts::PartSpec;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

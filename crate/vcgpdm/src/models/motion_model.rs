@@ -5,7 +5,8 @@ use crate::models::body::Body;
 use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
 use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, TrainingSettings};
-use crate::motion::{Clip, PoseError};
+use crate::motion::Clip;
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 
 /// What a document says wrote it.
