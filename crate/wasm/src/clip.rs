@@ -5,7 +5,8 @@ use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use vcgpdm::models::DatasetError;
-use vcgpdm::motion::{Clip as MotionClip, PartsPreset, bvh, presets, samples};
+use vcgpdm::motion::parts::{PartsPreset, presets};
+use vcgpdm::motion::{Clip as MotionClip, bvh, samples};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -67,8 +68,7 @@ impl Clip {
     /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
     /// and what was found.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
-        let (clip, _) = bvh::read(name, bytes)?.drop_t_pose();
-        Ok(Clip { clip })
+        Ok(Clip { clip: bvh::read(name, bytes)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.

@@ -10,7 +10,7 @@ mod write;
 use crate::gp::NumericsError;
 use crate::json::{FieldError, JsonError, NotFinite, Value};
 use crate::models::{AnyModel, BaselineModel, MotionModel};
-use crate::motion::PartsError;
+use crate::motion::parts::PartsError;
 use thiserror::Error;
 
 const FORMAT: &str = "vcgpdm model";

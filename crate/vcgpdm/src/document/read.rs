@@ -12,7 +12,8 @@ use crate::models::{
     AnyModel, BaselineModel, Body, ModelKind, MotionModel, MovementModel, Provenance, Record, SequenceInfo,
     VariationalSettings,
 };
-use crate::motion::{PartSpec, PartsLayout, PoseMapping};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::pose::PoseMapping;
 use nalgebra::{DMatrix, DVector};
 
 const MOST_PARTS: usize = 64;

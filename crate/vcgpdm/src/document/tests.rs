@@ -5,7 +5,7 @@ use crate::models::{
     Body, Dataset, DmpSettings, Learner, MapSettings, ModelKind, Movements, Record, RolloutRequest, Sequence,
     Source, TmpSettings, VariationalSettings,
 };
-use crate::motion::{presets, samples};
+use crate::motion::{parts, samples};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
@@ -13,7 +13,7 @@ fn trained() -> &'static MotionModel {
     static MODEL: OnceLock<MotionModel> = OnceLock::new();
     MODEL.get_or_init(|| {
         let clip = samples::clip("walk-1").unwrap();
-        let parts = &presets(&clip.skeleton)[1].parts;
+        let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
         let settings =
             VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
@@ -208,7 +208,7 @@ fn what_is_not_finite_is_not_written() {
 /// A MAP CGPDM of the sample walk, hardly trained.
 fn baseline() -> BaselineModel {
     let clip = samples::clip("walk-1").unwrap().cut(0, 40).unwrap();
-    let parts = &presets(&clip.skeleton)[1].parts;
+    let parts = &parts::presets(&clip.skeleton)[1].parts;
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
     let frames = dataset.lengths()[0];
     let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };

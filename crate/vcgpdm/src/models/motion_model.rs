@@ -7,7 +7,8 @@ use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
 use crate::models::settings::VariationalSettings;
 use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, coupling_weight_matrix};
-use crate::motion::{Clip, PoseError};
+use crate::motion::Clip;
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 

@@ -6,7 +6,7 @@
 use crate::gp::exp::exp;
 use crate::gp::{Kernel, NumericsError};
 use crate::models::variational::{FittedModel, Reading};
-use crate::motion::PoseError;
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use thiserror::Error;
 

@@ -11,10 +11,8 @@ mod write;
 pub use parse::read;
 pub use write::write;
 
+use crate::motion::clip::MAX_VALUES;
 use thiserror::Error;
-
-/// The most numbers that the rows of one file may hold.
-pub const MAX_VALUES: usize = 100_000_000;
 
 /// Why a file could not be read, and where.
 #[derive(Clone, Debug, Error, PartialEq)]

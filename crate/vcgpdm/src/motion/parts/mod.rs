@@ -85,16 +85,6 @@ pub enum PartsError {
         /// What the JSON reader says.
         problem: String,
     },
-    /// Columns or frames that do not fit together.
-    #[error("part {part}: expected {expected}, found {found}")]
-    Shape {
-        /// Counted from 1.
-        part: usize,
-        /// What should be.
-        expected: String,
-        /// What is.
-        found: String,
-    },
 }
 
 /// Reads a split made by hand: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or by place
@@ -200,7 +190,6 @@ pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> 
 pub struct PartsLayout {
     parts: Vec<PartSpec>,
     columns: Vec<Vec<usize>>,
-    width: usize,
 }
 
 impl PartsLayout {
@@ -211,7 +200,7 @@ impl PartsLayout {
         let columns = (parts.iter())
             .map(|part| (0..all.len()).filter(|&column| part.joints.contains(&all[column].joint)).collect())
             .collect();
-        Ok(PartsLayout { parts: parts.to_vec(), columns, width: all.len() })
+        Ok(PartsLayout { parts: parts.to_vec(), columns })
     }
 
     /// The parts.
@@ -227,29 +216,5 @@ impl PartsLayout {
     /// Y [frames x columns] taken apart: Y^i [frames x columns of part i] for each part.
     pub fn split(&self, y: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
         self.columns.iter().map(|columns| y.select_columns(columns)).collect()
-    }
-
-    /// The inverse of [`PartsLayout::split`].
-    pub fn join(&self, parts: &[DMatrix<f64>]) -> Result<DMatrix<f64>, PartsError> {
-        let frames = parts.first().map_or(0, DMatrix::nrows);
-        let mut y = DMatrix::zeros(frames, self.width);
-        for (at, columns) in self.columns.iter().enumerate() {
-            let shape = parts.get(at).map(DMatrix::shape);
-            if shape != Some((frames, columns.len())) || parts.len() != self.columns.len() {
-                return Err(PartsError::Shape {
-                    part: at + 1,
-                    expected: format!(
-                        "{frames} frames of {} columns, {} parts",
-                        columns.len(),
-                        self.columns.len()
-                    ),
-                    found: format!("{shape:?}, {} parts", parts.len()),
-                });
-            }
-            for (from, &to) in columns.iter().enumerate() {
-                y.set_column(to, &parts[at].column(from));
-            }
-        }
-        Ok(y)
     }
 }

@@ -1,9 +1,10 @@
 //! Clips to rows of Y.
 
-use crate::motion::clip::{Clip, LocalPose};
+use crate::motion::clip::Clip;
 use crate::motion::pose::root::{RootPose, RootStart};
 use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
 use crate::motion::rotation;
+use crate::motion::skeleton::LocalPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 

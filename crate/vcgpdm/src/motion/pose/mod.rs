@@ -153,20 +153,6 @@ impl PoseMapping {
         ROOT_COLUMNS.len() + 3 * (self.skeleton.joints.len() - 1)
     }
 
-    /// A name for a column, e.g. for the header of a table: "Hips yaw rate", "LeftArm x".
-    pub fn column_name(&self, column: &Column) -> String {
-        let what = match column.kind {
-            ColumnKind::YawRate => "yaw rate",
-            ColumnKind::Forward => "forward",
-            ColumnKind::Sideways => "sideways",
-            ColumnKind::Height => "height",
-            ColumnKind::Pitch => "pitch",
-            ColumnKind::Roll => "roll",
-            ColumnKind::Rotation(axis) => ["x", "y", "z"][axis.min(2)],
-        };
-        format!("{} {what}", self.skeleton.joints[column.joint].name)
-    }
-
     /// A leg's length in file units, in which displacements and height are given.
     fn leg(&self) -> f64 {
         0.5 * self.stage.height
