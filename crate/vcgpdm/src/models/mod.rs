@@ -30,7 +30,7 @@ pub mod variational;
 
 pub use any_model::{AnyModel, BaselineModel, Record};
 pub use body::Body;
-pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
+pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body};
 pub use flat::{Group, Kind, Parameters};
 pub use kind::ModelKind;
 pub use learner::{Learner, LearningProgress, MovementModel};
