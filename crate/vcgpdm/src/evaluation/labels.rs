@@ -1,23 +1,13 @@
 //! What candidates are called beside others of their kind.
 
-use crate::evaluation::candidate::Candidate;
+use crate::evaluation::candidate_words::{Common, balance, common, size};
 use crate::evaluation::results::Results;
-use crate::models::ModelKind;
+use crate::models::{ModelKind, ModelSettings};
 use std::collections::HashMap;
 
 /// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
 pub struct Labels {
     varying: HashMap<ModelKind, Varying>,
-}
-
-/// The settings of a GPDM besides its size.
-#[derive(Clone, Copy, PartialEq)]
-struct Common {
-    latent: usize,
-    order: usize,
-    max_iterations: usize,
-    /// Of the variational models: false.
-    balanced: bool,
 }
 
 /// In what the candidates of a kind differ.
@@ -29,42 +19,12 @@ struct Varying {
     balanced: bool,
 }
 
-fn common(candidate: &Candidate) -> Option<Common> {
-    match *candidate {
-        Candidate::Vcgpdm(ref s) | Candidate::Vgpdm(ref s) => Some(Common {
-            latent: s.latent,
-            order: s.order,
-            max_iterations: s.max_iterations,
-            balanced: false,
-        }),
-        Candidate::MapGpdm(ref s) | Candidate::MapCgpdm(ref s) => Some(Common {
-            latent: s.latent,
-            order: s.order,
-            max_iterations: s.max_iterations,
-            balanced: s.balanced,
-        }),
-        Candidate::Tmp { .. } | Candidate::DmpDiscrete { .. } | Candidate::DmpRhythmic { .. } => None,
-    }
-}
-
-fn size(candidate: &Candidate) -> Option<String> {
-    match candidate {
-        Candidate::Vcgpdm(s) | Candidate::Vgpdm(s) => {
-            Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
-        }
-        Candidate::MapGpdm(_) | Candidate::MapCgpdm(_) => None,
-        Candidate::Tmp { primitives: None } => Some("primitives by the bound".to_owned()),
-        Candidate::Tmp { primitives: Some(count) } => Some(format!("{count} primitives")),
-        Candidate::DmpDiscrete { bases } | Candidate::DmpRhythmic { bases } => Some(format!("{bases} bases")),
-    }
-}
-
 impl Labels {
     /// For all candidates of these results.
     pub fn of(results: &Results) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
-        for candidate in results.finished.iter().map(|finished| &finished.job.candidate) {
+        for candidate in results.finished().iter().map(|finished| &finished.job.candidate) {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
             let differ = varying.entry(candidate.kind()).or_default();
@@ -77,7 +37,7 @@ impl Labels {
     }
 
     /// What a candidate is called.
-    pub fn label(&self, candidate: &Candidate) -> String {
+    pub fn label(&self, candidate: &ModelSettings) -> String {
         let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
         match common(candidate) {
             Some(settings) if words.is_empty() => format!("Q = {}", settings.latent),
@@ -86,23 +46,20 @@ impl Labels {
     }
 
     /// The same without its size.
-    pub(super) fn besides_size(&self, candidate: &Candidate) -> String {
+    pub(super) fn besides_size(&self, candidate: &ModelSettings) -> String {
         self.others(candidate).join(", ")
     }
 
-    fn others(&self, candidate: &Candidate) -> Vec<String> {
+    fn others(&self, candidate: &ModelSettings) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
-        let balance = match settings.balanced {
-            // Not what the papers do: said even where all are.
-            true => Some("balanced"),
-            false => differ.balanced.then_some("not balanced"),
-        };
+        // Balanced is not what the papers do: it is said even where all are.
+        let balanced = settings.balanced.filter(|balanced| *balanced || differ.balanced);
         [
             differ.latent.then(|| format!("Q = {}", settings.latent)),
             differ.order.then(|| format!("order {}", settings.order)),
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
-            balance.map(str::to_owned),
+            balanced.map(|balanced| balance(balanced).to_owned()),
         ]
         .into_iter()
         .flatten()
@@ -113,24 +70,23 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::candidate::{GpdmSettings, PointSettings};
-    use crate::evaluation::results::{Finished, Job, Setting};
+    use crate::evaluation::job::{Finished, Job};
+    use crate::evaluation::testing::setting;
+    use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
 
-    fn gpdm(max_iterations: usize, latent: usize) -> GpdmSettings {
-        GpdmSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
+    fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
+        VariationalSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
     }
 
-    fn point(order: usize, balanced: bool) -> PointSettings {
-        PointSettings { latent: 3, order, max_iterations: 100, balanced }
+    fn point(order: usize, balanced: bool) -> MapSettings {
+        MapSettings { latent: 3, order, max_iterations: 100, balanced }
     }
 
-    fn labels(candidates: &[Candidate]) -> Vec<String> {
-        let setting = Setting { trials: vec![], parts: vec![], frames_per_second: 30.0, start_frames: 5 };
-        let mut results = Results::new(setting);
+    fn labels(candidates: &[ModelSettings]) -> Vec<String> {
+        let mut results = Results::new(setting(2));
         for candidate in candidates {
             let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
-            let failure = Some("a test".to_owned());
-            results.finished.push(Finished { job, engine: String::new(), outcome: None, failure });
+            results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
         }
         let labels = Labels::of(&results);
         candidates.iter().map(|candidate| labels.label(candidate)).collect()
@@ -138,7 +94,7 @@ mod tests {
 
     #[test]
     fn labels_name_what_differs_within_a_kind() {
-        use Candidate::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+        use ModelSettings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         assert_eq!(
             labels(&[
                 Vcgpdm(gpdm(800, 3)),
@@ -148,8 +104,8 @@ mod tests {
                 MapGpdm(point(2, false)),
                 MapGpdm(point(1, true)),
                 MapCgpdm(point(2, false)),
-                Tmp { primitives: None },
-                DmpRhythmic { bases: 20 },
+                Tmp(TmpSettings { primitives: None }),
+                DmpRhythmic(DmpSettings { bases: 20 }),
             ]),
             [
                 "12 + 8 inducing points, 800 iterations",

@@ -9,11 +9,12 @@ pub use presets::presets;
 use crate::motion::pose::PoseMapping;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A part: joints that share a latent space.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,
@@ -22,7 +23,7 @@ pub struct PartSpec {
 }
 
 /// A way to split a body.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartsPreset {
     /// "whole", "lower-upper" or "legs-trunk-arms".
     pub id: String,
