@@ -3,7 +3,8 @@
 use crate::gp::NumericsError;
 use crate::models::variational::{Params, Trainer, TrainingProgress, TrainingSettings, coupling_weights};
 use crate::synthetic::alignment::{Alignment, align};
-use crate::synthetic::{Synthetic, SyntheticError, Verdict};
+use crate::synthetic::data::{Synthetic, SyntheticError};
+use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
 
 /// How well a model explains the data.
