@@ -70,7 +70,8 @@ const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[
 await main(async () => {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: { peer: { type: "string" } } });
   await installTools();
-  await run("cargo", "build", "--release", "--features", "cli,speed", "--example", "speed", "--bin", "vcgpdm");
+  await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
+  await run("cargo", "build", "--release", "--package", "vcgpdm", "--features", "speed", "--example", "speed");
   await buildPackage(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));

@@ -1,7 +1,7 @@
 // Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a crash leaves.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { Model } from "../../crate/pkg/node/vcgpdm.js";
+import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { barriers, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */

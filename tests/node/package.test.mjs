@@ -55,7 +55,7 @@ const finite = (/** @type {ArrayLike<number>} */ numbers) => Array.from(numbers)
 
 describe("the package", () => {
   it("loads with import and with require, at the version of its package.json", () => {
-    const about = JSON.parse(readFileSync(at("crate/pkg/package.json"), "utf8"));
+    const about = JSON.parse(readFileSync(at("crate/wasm/pkg/package.json"), "utf8"));
     assert.equal(vcgpdm.version(), about.version);
     assert.equal(installed.require("vcgpdm").version(), about.version);
   });

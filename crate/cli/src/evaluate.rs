@@ -11,9 +11,8 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Candidate, Finished, Fold, GpdmSettings, Job, PointSettings, Setting};
-use vcgpdm::models::ModelKind;
-use vcgpdm::models::variational::TrainingSettings;
+use vcgpdm::evaluation::{Finished, Fold, Job, Setting};
+use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
 use vcgpdm::motion::Clip;
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
@@ -47,13 +46,13 @@ pub struct Arguments {
     #[arg(long, value_name = "N,N", value_delimiter = ',')]
     training_trials: Vec<usize>,
     /// Latent dimensions of every part.
-    #[arg(long, value_name = "Q", default_value_t = TrainingSettings::default().latent)]
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
     latent: usize,
     /// Frames of history that the dynamics see.
-    #[arg(long, value_name = "P", default_value_t = TrainingSettings::default().order)]
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
     order: usize,
     /// Most iterations of the optimiser.
-    #[arg(long, value_name = "N", default_value_t = TrainingSettings::default().max_iterations)]
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
     max_iterations: usize,
     /// Balance the dynamics of the MAP models against their many columns.
     #[arg(long)]
@@ -84,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for job in &all {
         let key = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
-            entry.insert(Fold::new(&clips, key.0 - 1, key.1, &parts, arguments.fps)?);
+            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps)?);
         }
     }
     let share = share(arguments, all.len())?;
@@ -231,7 +230,7 @@ fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     })
 }
 
-fn candidates(arguments: &Arguments) -> Result<Vec<Candidate>, Box<dyn Error>> {
+fn candidates(arguments: &Arguments) -> Result<Vec<ModelSettings>, Box<dyn Error>> {
     let kinds = if arguments.models == "all" {
         ModelKind::ALL.to_vec()
     } else {
@@ -244,16 +243,21 @@ fn candidates(arguments: &Arguments) -> Result<Vec<Candidate>, Box<dyn Error>> {
         arguments.models.split(',').map(kind).collect::<Result<_, _>>()?
     };
     let (latent, order, max_iterations) = (arguments.latent, arguments.order, arguments.max_iterations);
-    let gpdm =
-        |ips: &usize| GpdmSettings { latent, order, dynamics_ips: *ips, pose_ips: *ips, max_iterations };
-    let point = || PointSettings { latent, order, max_iterations, balanced: arguments.balanced };
+    let gpdm = |ips: &usize| VariationalSettings {
+        latent,
+        order,
+        dynamics_ips: *ips,
+        pose_ips: *ips,
+        max_iterations,
+    };
+    let point = || MapSettings { latent, order, max_iterations, balanced: arguments.balanced };
     let mut candidates = Vec::new();
     for kind in kinds {
         match kind {
-            ModelKind::Vcgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(Candidate::Vcgpdm)),
-            ModelKind::Vgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(Candidate::Vgpdm)),
-            ModelKind::MapGpdm => candidates.push(Candidate::MapGpdm(point())),
-            ModelKind::MapCgpdm => candidates.push(Candidate::MapCgpdm(point())),
+            ModelKind::Vcgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(ModelSettings::Vcgpdm)),
+            ModelKind::Vgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(ModelSettings::Vgpdm)),
+            ModelKind::MapGpdm => candidates.push(ModelSettings::MapGpdm(point())),
+            ModelKind::MapCgpdm => candidates.push(ModelSettings::MapCgpdm(point())),
             ModelKind::Tmp => {
                 for word in &arguments.primitives {
                     let primitives = match (word.trim(), word.trim().parse()) {
@@ -261,14 +265,18 @@ fn candidates(arguments: &Arguments) -> Result<Vec<Candidate>, Box<dyn Error>> {
                         (_, Ok(count)) => Some(count),
                         _ => return Err(format!("--primitives {word}: expected bound, or a number").into()),
                     };
-                    candidates.push(Candidate::Tmp { primitives });
+                    candidates.push(ModelSettings::Tmp(TmpSettings { primitives }));
                 }
             }
             ModelKind::DmpDiscrete => {
-                candidates.extend(arguments.bases.iter().map(|&bases| Candidate::DmpDiscrete { bases }));
+                candidates.extend(
+                    arguments.bases.iter().map(|&bases| ModelSettings::DmpDiscrete(DmpSettings { bases })),
+                );
             }
             ModelKind::DmpRhythmic => {
-                candidates.extend(arguments.bases.iter().map(|&bases| Candidate::DmpRhythmic { bases }));
+                candidates.extend(
+                    arguments.bases.iter().map(|&bases| ModelSettings::DmpRhythmic(DmpSettings { bases })),
+                );
             }
         }
     }

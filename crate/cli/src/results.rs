@@ -80,7 +80,8 @@ impl Store {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use vcgpdm::evaluation::{Candidate, Job};
+    use vcgpdm::evaluation::Job;
+    use vcgpdm::models::{ModelSettings, TmpSettings};
     use vcgpdm::motion::samples;
 
     fn setting() -> Setting {
@@ -89,8 +90,12 @@ mod tests {
     }
 
     fn finished(seed: u32) -> Finished {
-        let job =
-            Job { candidate: Candidate::Tmp { primitives: None }, held_out: 1, training_trials: 1, seed };
+        let job = Job {
+            candidate: ModelSettings::Tmp(TmpSettings { primitives: None }),
+            held_out: 1,
+            training_trials: 1,
+            seed,
+        };
         Finished { job, engine: String::new(), outcome: None, failure: Some("a test".to_owned()) }
     }
 

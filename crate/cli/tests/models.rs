@@ -5,8 +5,11 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use vcgpdm::evaluation::{Candidate, GpdmSettings, PointSettings, dtw_mse};
-use vcgpdm::models::{AnyModel, Body, Dataset, ModelKind, Movements, Sequence, Source};
+use vcgpdm::evaluation::dtw_mse;
+use vcgpdm::models::{
+    AnyModel, Body, Dataset, DmpSettings, MapSettings, ModelKind, ModelSettings, Movements, Sequence, Source,
+    TmpSettings, VariationalSettings,
+};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 
 const FPS: f64 = 12.0;
@@ -55,7 +58,7 @@ fn train(out: &Path, more: &str) -> Value {
 }
 
 /// The same with the library: all columns that the model makes of the beginning of the third walk.
-fn rolled_out(candidate: &Candidate, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
+fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
     let clips: Vec<Clip> = [1, 2, 3].map(|k| samples::clip(&format!("walk-{k}")).unwrap()).into();
     let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
     let first = |k: usize| (k == SEQUENCE).then_some(START_FRAMES);
@@ -71,19 +74,23 @@ fn rolled_out(candidate: &Candidate, preset: &str, seed: u32, frames: usize) -> 
 
 #[test]
 fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
-    let gpdm = GpdmSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
-    let point = |balanced| PointSettings { latent: 2, order: 1, max_iterations: 8, balanced };
+    let gpdm = VariationalSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
+    let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
     let ips = "--dynamics-ips 4 --pose-ips 5";
     let split = "--parts lower,upper";
     let cases = [
-        (Candidate::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
-        (Candidate::Vgpdm(gpdm), "whole", format!("{small} {ips}")),
-        (Candidate::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
-        (Candidate::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
-        (Candidate::Tmp { primitives: Some(2) }, "lower-upper", format!("{split} --primitives 2")),
-        (Candidate::DmpDiscrete { bases: 7 }, "whole", "--bases 7".to_owned()),
-        (Candidate::DmpRhythmic { bases: 6 }, "whole", "--bases 6".to_owned()),
+        (ModelSettings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
+        (ModelSettings::Vgpdm(gpdm), "whole", format!("{small} {ips}")),
+        (ModelSettings::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
+        (ModelSettings::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
+        (
+            ModelSettings::Tmp(TmpSettings { primitives: Some(2) }),
+            "lower-upper",
+            format!("{split} --primitives 2"),
+        ),
+        (ModelSettings::DmpDiscrete(DmpSettings { bases: 7 }), "whole", "--bases 7".to_owned()),
+        (ModelSettings::DmpRhythmic(DmpSettings { bases: 6 }), "whole", "--bases 6".to_owned()),
     ];
     let folder = folder("kinds");
     assert_eq!(cases.each_ref().map(|(candidate, ..)| candidate.kind()), ModelKind::ALL);

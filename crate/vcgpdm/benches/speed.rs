@@ -5,8 +5,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::DMatrix;
 use std::hint::black_box;
-use vcgpdm::models::variational::{Trainer, TrainingSettings};
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
@@ -17,13 +17,13 @@ fn dataset() -> Dataset {
 }
 
 fn trained(y: Vec<DMatrix<f64>>, lengths: Vec<usize>, ips: usize) -> Trainer {
-    let settings = TrainingSettings {
+    let settings = VariationalSettings {
         dynamics_ips: ips,
         pose_ips: ips,
         max_iterations: 30,
-        ..TrainingSettings::default()
+        ..VariationalSettings::default()
     };
-    let mut trainer = Trainer::new(y, lengths, settings).unwrap();
+    let mut trainer = Trainer::new(y, lengths, &settings, 0).unwrap();
     while !trainer.step().done {}
     trainer
 }

@@ -17,8 +17,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Objective, Params, Trainer, TrainingSettings, schedule, starting_point};
-use vcgpdm::models::{Dataset, Group, MotionModel, Phase, RolloutRequest, Sequences, Source};
+use vcgpdm::models::variational::{Objective, Params, Trainer, schedule, starting_point};
+use vcgpdm::models::{
+    Dataset, Group, MotionModel, Phase, RolloutRequest, Sequences, Source, VariationalSettings,
+};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 
 const START_FRAMES: usize = 5;
@@ -51,7 +53,7 @@ struct Arguments {
 struct Way {
     start: &'static str,
     schedule: &'static str,
-    begin: fn(&[DMatrix<f64>], &Sequences, &TrainingSettings) -> Params,
+    begin: fn(&[DMatrix<f64>], &Sequences, &VariationalSettings, u32) -> Params,
     phases: fn() -> Vec<Phase>,
 }
 
@@ -63,7 +65,7 @@ const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
 const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
 
 fn phase(groups: &'static [Group], iterations: usize) -> Phase {
-    Phase { name: "", groups, iterations }
+    Phase { groups, iterations }
 }
 
 const OURS: Way = Way {
@@ -80,8 +82,16 @@ const OTHERS: [Way; 6] = [
         phases: || [K_IP, X, K, IP, K, ALL].map(|groups| phase(groups, 50)).to_vec(),
         ..OURS
     },
-    Way { start: "inducing inputs by k-means", begin: |y, s, t| clustered(y, s, t, true), ..OURS },
-    Way { start: "inducing inputs far apart", begin: |y, s, t| clustered(y, s, t, false), ..OURS },
+    Way {
+        start: "inducing inputs by k-means",
+        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, true),
+        ..OURS
+    },
+    Way {
+        start: "inducing inputs far apart",
+        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, false),
+        ..OURS
+    },
     Way {
         start: "the authors'",
         schedule: "jointly",
@@ -100,8 +110,8 @@ const OTHERS: [Way; 6] = [
 ];
 
 /// The authors' start: signal variance and noise 1, whatever the data's units.
-fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &TrainingSettings) -> Params {
-    let mut params = starting_point(y, sequences, settings);
+fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
+    let mut params = starting_point(y, sequences, settings, seed);
     for part in &mut params.parts {
         (part.kernel.variance, part.beta) = (1.0, 1.0);
     }
@@ -109,13 +119,7 @@ fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &TrainingSetting
 }
 
 /// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to cluster centres.
-fn clustered(
-    y: &[DMatrix<f64>],
-    sequences: &Sequences,
-    settings: &TrainingSettings,
-    centres: bool,
-) -> Params {
-    let mut params = starting_point(y, sequences, settings);
+fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params {
     let histories: Vec<DMatrix<f64>> =
         params.parts.iter().map(|part| sequences.histories(&part.latents).mean).collect();
     for part in &mut params.parts {
@@ -173,9 +177,9 @@ struct Run {
 }
 
 fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
-    let settings = TrainingSettings { seed, max_iterations: 20 * ITERATIONS, ..TrainingSettings::default() };
+    let settings = VariationalSettings { max_iterations: 20 * ITERATIONS, ..VariationalSettings::default() };
     let begin = Instant::now();
-    let mut trainer = trainer(problem, way, &settings);
+    let mut trainer = trainer(problem, way, &settings, seed);
     let mut trace = Vec::new();
     let progress = loop {
         let progress = trainer.step();
@@ -210,10 +214,10 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     }
 }
 
-fn trainer(problem: &Problem, way: &Way, settings: &TrainingSettings) -> Trainer {
+fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u32) -> Trainer {
     let objective = problem.objective.clone();
-    let start = (way.begin)(objective.observations(), objective.sequences(), settings);
-    Trainer::from_start(objective, start, (way.phases)(), settings.clone()).unwrap()
+    let start = (way.begin)(objective.observations(), objective.sequences(), settings, seed);
+    Trainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
 }
 
 fn read_trials(folder: Option<&Path>) -> Vec<Clip> {
@@ -242,7 +246,8 @@ fn problem(trials: &[Clip], preset: &str) -> Problem {
     let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
     let trial = trials[trials.len() - 1].resample(1.0 / dataset.frame_time).unwrap();
     let actual = dataset.mapping.encode(&trial).unwrap().y;
-    let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), TrainingSettings::default()).unwrap();
+    let trainer =
+        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
     Problem { title: chosen.title, objective: trainer.objective(), dataset, actual }
 }
 
@@ -279,8 +284,7 @@ fn range(values: impl Iterator<Item = f64>, digits: usize) -> String {
 fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, f64)> {
     let file = std::env::temp_dir().join(format!("every-seed-{}.json", std::process::id()));
     let found = (0..seeds).map(|seed| {
-        let settings = TrainingSettings { seed, ..TrainingSettings::default() };
-        let trainer = trainer(problem, &OURS, &settings);
+        let trainer = trainer(problem, &OURS, &VariationalSettings::default(), seed);
         std::fs::write(&file, Case::write(&trainer.best(), &trainer.objective()).unwrap()).unwrap();
         let mut words = command.split_whitespace();
         let output = Command::new(words.next().unwrap()).args(words).arg(&file).output().unwrap();

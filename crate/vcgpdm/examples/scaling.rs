@@ -13,8 +13,8 @@ use nalgebra::DMatrix;
 use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::stats::exponent;
-use vcgpdm::models::variational::{Trainer, TrainingSettings};
-use vcgpdm::models::{Dataset, Source};
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, Source, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 /// Iterations enough for the optimiser to have filled its memory.
@@ -63,13 +63,13 @@ fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
 /// Milliseconds of one bound with its gradient.
 fn measure(size: Size) -> f64 {
     let (y, lengths) = walks(size.frames);
-    let settings = TrainingSettings {
+    let settings = VariationalSettings {
         dynamics_ips: size.ips,
         pose_ips: size.ips,
         max_iterations: ITERATIONS,
-        ..TrainingSettings::default()
+        ..VariationalSettings::default()
     };
-    let mut trainer = Trainer::new(split(&y, size.parts), lengths, settings).unwrap();
+    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
     while !trainer.step().done {}
     let (objective, params) = (trainer.objective(), trainer.best());
     let mut workspace = objective.workspace(&params);

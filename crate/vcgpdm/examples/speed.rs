@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Trainer, TrainingSettings};
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm::speed::{Rates, Work};
 
@@ -43,7 +43,7 @@ fn training(clips: &[Clip]) -> Value {
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let begin = Instant::now();
     let mut trainer =
-        Trainer::new(dataset.y.clone(), dataset.lengths(), TrainingSettings::default()).unwrap();
+        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
     let mut trace = Vec::new();
     let last = loop {
         let progress = trainer.step();

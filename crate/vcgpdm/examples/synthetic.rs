@@ -11,7 +11,7 @@ use clap::Parser;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
-use vcgpdm::models::variational::TrainingSettings;
+use vcgpdm::models::VariationalSettings;
 use vcgpdm::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
 
 #[derive(Parser)]
@@ -45,9 +45,9 @@ struct Run {
     seconds: f64,
 }
 
-fn run(seed: u32, drive: f64, settings: TrainingSettings) -> Run {
+fn run(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
     let data = Synthetic::draw(seed, drive).unwrap();
-    let mut experiment = Experiment::new(data, settings).unwrap();
+    let mut experiment = Experiment::new(data, settings, seed).unwrap();
     let begin = Instant::now();
     while !experiment.step().done {}
     let seconds = begin.elapsed().as_secs_f64();
@@ -62,15 +62,13 @@ fn run(seed: u32, drive: f64, settings: TrainingSettings) -> Run {
 
 fn main() {
     let arguments = Arguments::parse();
-    let settings = |seed| {
-        let ours = Synthetic::settings(seed);
-        TrainingSettings {
-            order: arguments.order.unwrap_or(ours.order),
-            dynamics_ips: arguments.ips.unwrap_or(ours.dynamics_ips),
-            pose_ips: arguments.ips.unwrap_or(ours.pose_ips),
-            max_iterations: arguments.max_iterations.unwrap_or(ours.max_iterations),
-            ..ours
-        }
+    let ours = Synthetic::settings();
+    let settings = VariationalSettings {
+        order: arguments.order.unwrap_or(ours.order),
+        dynamics_ips: arguments.ips.unwrap_or(ours.dynamics_ips),
+        pose_ips: arguments.ips.unwrap_or(ours.pose_ips),
+        max_iterations: arguments.max_iterations.unwrap_or(ours.max_iterations),
+        ..ours
     };
     let threads = arguments.threads.unwrap_or(std::thread::available_parallelism().map_or(1, usize::from));
     let (next, runs) = (AtomicU32::new(arguments.first), Mutex::new(Vec::new()));
@@ -82,7 +80,7 @@ fn main() {
                     if seed >= arguments.first + arguments.seeds {
                         break;
                     }
-                    let run = run(seed, arguments.drive, settings(seed));
+                    let run = run(seed, arguments.drive, &settings);
                     eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
                     runs.lock().unwrap().push(run);
                 }
@@ -91,7 +89,7 @@ fn main() {
     });
     let mut runs = runs.into_inner().unwrap();
     runs.sort_by_key(|run| run.seed);
-    let TrainingSettings { order, dynamics_ips, pose_ips, max_iterations, .. } = settings(0);
+    let VariationalSettings { order, dynamics_ips, pose_ips, max_iterations, .. } = settings;
     println!(
         "Share of part 1 in part 2: {}. Order {order}, {dynamics_ips} dynamics and {pose_ips} pose inducing points, at most {max_iterations} iterations.\n",
         arguments.drive

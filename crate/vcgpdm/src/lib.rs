@@ -4,16 +4,16 @@
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 //!
 //! ```
-//! use vcgpdm::models::variational::{Trainer, TrainingSettings};
-//! use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
+//! use vcgpdm::models::variational::Trainer;
+//! use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
 //! use vcgpdm::motion::{bvh, parts, samples};
 //!
 //! let clip = samples::clip("walk-1").ok_or("no such sample")?;
 //! let parts = &parts::presets(&clip.skeleton)[1].parts; // lower and upper body
 //! let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0)?;
 //!
-//! let settings = TrainingSettings { max_iterations: 20, ..TrainingSettings::default() };
-//! let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), settings)?;
+//! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
+//! let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0)?;
 //! while !trainer.step().done {}
 //!
 //! let model = MotionModel::trained(&dataset, &trainer, 30.0)?;

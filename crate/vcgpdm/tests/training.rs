@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use vcgpdm::models::variational::{Trainer, TrainingSettings};
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source};
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{bvh, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -16,8 +16,8 @@ fn dataset() -> Dataset {
 }
 
 fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
-    let settings = TrainingSettings { max_iterations, seed: 3, ..TrainingSettings::default() };
-    Trainer::new(dataset.y.clone(), dataset.lengths(), settings).unwrap()
+    let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
+    Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 3).unwrap()
 }
 
 /// Standard deviation of the latents over some frames, all dimensions together.
@@ -26,8 +26,7 @@ fn spread(x: &nalgebra::DMatrix<f64>) -> f64 {
 }
 
 /// The reference numbers are this test's own, printed by a native run: what they guard is that native and wasm agree.
-#[cfg_attr(not(target_arch = "wasm32"), test)]
-#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[test]
 fn native_and_wasm_take_the_same_path() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 160);
@@ -44,8 +43,7 @@ fn native_and_wasm_take_the_same_path() {
 const START: f64 = 7_221.901_459_019;
 const AFTER_TEN: f64 = 41_717.943_212_709;
 
-#[cfg_attr(not(target_arch = "wasm32"), test)]
-#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[test]
 fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 300);

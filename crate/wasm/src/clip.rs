@@ -1,79 +1,89 @@
 //! Clips, and what there is to know of them.
 
-use crate::motion::clip::Clip as MotionClip;
-use crate::motion::{bvh, parts, samples};
-use crate::wasm::{Figure, JointInfo, PartSpec, error, figure, joints, part_spec};
+use crate::body::BodyInfo;
+use crate::convert::to_js;
+use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use tsify::{Ts, Tsify};
+use vcgpdm::models::DatasetError;
+use vcgpdm::motion::parts::PartsPreset;
+use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
 
-/// A split of the body found from the names of its joints.
-#[derive(Serialize, Tsify)]
-pub struct PartsPreset {
-    pub id: String,
-    pub title: String,
-    pub parts: Vec<PartSpec>,
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A way to split the body, found from the names of its joints. */
+export interface PartsPreset {
+    id: string;
+    title: string;
+    parts: PartSpec[];
 }
 
-/// What there is to know of a clip.
-#[derive(Serialize, Tsify)]
-#[tsify(missing_as_null)]
-#[serde(rename_all = "camelCase")]
-pub struct ClipInfo {
-    pub name: String,
-    /// SHA-256 of the file, hexadecimal.
-    pub sha256: String,
-    pub joints: Vec<JointInfo>,
-    pub figure: Figure,
-    pub frames: usize,
-    /// Seconds from one frame to the next.
-    pub frame_time: f64,
-    /// Height of the body in the file's own units.
-    pub height: f64,
-    #[tsify(type = "\"x\" | \"y\" | \"z\"")]
-    pub up_axis: String,
-    /// What was odd about the file but could be read.
-    pub warnings: Vec<String>,
-    /// Splits found from the joint names; always at least "whole".
-    pub presets: Vec<PartsPreset>,
+/** What there is to know of a clip. */
+export interface ClipInfo {
+    name: string;
+    /** SHA-256 of the file, hexadecimal. */
+    sha256: string;
+    joints: JointInfo[];
+    figure: Figure;
+    frames: number;
+    /** Seconds from one frame to the next. */
+    frameTime: number;
+    /** Height of the body in the file's own units. */
+    height: number;
+    upAxis: "x" | "y" | "z";
+    /** What was odd about the file but could be read. */
+    warnings: string[];
+    /** Ways to split the body; at least "whole". */
+    presets: PartsPreset[];
 }
 
-/// A clip that the project makes itself.
-#[derive(Serialize, Tsify)]
-pub struct SampleInfo {
-    pub id: String,
-    pub title: String,
-    pub movement: String,
+/** A clip that the project makes itself. */
+export interface SampleInfo {
+    id: string;
+    title: string;
+    movement: string;
+}
+"#;
+
+#[derive(Serialize)]
+struct ClipInfo<'a> {
+    name: &'a str,
+    sha256: &'a str,
+    #[serde(flatten)]
+    body: BodyInfo,
+    frames: usize,
+    frame_time: f64,
+    height: f64,
+    up_axis: &'static str,
+    warnings: &'a [String],
+    presets: Vec<PartsPreset>,
 }
 
 /// A recorded motion.
 #[wasm_bindgen]
 pub struct Clip {
-    pub(super) clip: MotionClip,
+    clip: MotionClip,
 }
 
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file; a leading T-pose is dropped, with a warning. Throws an error that names the file, the line, what was
-    /// expected and what was found.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, JsError> {
-        Ok(Clip { clip: bvh::read(name, bytes).map_err(error)?.into_clip() })
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
+    /// and what was found.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: bvh::read(name, bytes)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.
-    pub fn sample(id: &str) -> Result<Clip, JsError> {
-        let unknown = || error(format!("expected the id of a sample clip, found \"{id}\""));
-        Ok(Clip { clip: samples::clip(id).ok_or_else(unknown)? })
+    pub fn sample(id: &str) -> Result<Clip, VcgpdmError> {
+        let unknown = || format!("expected the id of a sample clip, found \"{id}\"");
+        let clip = samples::clip(id).ok_or_else(|| VcgpdmError::new(ErrorCode::Clip, unknown()))?;
+        Ok(Clip { clip })
     }
 
     /// The clips that the project makes itself.
-    pub fn samples() -> Result<Vec<Ts<SampleInfo>>, JsError> {
-        let info = |s: samples::SampleInfo| SampleInfo {
-            id: s.id.to_owned(),
-            title: s.title.to_owned(),
-            movement: s.movement.to_owned(),
-        };
-        samples::list().into_iter().map(|s| info(s).into_ts().map_err(error)).collect()
+    #[wasm_bindgen(unchecked_return_type = "SampleInfo[]")]
+    pub fn samples() -> Result<JsValue, VcgpdmError> {
+        to_js(&samples::list())
     }
 
     /// The clip's name.
@@ -83,36 +93,30 @@ impl Clip {
     }
 
     /// What there is to know of it.
-    pub fn info(&self) -> Result<Ts<ClipInfo>, JsError> {
+    #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
+    pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
-        let presets = parts::presets(&clip.skeleton).into_iter().map(|p| PartsPreset {
-            id: p.id.to_string(),
-            title: p.title.to_string(),
-            parts: p.parts.iter().map(part_spec).collect(),
-        });
-        let info = ClipInfo {
-            name: clip.name.clone(),
-            sha256: clip.sha256.clone(),
-            joints: joints(&clip.skeleton),
-            figure: figure(&clip.skeleton),
+        to_js(&ClipInfo {
+            name: &clip.name,
+            sha256: &clip.sha256,
+            body: BodyInfo::new(&clip.skeleton),
             frames: clip.frames(),
             frame_time: clip.frame_time,
             height: clip.height(),
-            up_axis: clip.up_axis().letter().to_owned(),
-            warnings: clip.warnings.clone(),
-            presets: presets.collect(),
-        };
-        info.into_ts().map_err(error)
+            up_axis: clip.up_axis().letter(),
+            warnings: &clip.warnings,
+            presets: parts::presets(&clip.skeleton),
+        })
     }
 
     /// The frames from `first` up to but not including `end`.
-    pub fn cut(&self, first: usize, end: usize) -> Result<Clip, JsError> {
-        Ok(Clip { clip: self.clip.cut(first, end).map_err(error)? })
+    pub fn cut(&self, first: usize, end: usize) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: self.clip.cut(first, end)? })
     }
 
     /// The clip at about another frame rate.
-    pub fn resample(&self, frames_per_second: f64) -> Result<Clip, JsError> {
-        Ok(Clip { clip: self.clip.resample(frames_per_second).map_err(error)? })
+    pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
 
     /// The clip as the text of a BVH file.
@@ -124,5 +128,40 @@ impl Clip {
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Vec<f32> {
         self.clip.stage_positions()
+    }
+}
+
+/// The clips that a model is trained on, one sequence each.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct TrainingSet {
+    pub(crate) clips: Vec<MotionClip>,
+}
+
+#[wasm_bindgen]
+impl TrainingSet {
+    /// An empty set.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> TrainingSet {
+        TrainingSet::default()
+    }
+
+    /// Adds a clip. Throws the reason when its body differs from the first clip's; the set stays as it was.
+    pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
+        if let Some(first) = self.clips.first() {
+            first.skeleton.same_body(&clip.clip.skeleton).map_err(|reason| DatasetError::Body {
+                clip: clip.clip.name.clone(),
+                first: first.name.clone(),
+                reason: Box::new(reason),
+            })?;
+        }
+        self.clips.push(clip.clip.clone());
+        Ok(())
+    }
+
+    /// How many clips there are.
+    #[wasm_bindgen(getter)]
+    pub fn length(&self) -> usize {
+        self.clips.len()
     }
 }

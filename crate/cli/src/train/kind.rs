@@ -5,9 +5,7 @@ use clap::{ArgMatches, Command, FromArgMatches};
 use serde_json::Value;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::evaluation::{Candidate, GpdmSettings, PointSettings};
-use vcgpdm::models::ModelKind;
-use vcgpdm::models::variational::TrainingSettings;
+use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
 
 /// The options that only some kinds have. What they hold counts where the kind has them.
 #[derive(clap::Args)]
@@ -16,22 +14,22 @@ pub struct Options {
     #[command(flatten)]
     given: Given,
     /// The seed of everything random (GPDMs).
-    #[arg(long, value_name = "S", default_value_t = TrainingSettings::default().seed)]
+    #[arg(long, value_name = "S", default_value_t = 0)]
     pub seed: u32,
     /// Latent dimensions of every part (GPDMs).
-    #[arg(long, value_name = "Q", default_value_t = TrainingSettings::default().latent)]
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
     latent: usize,
     /// Inducing points of every dynamics map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "K", default_value_t = TrainingSettings::default().dynamics_ips)]
+    #[arg(long, value_name = "K", default_value_t = VariationalSettings::default().dynamics_ips)]
     dynamics_ips: usize,
     /// Inducing points of every pose map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "L", default_value_t = TrainingSettings::default().pose_ips)]
+    #[arg(long, value_name = "L", default_value_t = VariationalSettings::default().pose_ips)]
     pose_ips: usize,
     /// Frames of history that the dynamics see (GPDMs).
-    #[arg(long, value_name = "P", default_value_t = TrainingSettings::default().order)]
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
     order: usize,
     /// Most iterations of the optimiser (GPDMs).
-    #[arg(long, value_name = "N", default_value_t = TrainingSettings::default().max_iterations)]
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
     max_iterations: usize,
     /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
     #[arg(long)]
@@ -40,7 +38,7 @@ pub struct Options {
     #[arg(long, value_name = "N")]
     primitives: Option<usize>,
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
-    #[arg(long, value_name = "B", default_value_t = 20)]
+    #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases)]
     bases: usize,
     /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).
     #[arg(long, value_name = "CASE.json")]
@@ -69,7 +67,7 @@ const KINDS: [(&str, &[ModelKind]); 10] = [
 
 impl Options {
     /// A model of that kind with the settings asked for; an option that the kind does not have is refused.
-    pub fn candidate(&self, kind: ModelKind) -> Result<Candidate, Box<dyn Error>> {
+    pub fn settings(&self, kind: ModelKind) -> Result<ModelSettings, Box<dyn Error>> {
         let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
         if let Some((id, kinds)) = misplaced {
             let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
@@ -82,16 +80,16 @@ impl Options {
             .into());
         }
         let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, bases, .. } = self;
-        let variational = GpdmSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
-        let point = PointSettings { latent, order, max_iterations, balanced };
+        let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
+        let point = MapSettings { latent, order, max_iterations, balanced };
         Ok(match kind {
-            ModelKind::Vcgpdm => Candidate::Vcgpdm(variational),
-            ModelKind::Vgpdm => Candidate::Vgpdm(variational),
-            ModelKind::MapGpdm => Candidate::MapGpdm(point),
-            ModelKind::MapCgpdm => Candidate::MapCgpdm(point),
-            ModelKind::Tmp => Candidate::Tmp { primitives: self.primitives },
-            ModelKind::DmpDiscrete => Candidate::DmpDiscrete { bases },
-            ModelKind::DmpRhythmic => Candidate::DmpRhythmic { bases },
+            ModelKind::Vcgpdm => ModelSettings::Vcgpdm(variational),
+            ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),
+            ModelKind::MapGpdm => ModelSettings::MapGpdm(point),
+            ModelKind::MapCgpdm => ModelSettings::MapCgpdm(point),
+            ModelKind::Tmp => ModelSettings::Tmp(TmpSettings { primitives: self.primitives }),
+            ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
+            ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
         })
     }
 }
@@ -122,7 +120,7 @@ pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<M
 }
 
 /// Names and values of a candidate's settings as a document keeps them: yes is 1, and what is left to the training is left out.
-pub fn recorded(candidate: &Candidate, seed: u32) -> Result<Vec<(String, f64)>, Box<dyn Error>> {
+pub fn recorded(candidate: &ModelSettings, seed: u32) -> Result<Vec<(String, f64)>, Box<dyn Error>> {
     let Value::Object(fields) = serde_json::to_value(candidate)? else { return Ok(Vec::new()) };
     let number = |value: &Value| value.as_f64().or(value.as_bool().map(|yes| f64::from(u8::from(yes))));
     let mut settings: Vec<(String, f64)> =

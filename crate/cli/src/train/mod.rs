@@ -9,12 +9,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use vcgpdm::evaluation::{Candidate, GpdmSettings};
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{TrainingSettings, VariationalLearner};
+use vcgpdm::models::variational::VariationalLearner;
 use vcgpdm::models::{
-    AnyModel, BaselineModel, Body, Dataset, Learner, LearningProgress, ModelKind, MotionModel, Movements,
-    Sequence, Source,
+    AnyModel, BaselineModel, Body, Dataset, Learner, LearningProgress, ModelKind, ModelSettings, MotionModel,
+    Movements, Sequence, Source, VariationalSettings,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -68,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     };
     let parts = parts(split, &clips[0].0.skeleton)?;
     let kind = kind::of_parts(arguments.model, parts.len(), split)?;
-    let candidate = arguments.options.candidate(kind)?;
+    let settings = arguments.options.settings(kind)?;
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps)?;
@@ -79,11 +78,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
         files::check_writable(path)?;
     }
-    match &candidate {
-        Candidate::Vcgpdm(settings) | Candidate::Vgpdm(settings) => {
+    match &settings {
+        ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
             variational(arguments, &dataset, movements, settings)
         }
-        _ => baseline(arguments, &dataset, &movements, &candidate),
+        _ => baseline(arguments, &dataset, &movements, &settings),
     }
 }
 
@@ -92,25 +91,17 @@ fn variational(
     arguments: &Arguments,
     dataset: &Dataset,
     movements: Movements,
-    settings: &GpdmSettings,
+    settings: &VariationalSettings,
 ) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
-    let settings = TrainingSettings {
-        latent: settings.latent,
-        dynamics_ips: settings.dynamics_ips,
-        pose_ips: settings.pose_ips,
-        order: settings.order,
-        seed: arguments.options.seed,
-        max_iterations: settings.max_iterations,
-    };
-    let mut learner =
-        VariationalLearner::new(movements, settings).map_err(|reason| dataset.refusal(reason))?;
+    let mut learner = VariationalLearner::new(movements, settings, arguments.options.seed)
+        .map_err(|reason| dataset.refusal(reason))?;
     if let Some(path) = &arguments.options.write_start {
         let trainer = learner.trainer();
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
     }
     let reason = train(&mut learner, |learner, progress| {
-        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase)
+        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase.words())
     })?;
     let seconds = begin.elapsed().as_secs_f64();
 
@@ -139,12 +130,12 @@ fn baseline(
     arguments: &Arguments,
     dataset: &Dataset,
     movements: &Movements,
-    candidate: &Candidate,
+    settings: &ModelSettings,
 ) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let seed = arguments.options.seed;
-    let mut learner = candidate.learner(movements, seed).map_err(|reason| dataset.refusal(reason))?;
-    let objective = match candidate.kind() {
+    let mut learner = settings.learner(movements, seed).map_err(|reason| dataset.refusal(reason))?;
+    let objective = match settings.kind() {
         ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
         ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
         _ => "bound",
@@ -152,7 +143,7 @@ fn baseline(
     let reason = train(&mut *learner, |_, progress| format!("{objective} {:.1}", progress.best))?;
     let seconds = begin.elapsed().as_secs_f64();
 
-    let settings = kind::recorded(candidate, seed)?;
+    let settings = kind::recorded(settings, seed)?;
     let mut model = BaselineModel::trained(Body::of(dataset), &*learner, settings, arguments.fps)?;
     model.record.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &model.to_json()?)?;

@@ -7,11 +7,10 @@ use crate::json::{Field, FieldError, Object, Value, write};
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
-use crate::models::variational::{
-    BoundTerms, DynamicsSums, FittedExpert, FittedModel, PoseMap, TrainingSettings,
-};
+use crate::models::variational::{BoundTerms, DynamicsSums, FittedExpert, FittedModel, PoseMap};
 use crate::models::{
     AnyModel, BaselineModel, Body, ModelKind, MotionModel, MovementModel, Provenance, Record, SequenceInfo,
+    VariationalSettings,
 };
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::motion::pose::PoseMapping;
@@ -320,9 +319,12 @@ fn sequence(
 /// Of a model of `m` parts.
 fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
     let mut object = field.object()?;
+    let engine = object.get("engine")?.text()?.to_owned();
+    let (settings, seed) = settings(object.get("settings")?)?;
     let provenance = Provenance {
-        engine: object.get("engine")?.text()?.to_owned(),
-        settings: settings(object.get("settings")?)?,
+        engine,
+        settings,
+        seed,
         frames_per_second: frames_per_second(&mut object)?,
         bound: object.get("bound")?.number()?,
         terms: terms(object.get("terms")?, m)?,
@@ -334,7 +336,7 @@ fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
     Ok(provenance)
 }
 
-fn settings(field: Field) -> Result<TrainingSettings, FieldError> {
+fn settings(field: Field) -> Result<(VariationalSettings, u32), FieldError> {
     let mut object = field.object()?;
     let mut whole = |name: &str| {
         let field = object.get(name)?;
@@ -347,7 +349,7 @@ fn settings(field: Field) -> Result<TrainingSettings, FieldError> {
     let seed =
         u32::try_from(field.whole()?).map_err(|_| field.wrong("a whole number from 0 to 4294967295"))?;
     object.end()?;
-    Ok(TrainingSettings { latent, dynamics_ips, pose_ips, order, seed, max_iterations })
+    Ok((VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations }, seed))
 }
 
 /// What training was asked for: within what it could have been asked for, where the name is known. Yes is 1.

@@ -1,7 +1,10 @@
 use super::*;
-use crate::models::map::{MapLearner, MapSettings};
-use crate::models::variational::{Trainer, TrainingSettings};
-use crate::models::{Body, Dataset, Learner, ModelKind, Movements, Record, RolloutRequest, Sequence, Source};
+use crate::models::map::MapLearner;
+use crate::models::variational::Trainer;
+use crate::models::{
+    Body, Dataset, DmpSettings, Learner, MapSettings, ModelKind, Movements, Record, RolloutRequest, Sequence,
+    Source, TmpSettings, VariationalSettings,
+};
 use crate::motion::{parts, samples};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
@@ -13,8 +16,8 @@ fn trained() -> &'static MotionModel {
         let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
         let settings =
-            TrainingSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
-        let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), settings).unwrap();
+            VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
+        let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
         while !trainer.step().done {}
         MotionModel::trained(&dataset, &trainer, 30.0).unwrap()
     })
@@ -210,7 +213,7 @@ fn baseline() -> BaselineModel {
     let frames = dataset.lengths()[0];
     let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
     let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
-    let mut learner = MapLearner::new(movements, settings).unwrap();
+    let mut learner = MapLearner::new(movements, &settings, 0).unwrap();
     while !learner.step().done {}
     let record = Record {
         engine: "test".to_owned(),
@@ -292,17 +295,17 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
 
 #[test]
 fn movement_primitives_come_back_as_they_were_written() {
-    use crate::models::dmp::{Canonical, DmpLearner, DmpSettings};
-    use crate::models::tmp::{TmpLearner, TmpSettings};
+    use crate::models::dmp::{Canonical, DmpLearner};
+    use crate::models::tmp::TmpLearner;
     let BaselineModel { body, record, .. } = baseline();
     let clip = samples::clip("walk-1").unwrap();
     let parts = body.layout.parts().to_vec();
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
     let frames = dataset.lengths()[0];
     let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
-    let dmp = |canonical| DmpLearner::new(&movements, DmpSettings::new(canonical)).unwrap();
+    let dmp = |canonical| DmpLearner::new(&movements, canonical, &DmpSettings::default()).unwrap();
     let learners: [(ModelKind, Box<dyn Learner>); 3] = [
-        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, TmpSettings::default()).unwrap())),
+        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, &TmpSettings::default()).unwrap())),
         (ModelKind::DmpDiscrete, Box::new(dmp(Canonical::Discrete))),
         (ModelKind::DmpRhythmic, Box::new(dmp(Canonical::Rhythmic))),
     ];

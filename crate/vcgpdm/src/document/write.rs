@@ -1,8 +1,8 @@
 //! From a model to the tree of its document.
 
 use crate::document::{FORMAT, VERSION, Value};
-use crate::models::variational::{BoundTerms, FittedExpert, TrainingSettings};
-use crate::models::{BaselineModel, MotionModel, Provenance};
+use crate::models::variational::{BoundTerms, FittedExpert};
+use crate::models::{BaselineModel, MotionModel, Provenance, VariationalSettings};
 
 pub(super) fn variational(model: &MotionModel) -> Value {
     let fitted = &model.fitted;
@@ -101,9 +101,9 @@ fn expert(expert: &FittedExpert) -> Value {
 }
 
 fn provenance(provenance: &Provenance) -> Value {
-    let Provenance { engine, settings, frames_per_second, bound, terms, iterations, evaluations, note } =
+    let Provenance { engine, settings, seed, frames_per_second, bound, terms, iterations, evaluations, note } =
         provenance;
-    let TrainingSettings { latent, dynamics_ips, pose_ips, order, seed, max_iterations } = settings;
+    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
     let settings = Value::object([
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),

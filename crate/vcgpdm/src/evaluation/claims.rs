@@ -1,11 +1,10 @@
 //! The claims of Velychko et al. (2017, 2018) about the models, held against results.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::comparison::{Growth, correlation};
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::models::ModelKind;
 use crate::models::ModelKind::{MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
+use crate::models::{ModelKind, ModelSettings};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -20,8 +19,8 @@ pub struct Claim {
     pub holds: bool,
 }
 
-fn is_balanced(candidate: &Candidate) -> bool {
-    matches!(candidate, Candidate::MapGpdm(s) | Candidate::MapCgpdm(s) if s.balanced)
+fn is_balanced(candidate: &ModelSettings) -> bool {
+    matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced)
 }
 
 /// The settings of a kind that are compared with each other, and the one that is held against other kinds.

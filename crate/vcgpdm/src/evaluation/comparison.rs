@@ -1,13 +1,12 @@
 //! What the results of an evaluation say: the table of models, bound against error, time against frames.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::claims::{Claim, claims};
 use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::results::{Finished, Results};
 use crate::evaluation::rows::{Row, common_folds, groups, rows};
 use crate::evaluation::stats::{exponent, mean, rank_correlation};
-use crate::models::ModelKind;
+use crate::models::{ModelKind, ModelSettings};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +29,7 @@ pub struct ModelSummary {
     /// The kind's id.
     pub model: String,
     /// Its settings.
-    pub candidate: Candidate,
+    pub candidate: ModelSettings,
     /// Those that set it apart, in a few words.
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.
@@ -158,7 +157,7 @@ type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 
 /// Of each kind the candidate that was trained on most numbers of trials; only folds that all of these have are compared.
 fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
-    let mut courses: Vec<(&Candidate, Course)> = Vec::new();
+    let mut courses: Vec<(&ModelSettings, Course)> = Vec::new();
     for Finished { job, outcome, .. } in &results.finished {
         let Some(outcome) = outcome else { continue };
         let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
@@ -195,9 +194,9 @@ fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::candidate::{GpdmSettings, PointSettings};
     use crate::evaluation::dtw::Score;
     use crate::evaluation::results::{Job, Setting, Trial};
+    use crate::models::{MapSettings, VariationalSettings};
     use approx::assert_relative_eq;
 
     fn setting(trials: usize) -> Setting {
@@ -210,16 +209,16 @@ mod tests {
         }
     }
 
-    fn variational(ips: usize) -> GpdmSettings {
-        GpdmSettings { latent: 3, order: 2, dynamics_ips: ips, pose_ips: ips, max_iterations: 100 }
+    fn variational(ips: usize) -> VariationalSettings {
+        VariationalSettings { latent: 3, order: 2, dynamics_ips: ips, pose_ips: ips, max_iterations: 100 }
     }
 
-    fn point(balanced: bool) -> PointSettings {
-        PointSettings { latent: 3, order: 2, max_iterations: 100, balanced }
+    fn point(balanced: bool) -> MapSettings {
+        MapSettings { latent: 3, order: 2, max_iterations: 100, balanced }
     }
 
     fn finished(
-        candidate: Candidate,
+        candidate: ModelSettings,
         held_out: usize,
         training_trials: usize,
         seed: u32,
@@ -245,7 +244,7 @@ mod tests {
     #[test]
     fn seeds_are_averaged_before_folds() {
         let mut results = Results::new(setting(3));
-        let candidate = || Candidate::Vgpdm(variational(8));
+        let candidate = || ModelSettings::Vgpdm(variational(8));
         for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
             results.finished.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
         }
@@ -265,18 +264,18 @@ mod tests {
     #[test]
     fn the_claims_use_the_setting_that_the_bound_prefers() {
         let mut results = Results::new(setting(2));
-        let mut add = |candidate: Candidate, mse: f64, bound: Option<f64>| {
+        let mut add = |candidate: ModelSettings, mse: f64, bound: Option<f64>| {
             results.finished.push(finished(candidate, 1, 1, 0, outcome(mse, bound, 100, 1.0)));
         };
         // The bound prefers 12, though 16 happens to predict better.
         for (ips, mse, bound) in [(8, 0.5, 1.0), (12, 0.3, 3.0), (16, 0.2, 2.0)] {
-            add(Candidate::Vcgpdm(variational(ips)), mse, Some(bound));
-            add(Candidate::Vgpdm(variational(ips)), mse, Some(bound));
+            add(ModelSettings::Vcgpdm(variational(ips)), mse, Some(bound));
+            add(ModelSettings::Vgpdm(variational(ips)), mse, Some(bound));
         }
-        add(Candidate::MapGpdm(point(false)), 0.4, None);
-        add(Candidate::MapCgpdm(point(false)), 0.5, None);
-        add(Candidate::MapGpdm(point(true)), 0.25, None);
-        add(Candidate::MapCgpdm(point(true)), 0.5, None);
+        add(ModelSettings::MapGpdm(point(false)), 0.4, None);
+        add(ModelSettings::MapCgpdm(point(false)), 0.5, None);
+        add(ModelSettings::MapGpdm(point(true)), 0.25, None);
+        add(ModelSettings::MapCgpdm(point(true)), 0.5, None);
         let found = Comparison::of(&results);
         let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
         // Better than plain MAP models, not than balanced ones; not the best of all; ratio 1 of parts and whole; 0.3 is not
@@ -292,15 +291,15 @@ mod tests {
     #[test]
     fn models_are_compared_over_the_trials_that_all_of_them_have() {
         let mut results = Results::new(setting(3));
-        let mut add = |candidate: Candidate, fold: usize, mse: f64| {
+        let mut add = |candidate: ModelSettings, fold: usize, mse: f64| {
             results.finished.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
         };
         for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
-            add(Candidate::Vcgpdm(variational(12)), fold, mse);
+            add(ModelSettings::Vcgpdm(variational(12)), fold, mse);
         }
-        add(Candidate::Vgpdm(variational(12)), 1, 0.25);
-        add(Candidate::MapGpdm(point(false)), 1, 0.4);
-        add(Candidate::MapCgpdm(point(false)), 1, 0.5);
+        add(ModelSettings::Vgpdm(variational(12)), 1, 0.25);
+        add(ModelSettings::MapGpdm(point(false)), 1, 0.4);
+        add(ModelSettings::MapCgpdm(point(false)), 1, 0.5);
         let found = Comparison::of(&results);
         let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
         assert_eq!(holds, [true, true, true], "{:?}", found.claims);
@@ -322,7 +321,7 @@ mod tests {
     fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
         let mut results = Results::new(setting(3));
         let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
-            let candidate = Candidate::Vgpdm(variational(ips));
+            let candidate = ModelSettings::Vgpdm(variational(ips));
             results.finished.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
         // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher, and hard.
@@ -349,7 +348,7 @@ mod tests {
     fn settings_besides_the_size_are_never_mixed() {
         let mut results = Results::new(setting(2));
         let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
-            let candidate = Candidate::Vgpdm(GpdmSettings { max_iterations, ..variational(ips) });
+            let candidate = ModelSettings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
             results.finished.push(finished(candidate, fold, 1, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
         // A few iterations find worse models; those of many iterations have more results.
@@ -371,7 +370,7 @@ mod tests {
         assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
         assert_eq!(
             found.models[5].candidate,
-            Candidate::Vgpdm(GpdmSettings { max_iterations: 800, ..variational(12) })
+            ModelSettings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
         );
         let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
         assert_eq!(said, ["vgpdm over 3 settings: 1.00 times", "vgpdm over 3 settings: -1.00"]);
@@ -384,20 +383,20 @@ mod tests {
             let frames = 100 * count;
             let cubic = (frames as f64).powi(3) * 1e-6;
             results.finished.push(finished(
-                Candidate::MapCgpdm(point(false)),
+                ModelSettings::MapCgpdm(point(false)),
                 1,
                 count,
                 0,
                 outcome(1.0, None, frames, cubic),
             ));
             let linear = frames as f64 * 1e-3;
-            let vcgpdm = || Candidate::Vcgpdm(variational(12));
+            let vcgpdm = || ModelSettings::Vcgpdm(variational(12));
             results.finished.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
         }
         // Another fold that has only the most trials, and another setting: neither tells how time grows.
         let odd = || outcome(1.0, Some(1.0), 400, 1e6);
-        results.finished.push(finished(Candidate::Vcgpdm(variational(12)), 2, 4, 0, odd()));
-        results.finished.push(finished(Candidate::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        results.finished.push(finished(ModelSettings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
+        results.finished.push(finished(ModelSettings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
         let found = Comparison::of(&results);
         let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
         assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);

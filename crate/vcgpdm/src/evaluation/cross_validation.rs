@@ -1,12 +1,11 @@
 //! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
 //! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
 use crate::gp::NumericsError;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, MovementModel, Movements, RolloutError, Sequence,
-    Source,
+    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements,
+    RolloutError, Sequence, Source,
 };
 use crate::motion::parts::PartSpec;
 use crate::motion::pose::PoseError;
@@ -29,6 +28,14 @@ pub enum EvaluationError {
         /// Trials there are.
         count: usize,
         /// The one asked for, counted from 1.
+        found: usize,
+    },
+    /// There are not so many trials to train on.
+    #[error("expected from 1 to {most} trials to train on, found {found}")]
+    TrainingTrials {
+        /// Trials besides the one held out.
+        most: usize,
+        /// The number asked for.
         found: usize,
     },
     /// The trials cannot be used together.
@@ -94,20 +101,28 @@ pub struct Outcome {
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 0, against the others, or the first `most` of them.
+    /// The trial `held_out`, counted from 1, against the first `training_trials` of the others.
+    ///
+    /// # Errors
+    /// There are not so many trials, or they cannot be trained on together at this frame rate.
     pub fn new(
         trials: &[Clip],
         held_out: usize,
-        most: usize,
+        training_trials: usize,
         parts: &[PartSpec],
         frames_per_second: f64,
     ) -> Result<Self, EvaluationError> {
-        let Some(trial) = trials.get(held_out).filter(|_| trials.len() > 1) else {
-            return Err(EvaluationError::Trial { count: trials.len(), found: held_out + 1 });
+        let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
+        let Some(place) = place else {
+            return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
         };
-        let whole = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
+        let (trial, most) = (&trials[place], trials.len() - 1);
+        if !(1..=most).contains(&training_trials) {
+            return Err(EvaluationError::TrainingTrials { most, found: training_trials });
+        }
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
         let mut sources: Vec<Source> =
-            whole.take(most.max(1)).map(|clip| Source { clip, first_frames: None }).collect();
+            others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
@@ -150,7 +165,7 @@ impl Fold {
     }
 
     /// A training of a model in this fold, ready to begin.
-    pub fn learner(&self, candidate: &Candidate, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+    pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let learner = candidate.learner(&self.movements, seed);
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
@@ -159,7 +174,7 @@ impl Fold {
     /// there is no outcome. `seconds` is a clock.
     pub fn evaluate(
         &self,
-        candidate: &Candidate,
+        candidate: &ModelSettings,
         seed: u32,
         seconds: &dyn Fn() -> f64,
         watch: &mut dyn FnMut(&LearningProgress) -> bool,
@@ -217,8 +232,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::candidate::{GpdmSettings, PointSettings};
-    use crate::models::ModelKind;
+    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
     use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -230,18 +244,19 @@ mod tests {
         let trials = trials();
         let parts =
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 1, usize::MAX, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
-        let gpdm = GpdmSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
-        let point = PointSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        let gpdm =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
         for candidate in [
-            Candidate::Vcgpdm(gpdm.clone()),
-            Candidate::Vgpdm(gpdm),
-            Candidate::MapGpdm(point.clone()),
-            Candidate::MapCgpdm(point),
-            Candidate::Tmp { primitives: Some(4) },
-            Candidate::DmpDiscrete { bases: 20 },
-            Candidate::DmpRhythmic { bases: 20 },
+            ModelSettings::Vcgpdm(gpdm.clone()),
+            ModelSettings::Vgpdm(gpdm),
+            ModelSettings::MapGpdm(point.clone()),
+            ModelSettings::MapCgpdm(point),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4) }),
+            ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
+            ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
         ] {
             let mut steps = 0;
             let mut watch = |progress: &LearningProgress| {
@@ -253,7 +268,7 @@ mod tests {
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
             let text = serde_json::to_string(&candidate).unwrap();
-            assert_eq!(serde_json::from_str::<Candidate>(&text).unwrap(), candidate);
+            assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
         }
     }
 
@@ -261,8 +276,8 @@ mod tests {
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
-        let candidate = Candidate::DmpRhythmic { bases: 5 };
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
 
@@ -270,12 +285,15 @@ mod tests {
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 3, usize::MAX, parts, 20.0).unwrap_err().to_string();
+        let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
         assert_eq!(
             error,
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
-        assert!(Fold::new(&trials[..1], 0, usize::MAX, parts, 20.0).is_err());
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
     /// Predicts that all columns fly away.
@@ -307,7 +325,7 @@ mod tests {
     fn no_outcome_holds_what_is_no_number() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 0, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
         let of = |to: f64, best: f64, seconds: f64| {
             let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();
             let training = LearningProgress {

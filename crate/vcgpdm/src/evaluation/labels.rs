@@ -1,8 +1,7 @@
 //! What candidates are called beside others of their kind.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::results::Results;
-use crate::models::ModelKind;
+use crate::models::{ModelKind, ModelSettings};
 use std::collections::HashMap;
 
 /// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
@@ -29,33 +28,35 @@ struct Varying {
     balanced: bool,
 }
 
-fn common(candidate: &Candidate) -> Option<Common> {
+fn common(candidate: &ModelSettings) -> Option<Common> {
     match *candidate {
-        Candidate::Vcgpdm(ref s) | Candidate::Vgpdm(ref s) => Some(Common {
+        ModelSettings::Vcgpdm(ref s) | ModelSettings::Vgpdm(ref s) => Some(Common {
             latent: s.latent,
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: false,
         }),
-        Candidate::MapGpdm(ref s) | Candidate::MapCgpdm(ref s) => Some(Common {
+        ModelSettings::MapGpdm(ref s) | ModelSettings::MapCgpdm(ref s) => Some(Common {
             latent: s.latent,
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: s.balanced,
         }),
-        Candidate::Tmp { .. } | Candidate::DmpDiscrete { .. } | Candidate::DmpRhythmic { .. } => None,
+        ModelSettings::Tmp(_) | ModelSettings::DmpDiscrete(_) | ModelSettings::DmpRhythmic(_) => None,
     }
 }
 
-fn size(candidate: &Candidate) -> Option<String> {
+fn size(candidate: &ModelSettings) -> Option<String> {
     match candidate {
-        Candidate::Vcgpdm(s) | Candidate::Vgpdm(s) => {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
             Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
         }
-        Candidate::MapGpdm(_) | Candidate::MapCgpdm(_) => None,
-        Candidate::Tmp { primitives: None } => Some("primitives by the bound".to_owned()),
-        Candidate::Tmp { primitives: Some(count) } => Some(format!("{count} primitives")),
-        Candidate::DmpDiscrete { bases } | Candidate::DmpRhythmic { bases } => Some(format!("{bases} bases")),
+        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
+        ModelSettings::Tmp(s) => Some(match s.primitives {
+            None => "primitives by the bound".to_owned(),
+            Some(count) => format!("{count} primitives"),
+        }),
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(format!("{} bases", s.bases)),
     }
 }
 
@@ -77,7 +78,7 @@ impl Labels {
     }
 
     /// What a candidate is called.
-    pub fn label(&self, candidate: &Candidate) -> String {
+    pub fn label(&self, candidate: &ModelSettings) -> String {
         let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
         match common(candidate) {
             Some(settings) if words.is_empty() => format!("Q = {}", settings.latent),
@@ -86,11 +87,11 @@ impl Labels {
     }
 
     /// The same without its size.
-    pub(super) fn besides_size(&self, candidate: &Candidate) -> String {
+    pub(super) fn besides_size(&self, candidate: &ModelSettings) -> String {
         self.others(candidate).join(", ")
     }
 
-    fn others(&self, candidate: &Candidate) -> Vec<String> {
+    fn others(&self, candidate: &ModelSettings) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
         let balance = match settings.balanced {
@@ -113,18 +114,18 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::candidate::{GpdmSettings, PointSettings};
     use crate::evaluation::results::{Finished, Job, Setting};
+    use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
 
-    fn gpdm(max_iterations: usize, latent: usize) -> GpdmSettings {
-        GpdmSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
+    fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
+        VariationalSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
     }
 
-    fn point(order: usize, balanced: bool) -> PointSettings {
-        PointSettings { latent: 3, order, max_iterations: 100, balanced }
+    fn point(order: usize, balanced: bool) -> MapSettings {
+        MapSettings { latent: 3, order, max_iterations: 100, balanced }
     }
 
-    fn labels(candidates: &[Candidate]) -> Vec<String> {
+    fn labels(candidates: &[ModelSettings]) -> Vec<String> {
         let setting = Setting { trials: vec![], parts: vec![], frames_per_second: 30.0, start_frames: 5 };
         let mut results = Results::new(setting);
         for candidate in candidates {
@@ -138,7 +139,7 @@ mod tests {
 
     #[test]
     fn labels_name_what_differs_within_a_kind() {
-        use Candidate::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+        use ModelSettings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         assert_eq!(
             labels(&[
                 Vcgpdm(gpdm(800, 3)),
@@ -148,8 +149,8 @@ mod tests {
                 MapGpdm(point(2, false)),
                 MapGpdm(point(1, true)),
                 MapCgpdm(point(2, false)),
-                Tmp { primitives: None },
-                DmpRhythmic { bases: 20 },
+                Tmp(TmpSettings { primitives: None }),
+                DmpRhythmic(DmpSettings { bases: 20 }),
             ]),
             [
                 "12 + 8 inducing points, 800 iterations",

@@ -1,6 +1,5 @@
 //! How well models predict: scores of a motion against another one, cross-validation over trials, and their statistics.
 
-mod candidate;
 mod claims;
 mod comparison;
 mod cross_validation;
@@ -10,7 +9,6 @@ mod results;
 mod rows;
 pub mod stats;
 
-pub use candidate::{Candidate, GpdmSettings, PointSettings};
 pub use claims::Claim;
 pub use comparison::{BoundAndError, Comparison, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};

@@ -1,7 +1,7 @@
 //! What an evaluation keeps: what was compared, and what came of it, job by job. The same in a file and on the page. No I/O.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::cross_validation::{Outcome, START_FRAMES};
+use crate::models::ModelSettings;
 use crate::motion::Clip;
 use crate::motion::parts::PartSpec;
 use serde::{Deserialize, Serialize};
@@ -132,7 +132,7 @@ impl Setting {
 #[serde(deny_unknown_fields)]
 pub struct Job {
     /// The model and its settings.
-    pub candidate: Candidate,
+    pub candidate: ModelSettings,
     /// The trial held out, counted from 1.
     pub held_out: usize,
     /// How many of the others are trained on.
@@ -331,6 +331,7 @@ impl Results {
 mod tests {
     use super::*;
     use crate::evaluation::dtw::Score;
+    use crate::models::TmpSettings;
 
     fn setting() -> Setting {
         let trial =
@@ -344,7 +345,12 @@ mod tests {
     }
 
     fn finished(held_out: usize, training_trials: usize) -> Finished {
-        let job = Job { candidate: Candidate::Tmp { primitives: None }, held_out, training_trials, seed: 0 };
+        let job = Job {
+            candidate: ModelSettings::Tmp(TmpSettings { primitives: None }),
+            held_out,
+            training_trials,
+            seed: 0,
+        };
         Finished { job, engine: String::new(), outcome: None, failure: Some("why".to_owned()) }
     }
 

@@ -1,16 +1,15 @@
 //! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them have.
 
-use crate::evaluation::candidate::Candidate;
 use crate::evaluation::comparison::{ModelSummary, Spread};
 use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
-use crate::models::ModelKind;
+use crate::models::{ModelKind, ModelSettings};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A candidate that was trained on all other trials, with at least one outcome.
 pub(super) struct Row<'a> {
-    pub candidate: &'a Candidate,
+    pub candidate: &'a ModelSettings,
     /// By the trial held out; one outcome a seed.
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
@@ -39,9 +38,9 @@ pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
 
 /// Together those that differ in their size alone, in the order in which they come.
 pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
-    let mut groups: Vec<(Candidate, Vec<&Row>)> = Vec::new();
+    let mut groups: Vec<(ModelSettings, Vec<&Row>)> = Vec::new();
     for row in rows {
-        let key = row.candidate.of_any_size();
+        let key = row.candidate.without_size();
         match groups.iter_mut().find(|(other, _)| *other == key) {
             Some((_, group)) => group.push(row),
             None => groups.push((key, vec![row])),

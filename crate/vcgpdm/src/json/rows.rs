@@ -23,6 +23,12 @@ pub fn rows_of(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
+/// For `#[serde(deserialize_with = "rows::optional_matrix")]`: absent and `null` are none.
+pub fn optional_matrix<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<DMatrix<f64>>, D::Error> {
+    let rows = Option::<Vec<Vec<f64>>>::deserialize(deserializer)?;
+    rows.map(|rows| matrix_from_rows(&rows).map_err(D::Error::custom)).transpose()
+}
+
 /// For `#[serde(with = "rows::matrix")]`.
 pub mod matrix {
     use super::*;

@@ -2,7 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::models::body::Body;
-use crate::models::learner::{Learner, ModelKind, MovementModel};
+use crate::models::kind::ModelKind;
+use crate::models::learner::{Learner, MovementModel};
 use crate::models::motion_model::{ENGINE, MotionModel, RolloutRequest};
 use crate::models::rollout::RolloutError;
 use nalgebra::DMatrix;

@@ -1,11 +1,12 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
-use crate::models::variational::trainer::TrainingError;
+use crate::models::training_error::TrainingError;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
 use crate::motion::pose::{PoseError, PoseMapping};
 use crate::motion::{BodyMismatch, Clip, ClipError};
 use crate::words::counted;
 use nalgebra::DMatrix;
+use serde::Serialize;
 use thiserror::Error;
 
 /// A clip that becomes a sequence of the training set.
@@ -18,7 +19,7 @@ pub struct Source<'a> {
 }
 
 /// Where a sequence came from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SequenceInfo {
     /// The clip's name.
     pub name: String,

@@ -1,13 +1,16 @@
 //! A trained model of a body: the fitted vCGPDM with what turns its columns into poses, and where it came from.
 
 use crate::gp::NumericsError;
+use crate::json::rows;
 use crate::models::body::Body;
 use crate::models::dataset::Dataset;
 use crate::models::rollout::{Poser, Roller, RolloutError};
-use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, TrainingSettings};
+use crate::models::settings::VariationalSettings;
+use crate::models::variational::{BoundTerms, FittedModel, Reading, Trainer, coupling_weight_matrix};
 use crate::motion::Clip;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
+use serde::Deserialize;
 
 /// What a document says wrote it.
 pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
@@ -17,8 +20,10 @@ pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
-    /// What training was asked to do, the seed included.
-    pub settings: TrainingSettings,
+    /// What training was asked to do.
+    pub settings: VariationalSettings,
+    /// The seed of everything random.
+    pub seed: u32,
     /// The frame rate asked for.
     pub frames_per_second: f64,
     /// The final bound, in nats.
@@ -46,15 +51,18 @@ pub struct MotionModel {
 }
 
 /// What a rollout is asked for.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RolloutRequest {
     /// Frames in all, the start included.
     pub frames: usize,
     /// The training sequence whose start latents begin it, counted from 0.
     pub sequence: usize,
     /// Couplings [M x M], row the source; absent: as learned.
+    #[serde(default, deserialize_with = "rows::optional_matrix")]
     pub alpha: Option<DMatrix<f64>>,
     /// What changed couplings do to the experts.
+    #[serde(default)]
     pub reading: Reading,
 }
 
@@ -65,6 +73,8 @@ pub struct Rollout {
     pub latents: Vec<DMatrix<f64>>,
     /// All columns, means included [frames x D].
     pub y: DMatrix<f64>,
+    /// The weights of the experts under its couplings [M x M], row the source; those into each part sum to 1.
+    pub weights: DMatrix<f64>,
 }
 
 impl MotionModel {
@@ -84,6 +94,7 @@ impl MotionModel {
         let provenance = Provenance {
             engine: ENGINE.to_owned(),
             settings: trainer.settings().clone(),
+            seed: trainer.seed(),
             frames_per_second,
             bound: progress.best,
             terms: progress.terms,
@@ -102,7 +113,7 @@ impl MotionModel {
         let roller = Roller::new(&self.fitted, alpha, request.reading)?;
         let latents = roller.latents(self.fitted.start(request.sequence)?, request.frames)?;
         let y = self.columns_at(&latents);
-        Ok(Rollout { latents, y })
+        Ok(Rollout { latents, y, weights: coupling_weight_matrix(alpha) })
     }
 
     /// All columns at the latents of every part [frames x Q_i]; a part without rows stays at its mean pose.

@@ -70,14 +70,6 @@ pub enum RolloutError {
         /// Columns found.
         found_columns: usize,
     },
-    /// A goal does not fit the model, or a tempo or amplitude is no positive number.
-    #[error("expected a goal of {columns} finite numbers, and tempo and amplitude positive; found {found}")]
-    Adaptation {
-        /// D.
-        columns: usize,
-        /// What was found.
-        found: String,
-    },
     /// The columns cannot be turned into poses.
     #[error(transparent)]
     Pose(#[from] PoseError),

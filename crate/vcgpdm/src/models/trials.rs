@@ -1,8 +1,8 @@
 //! The sequences of a training set as trials with the columns of all parts side by side, and back.
 
-use crate::models::learner::Movements;
+use crate::models::movements::Movements;
 use crate::models::phase::Trial;
-use crate::models::variational::trainer::TrainingError;
+use crate::models::training_error::TrainingError;
 use nalgebra::DMatrix;
 
 /// Fewer frames are no whole movement.

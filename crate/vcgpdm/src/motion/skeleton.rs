@@ -2,6 +2,7 @@
 
 use crate::motion::rotation;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use serde::Serialize;
 use thiserror::Error;
 
 /// The most joints that a body may have; more is a broken or hostile file.
@@ -97,7 +98,7 @@ pub struct Skeleton {
 }
 
 /// What the stage draws at one point: a joint or the end of a bone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct FigureNode {
     /// The joint it is, or, for an end site, the joint whose bone ends here.
     pub joint: usize,

@@ -2,8 +2,8 @@
 
 use crate::evaluation::dtw_mse;
 use crate::gp::NumericsError;
-use crate::models::variational::{FittedModel, Reading, Trainer, TrainingSettings};
-use crate::models::{Poser, Roller, RolloutError, TrainingError};
+use crate::models::variational::{FittedModel, Reading, Trainer};
+use crate::models::{Poser, Roller, RolloutError, TrainingError, VariationalSettings};
 use crate::synthetic::alignment::centre;
 use crate::synthetic::function::{DrawnFunction, Evidence, grid, normal, rbf};
 use nalgebra::DMatrix;
@@ -89,13 +89,13 @@ impl Synthetic {
 
     /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as in the paper, and
     /// iterations enough for the bound to settle.
-    pub fn settings(seed: u32) -> TrainingSettings {
-        TrainingSettings { latent: 2, dynamics_ips: 10, pose_ips: 10, order: 2, seed, max_iterations: 1500 }
+    pub fn settings() -> VariationalSettings {
+        VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
     }
 
     /// Ready to train on the observations.
-    pub fn trainer(&self, settings: TrainingSettings) -> Result<Trainer, TrainingError> {
-        Trainer::new(self.y.clone(), vec![FRAMES], settings)
+    pub fn trainer(&self, settings: &VariationalSettings, seed: u32) -> Result<Trainer, TrainingError> {
+        Trainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
     /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;

@@ -1,14 +1,16 @@
 //! The experiment under way: the data, a training on it, and what it has found so far.
 
 use crate::gp::NumericsError;
-use crate::models::variational::{Params, Trainer, TrainingProgress, TrainingSettings, coupling_weights};
+use crate::models::VariationalSettings;
+use crate::models::variational::{Params, Trainer, TrainingProgress, coupling_weight_matrix};
 use crate::synthetic::alignment::{Alignment, align};
 use crate::synthetic::data::{Synthetic, SyntheticError};
 use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 /// How well a model explains the data.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fit {
     /// The bound, in nats.
     pub bound: f64,
@@ -40,8 +42,8 @@ pub struct Experiment {
 
 impl Experiment {
     /// Ready to train on the data.
-    pub fn new(data: Synthetic, settings: TrainingSettings) -> Result<Self, SyntheticError> {
-        let trainer = data.trainer(settings)?;
+    pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
+        let trainer = data.trainer(settings, seed)?;
         let start = Fit { bound: trainer.progress().best, mse: data.mse(&trainer.model()?)? };
         Ok(Self { data, trainer, start })
     }
@@ -70,11 +72,7 @@ impl Experiment {
     pub fn findings(&self) -> Result<Findings, SyntheticError> {
         let model = self.trainer.model()?;
         let fit = Fit { bound: self.trainer.progress().best, mse: self.data.mse(&model)? };
-        let mut weights = model.alpha.clone();
-        for mut column in weights.column_iter_mut() {
-            let w = coupling_weights(column.as_slice()).1;
-            column.copy_from_slice(&w);
-        }
+        let weights = coupling_weight_matrix(&model.alpha);
         let learned = self.learned(&self.trainer.best())?;
         Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, learned, fit })
     }

@@ -2,7 +2,7 @@
 
 use super::data::{COLUMNS, FRAMES};
 use super::*;
-use crate::models::variational::TrainingSettings;
+use crate::models::VariationalSettings;
 use nalgebra::DMatrix;
 
 #[test]
@@ -42,8 +42,8 @@ fn a_share_is_from_0_to_1() {
 #[test]
 fn training_finds_who_drives_whom() {
     let data = Synthetic::draw(2, DRIVE).unwrap();
-    let settings = TrainingSettings { max_iterations: 400, ..Synthetic::settings(2) };
-    let mut experiment = Experiment::new(data, settings).unwrap();
+    let settings = VariationalSettings { max_iterations: 400, ..Synthetic::settings() };
+    let mut experiment = Experiment::new(data, &settings, 2).unwrap();
     let at_first = experiment.findings().unwrap();
     assert_eq!(at_first.fit, experiment.start());
     while !experiment.step().done {}

@@ -2,9 +2,10 @@
 
 use crate::gp::NumericsError;
 use crate::json::Value;
-use crate::models::dmp::spring::{Curve, integrate, regress};
-use crate::models::dmp::{Adaptation, OVERLAP, SpringStart};
-use crate::models::learner::{ModelKind, MovementModel};
+use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
+use crate::models::dmp::{OVERLAP, SpringStart};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -12,6 +13,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial, one way in all.
 const CLEAR_WAY: f64 = 0.25;
+/// How fast x fades: alpha_z / 3, as Ijspeert et al. choose it.
+const ALPHA_X: f64 = ALPHA_Z / 3.0;
 
 /// Where a sequence begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,12 +49,8 @@ pub struct DmpDiscrete {
 impl DmpDiscrete {
     /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
     /// begin at the same place in it, and forces of different places must not be averaged.
-    pub fn fit(
-        trials: &[Trial],
-        columns: &[usize],
-        bases: usize,
-        alpha_x: f64,
-    ) -> Result<Self, NumericsError> {
+    pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
+        let alpha_x = ALPHA_X;
         // Equal distances in time; in x they shrink with it.
         let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exp();
         let centres: Vec<f64> = (0..bases).map(centre).collect();
@@ -125,24 +124,21 @@ impl DmpDiscrete {
         psi * (x / sum)
     }
 
-    /// The movement from the start of a training sequence, with another goal or tempo: all columns [frames x D].
-    pub fn adapted(
-        &self,
-        sequence: usize,
-        frames: usize,
-        change: &Adaptation,
-    ) -> Result<DMatrix<f64>, RolloutError> {
+    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is out of its range.
+    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
-        change.check(self.goal.len())?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
-        let goal = change.goal.as_ref().unwrap_or(&self.goal);
-        let rate = start.map.rate * change.tempo;
+        let goal = &self.goal;
+        let rate = start.map.rate;
         let spring = &start.spring;
         let way = goal - &spring.position;
         let scale = DVector::from_fn(goal.len(), |k, _| if self.scaled[k] { way[k] } else { 1.0 });
-        let velocity = &spring.velocity * change.tempo;
-        Ok(integrate(&spring.position, &velocity, goal, 1.0 / rate, frames, |t, out| {
+        Ok(integrate(&spring.position, &spring.velocity, goal, 1.0 / rate, frames, |t, out| {
             let phase = start.map.start + rate * t;
             if phase > 1.0 {
                 // No trial tells what the force is behind the end of all of them; the spring alone leads to the goal.
@@ -178,7 +174,7 @@ impl MovementModel for DmpDiscrete {
 
     /// As fast as the training trials were in the mean; behind their end it stands at the goal.
     fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.adapted(sequence, frames, &Adaptation::default())?, &self.columns))
+        Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
     /// Weights, goal, y(0), y'(0), start and rate of one sequence, which columns are scaled, and alpha_x.

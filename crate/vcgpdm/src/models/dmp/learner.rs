@@ -4,32 +4,15 @@ use crate::gp::NumericsError;
 use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::dmp::spring::ALPHA_Z;
-use crate::models::learner::{Learner, LearningProgress, MovementModel, Movements};
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::movements::Movements;
 use crate::models::phase::Trial;
+use crate::models::settings::DmpSettings;
+use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::trials_of;
-use crate::models::variational::trainer::TrainingError;
 use nalgebra::DMatrix;
 
 const MOST_BASES: usize = 200;
-
-/// What the learning of dynamic movement primitives is asked to do.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DmpSettings {
-    /// Towards a goal or around a centre.
-    pub canonical: Canonical,
-    /// B, basis functions of each column.
-    pub bases: usize,
-    /// How fast the discrete system's x fades, from 0.1 to 100; others are brought there.
-    pub alpha_x: f64,
-}
-
-impl DmpSettings {
-    /// 20 bases, and alpha_x = alpha_z / 3.
-    pub fn new(canonical: Canonical) -> Self {
-        Self { canonical, bases: 20, alpha_x: ALPHA_Z / 3.0 }
-    }
-}
 
 enum Fitted {
     Discrete(DmpDiscrete),
@@ -49,7 +32,8 @@ impl Fitted {
 pub struct DmpLearner {
     trials: Vec<Trial>,
     columns: Vec<usize>,
-    settings: DmpSettings,
+    canonical: Canonical,
+    bases: usize,
     fitted: Option<Fitted>,
     error: f64,
     reason: Option<String>,
@@ -57,30 +41,29 @@ pub struct DmpLearner {
 
 impl DmpLearner {
     /// Ready to learn.
-    pub fn new(movements: &Movements, settings: DmpSettings) -> Result<Self, TrainingError> {
-        let found = settings.bases;
-        if !(1..=MOST_BASES).contains(&found) {
-            return Err(TrainingError::Setting {
-                name: "the number of bases",
-                lowest: 1,
-                highest: MOST_BASES,
-                found,
-            });
-        }
+    ///
+    /// # Errors
+    ///
+    /// When the number of bases is out of its range, or the movements cannot be learned from.
+    pub fn new(
+        movements: &Movements,
+        canonical: Canonical,
+        settings: &DmpSettings,
+    ) -> Result<Self, TrainingError> {
+        in_range("the number of bases", settings.bases, MOST_BASES)?;
         let (trials, columns) = trials_of(movements)?;
-        Ok(Self { trials, columns, settings, fitted: None, error: f64::INFINITY, reason: None })
+        let (bases, error) = (settings.bases, f64::INFINITY);
+        Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
     }
 
     fn fit(&self) -> Result<Fitted, NumericsError> {
-        let (trials, columns, bases) = (&self.trials, &self.columns, self.settings.bases);
-        Ok(match self.settings.canonical {
-            Canonical::Discrete => Fitted::Discrete(DmpDiscrete::fit(
-                trials,
-                columns,
-                bases,
-                self.settings.alpha_x.clamp(0.1, 100.0),
-            )?),
-            Canonical::Rhythmic => Fitted::Rhythmic(DmpRhythmic::fit(trials, columns, bases)?),
+        Ok(match self.canonical {
+            Canonical::Discrete => {
+                Fitted::Discrete(DmpDiscrete::fit(&self.trials, &self.columns, self.bases)?)
+            }
+            Canonical::Rhythmic => {
+                Fitted::Rhythmic(DmpRhythmic::fit(&self.trials, &self.columns, self.bases)?)
+            }
         })
     }
 

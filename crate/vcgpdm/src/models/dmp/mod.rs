@@ -25,10 +25,9 @@ mod stored;
 mod tests;
 
 pub use discrete::{DiscreteStart, DmpDiscrete};
-pub use learner::{DmpLearner, DmpSettings};
+pub use learner::DmpLearner;
 pub use rhythmic::{DmpRhythmic, RhythmicStart};
 
-use crate::models::rollout::RolloutError;
 use nalgebra::DVector;
 
 /// Neighbouring bases overlap: their width is this part of their distance.
@@ -50,41 +49,4 @@ pub struct SpringStart {
     pub position: DVector<f64>,
     /// y'(0), per frame [D].
     pub velocity: DVector<f64>,
-}
-
-/// What a dynamic movement primitive can do differently without learning anew.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Adaptation {
-    /// Another goal (discrete) or centre (rhythmic) of all columns [D]; absent: the learned one.
-    pub goal: Option<DVector<f64>>,
-    /// How many times as fast, positive.
-    pub tempo: f64,
-    /// How many times as large a rhythmic movement is.
-    pub amplitude: f64,
-}
-
-impl Adaptation {
-    /// Checks that it fits a model of so many `columns`.
-    fn check(&self, columns: usize) -> Result<(), RolloutError> {
-        let wrong = |found: String| Err(RolloutError::Adaptation { columns, found });
-        if let Some(goal) = &self.goal {
-            if goal.len() != columns {
-                return wrong(format!("{} numbers", goal.len()));
-            }
-            if let Some(value) = goal.iter().find(|value| !value.is_finite()) {
-                return wrong(format!("{value} in the goal"));
-            }
-        }
-        // The ends keep the springs away from infinities.
-        match [self.tempo, self.amplitude].into_iter().find(|v| !(1e-6..=1e6).contains(v)) {
-            Some(value) => wrong(format!("{value:e}")),
-            None => Ok(()),
-        }
-    }
-}
-
-impl Default for Adaptation {
-    fn default() -> Self {
-        Self { goal: None, tempo: 1.0, amplitude: 1.0 }
-    }
 }

@@ -3,8 +3,9 @@
 use crate::gp::NumericsError;
 use crate::json::Value;
 use crate::models::dmp::spring::{Curve, integrate, regress};
-use crate::models::dmp::{Adaptation, OVERLAP, SpringStart};
-use crate::models::learner::{ModelKind, MovementModel};
+use crate::models::dmp::{OVERLAP, SpringStart};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -99,23 +100,19 @@ impl DmpRhythmic {
         y.rows(PLACES, PLACES).into_owned()
     }
 
-    /// The movement from the start of a training sequence, with another centre, tempo or amplitude: all columns [frames x D].
-    pub fn adapted(
-        &self,
-        sequence: usize,
-        frames: usize,
-        change: &Adaptation,
-    ) -> Result<DMatrix<f64>, RolloutError> {
+    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is out of its range.
+    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
-        change.check(self.centre.len())?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
-        let rate = start.map.rate * change.tempo;
-        let (tau, amplitude) = (1.0 / (TAU * rate), start.amplitude * change.amplitude);
-        let centre = change.goal.as_ref().unwrap_or(&self.centre);
+        let rate = start.map.rate;
+        let (tau, amplitude) = (1.0 / (TAU * rate), start.amplitude);
         let spring = &start.spring;
-        let velocity = &spring.velocity * change.tempo;
-        Ok(integrate(&spring.position, &velocity, centre, tau, frames, |t, out| {
+        Ok(integrate(&spring.position, &spring.velocity, &self.centre, tau, frames, |t, out| {
             out.copy_from(&self.weights.tr_mul(&self.features(start.map.start + rate * t)));
             *out *= amplitude;
         }))
@@ -157,7 +154,7 @@ impl MovementModel for DmpRhythmic {
     }
 
     fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.adapted(sequence, frames, &Adaptation::default())?, &self.columns))
+        Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
     /// Weights, centre, y(0) and y'(0) of one sequence, its start, rate and amplitude, and the concentration.

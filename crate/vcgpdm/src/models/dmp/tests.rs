@@ -1,12 +1,13 @@
 //! What dynamic movement primitives promise: reproduction, other goals, other tempi, stable cycles.
 
 use super::*;
-use crate::models::learner::{Learner, ModelKind, Movements, Sequence};
+use crate::models::kind::ModelKind;
+use crate::models::learner::Learner;
+use crate::models::movements::{Movements, Sequence};
 use crate::models::phase::Trial;
+use crate::models::settings::DmpSettings;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
-
-const ALPHA_X: f64 = 25.0 / 3.0;
 
 /// Two columns that go a clear way with a detour, and one that comes back to where it began.
 fn reach(frames: usize) -> DMatrix<f64> {
@@ -40,9 +41,9 @@ fn root_mean_square(a: &DMatrix<f64>) -> f64 {
 fn enough_bases_reproduce_a_movement() {
     let trials = [whole(reach(90))];
     let error = |bases| {
-        let model = DmpDiscrete::fit(&trials, &[3], bases, ALPHA_X).unwrap();
+        let model = DmpDiscrete::fit(&trials, &[3], bases).unwrap();
         assert_eq!(model.scaled, [true, true, false]);
-        root_mean_square(&(model.adapted(0, 90, &Adaptation::default()).unwrap() - &trials[0].y))
+        root_mean_square(&(model.path(0, 90).unwrap() - &trials[0].y))
     };
     let (few, some, many) = (error(3), error(12), error(40));
     assert!(few > some && some > many, "{few} {some} {many}");
@@ -52,7 +53,7 @@ fn enough_bases_reproduce_a_movement() {
     let trials = [whole(walk(110, 34.0, 0.1))];
     let error = |bases| {
         let model = DmpRhythmic::fit(&trials, &[3], bases).unwrap();
-        root_mean_square(&(model.adapted(0, 110, &Adaptation::default()).unwrap() - &trials[0].y))
+        root_mean_square(&(model.path(0, 110).unwrap() - &trials[0].y))
     };
     let (few, many) = (error(3), error(25));
     assert!(few > many && many < 0.02, "{few} {many}");
@@ -61,15 +62,15 @@ fn enough_bases_reproduce_a_movement() {
 #[test]
 fn a_moved_goal_is_reached_and_scales_the_way() {
     let trials = [whole(reach(90)), whole(reach(80))];
-    let model = DmpDiscrete::fit(&trials, &[2, 1], 30, ALPHA_X).unwrap();
-    let goal = &model.goal + nalgebra::dvector![1.0, -0.5, 0.7];
-    let change = Adaptation { goal: Some(goal.clone()), ..Adaptation::default() };
-    let (moved, plain) =
-        (model.adapted(0, 160, &change).unwrap(), model.adapted(0, 160, &Adaptation::default()).unwrap());
+    let mut model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
+    let (plain, learned) = (model.path(0, 160).unwrap(), model.goal.clone());
+    let goal = &learned + nalgebra::dvector![1.0, -0.5, 0.7];
+    model.goal.copy_from(&goal);
+    let moved = model.path(0, 160).unwrap();
     let last = moved.row(159).transpose();
     assert!((&last - &goal).amax() < 1e-3, "{last} {goal}");
     // A column that is scaled keeps its shape exactly: (y - y0) / (g - y0) is the same, but for the initial velocity.
-    let way = (goal[0] - moved[(0, 0)]) / (model.goal[0] - plain[(0, 0)]);
+    let way = (goal[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
     for t in 0..160 {
         let expected = plain[(0, 0)] + way * (plain[(t, 0)] - plain[(0, 0)]);
         assert!((moved[(t, 0)] - expected).abs() < 0.02, "{t}");
@@ -79,21 +80,19 @@ fn a_moved_goal_is_reached_and_scales_the_way() {
 }
 
 #[test]
-fn half_the_tempo_takes_twice_as_long_on_the_same_path() {
-    let discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25, ALPHA_X).unwrap();
-    let rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
-    let slow = Adaptation { tempo: 0.5, ..Adaptation::default() };
-    for (fast, slow) in [
-        (discrete.adapted(0, 60, &Adaptation::default()).unwrap(), discrete.adapted(0, 119, &slow).unwrap()),
-        (rhythmic.adapted(0, 60, &Adaptation::default()).unwrap(), rhythmic.adapted(0, 119, &slow).unwrap()),
-    ] {
+fn half_the_rate_takes_twice_as_long_on_the_same_path() {
+    let mut discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
+    let mut rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
+    let fast = [discrete.path(0, 60).unwrap(), rhythmic.path(0, 60).unwrap()];
+    discrete.starts[0].map.rate *= 0.5;
+    discrete.starts[0].spring.velocity *= 0.5;
+    rhythmic.starts[0].map.rate *= 0.5;
+    rhythmic.starts[0].spring.velocity *= 0.5;
+    let slow = [discrete.path(0, 119).unwrap(), rhythmic.path(0, 119).unwrap()];
+    for (fast, slow) in fast.iter().zip(&slow) {
         for t in 0..60 {
-            assert!(
-                (fast.row(t) - slow.row(2 * t)).amax() < 1e-3,
-                "{t}: {} {}",
-                fast.row(t),
-                slow.row(2 * t)
-            );
+            let (a, b) = (fast.row(t), slow.row(2 * t));
+            assert!((a - b).amax() < 1e-3, "{t}: {a} {b}");
         }
     }
 }
@@ -106,28 +105,19 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
         Trial { y: walk(5, 34.0, 0.4), whole: false },
     ];
     let mut model = DmpRhythmic::fit(&trials, &[3], 25).unwrap();
-    let y = model.adapted(2, 1000, &Adaptation::default()).unwrap();
+    let y = model.path(2, 1000).unwrap();
     let difference = &y - walk(1000, 34.0, 0.4);
     assert!(root_mean_square(&difference.rows(0, 100).into_owned()) < 0.08, "{difference}");
     assert!((y.rows(34, 34) - y.rows(34 * 20, 34)).amax() < 0.3);
     let found = crate::models::period::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
-    let odd = Adaptation { goal: Some(nalgebra::dvector![1.0]), ..Adaptation::default() };
-    let error = model.adapted(0, 10, &odd).unwrap_err().to_string();
-    assert_eq!(
-        error,
-        "expected a goal of 3 finite numbers, and tempo and amplitude positive; found 1 numbers"
-    );
-    let odd = Adaptation { tempo: f64::NAN, ..Adaptation::default() };
-    assert!(model.adapted(0, 10, &odd).unwrap_err().to_string().ends_with("found NaN"));
-
     // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same centre.
     model.starts[2].spring.position.add_scalar_mut(3.0);
-    let pushed = model.adapted(2, 200, &Adaptation::default()).unwrap();
+    let pushed = model.path(2, 200).unwrap();
     assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);
-    let twice = Adaptation { amplitude: 2.0, ..Adaptation::default() };
-    let larger = model.adapted(2, 200, &twice).unwrap();
+    model.starts[2].amplitude *= 2.0;
+    let larger = model.path(2, 200).unwrap();
     for t in 34..134 {
         let expected = 2.0 * (y.row(t).transpose() - &model.centre) + &model.centre;
         assert!((larger.row(t).transpose() - expected).amax() < 1e-6);
@@ -146,8 +136,7 @@ fn learners_learn_in_one_step_and_refuse_in_words() {
         (Canonical::Discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
         (Canonical::Rhythmic, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
     ] {
-        let settings = DmpSettings { bases: 10, ..DmpSettings::new(canonical) };
-        let mut learner = DmpLearner::new(&movements, settings).unwrap();
+        let mut learner = DmpLearner::new(&movements, canonical, &DmpSettings { bases: 10 }).unwrap();
         let progress = learner.step();
         assert!(progress.done && progress.best.is_finite() && progress.best <= 0.0, "{progress:?}");
         let model = learner.model().unwrap();
@@ -157,16 +146,16 @@ fn learners_learn_in_one_step_and_refuse_in_words() {
         assert!(y[0].iter().all(|v| v.is_finite()));
         assert!(model.rollout(2, 80).is_err() && model.rollout(0, 0).is_err());
     }
-    let settings = DmpSettings { bases: 0, ..DmpSettings::new(Canonical::Rhythmic) };
-    let error = DmpLearner::new(&movements, settings).err().unwrap().to_string();
+    let none = DmpLearner::new(&movements, Canonical::Rhythmic, &DmpSettings { bases: 0 });
+    let error = none.err().unwrap().to_string();
     assert_eq!(error, "the number of bases must be from 1 to 200, found 0");
     // What does not move at all stays where it is.
     let still =
         Movements { y: vec![DMatrix::zeros(20, 2)], sequences: vec![Sequence { frames: 20, whole: true }] };
     for canonical in [Canonical::Discrete, Canonical::Rhythmic] {
         for bases in [1, 30] {
-            let settings = DmpSettings { bases, ..DmpSettings::new(canonical) };
-            let model = DmpLearner::new(&still, settings).unwrap().model().unwrap();
+            let learner = DmpLearner::new(&still, canonical, &DmpSettings { bases }).unwrap();
+            let model = learner.model().unwrap();
             assert!(model.rollout(0, 30).unwrap()[0].amax() < 1e-9);
         }
     }

@@ -9,6 +9,6 @@ mod params;
 mod stored;
 
 pub use density::{LogDensity, MapTerms};
-pub use learner::{MapLearner, MapSettings};
+pub use learner::MapLearner;
 pub use model::{MapModel, MapPoseMap};
 pub use params::{MapParams, MapPart};

@@ -5,7 +5,8 @@
 
 use crate::gp::{Kernel, NumericsError};
 use crate::json::Value;
-use crate::models::learner::{ModelKind, MovementModel};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
 use crate::models::map::density::LogDensity;
 use crate::models::map::params::MapParams;
 use crate::models::rollout::{KernelSum, Poser, Roller, RolloutError, check_frames};

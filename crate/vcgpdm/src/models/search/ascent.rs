@@ -5,6 +5,7 @@ use crate::gp::NumericsError;
 use crate::models::flat::{Group, Parameters};
 use crate::models::learner::LearningProgress;
 use crate::models::search::optimizer::{Evaluate, Optimizer};
+use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The last phase ends when so many iterations have together gained less than [`SMALL_GAIN`] of the objective.
@@ -31,12 +32,30 @@ pub trait Target {
 /// A block of the schedule: which parameters are free, for how long.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phase {
-    /// What is optimised, in plain words.
-    pub name: &'static str,
     /// What is free; the rest is held.
     pub groups: &'static [Group],
     /// Most iterations. The last phase of a schedule goes on until the objective no longer rises.
     pub iterations: usize,
+}
+
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EndReason {
+    /// The objective no longer rises.
+    Settled,
+    /// All iterations are used.
+    Iterations,
+}
+
+impl EndReason {
+    /// The reason in plain words, where the `objective` is "bound" or "density".
+    pub fn words(self, objective: &str) -> String {
+        match self {
+            EndReason::Settled => format!("the {objective} no longer rises"),
+            EndReason::Iterations => "all iterations used".to_owned(),
+        }
+    }
 }
 
 /// What the optimiser's evaluations leave behind.
@@ -98,8 +117,7 @@ pub struct Ascent<T: Target> {
     /// Best values of the last phase, iteration by iteration.
     trace: Vec<f64>,
     value: f64,
-    settled: &'static str,
-    reason: Option<&'static str>,
+    reason: Option<EndReason>,
 }
 
 impl<T: Target + Send + 'static> Ascent<T>
@@ -108,14 +126,13 @@ where
     T::Terms: Send,
 {
     /// Starts at `parameters`, where the target has the value `value` of these terms. There must be a phase; phases without
-    /// iterations are left out, but for the last. `settled` says that nothing more is gained.
+    /// iterations are left out, but for the last.
     pub fn new(
         target: T,
         parameters: T::Parameters,
         (value, best_terms): (f64, T::Terms),
         mut phases: Vec<Phase>,
         max_iterations: usize,
-        settled: &'static str,
     ) -> Self {
         let last = phases.len().saturating_sub(1);
         let mut place = 0;
@@ -136,7 +153,6 @@ where
             optimizer: None,
             trace: Vec::new(),
             value,
-            settled,
             reason: None,
         }
     }
@@ -150,7 +166,7 @@ where
     pub fn step(&mut self) {
         if self.reason.is_none() {
             if self.iteration >= self.max_iterations {
-                self.reason = Some("all iterations used");
+                self.reason = Some(EndReason::Iterations);
             } else {
                 self.iterate();
             }
@@ -175,7 +191,7 @@ where
             let settled = self.trace.len() > PATIENCE
                 && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
             if !moved || settled {
-                self.reason = Some(self.settled);
+                self.reason = Some(EndReason::Settled);
             }
         }
         if last || (moved && self.phase_iterations < self.phases[self.phase].iterations) {
@@ -216,25 +232,25 @@ where
         self.value
     }
 
-    /// What is being optimised, in plain words.
-    pub fn phase(&self) -> &'static str {
-        self.phases[self.phase].name
+    /// The phase under way, or the last one.
+    pub fn phase(&self) -> &Phase {
+        &self.phases[self.phase]
     }
 
-    /// Why the search ended, in plain words; `None` while it goes on.
-    pub fn reason(&self) -> Option<&'static str> {
+    /// Why the search ended; `None` while it goes on.
+    pub fn reason(&self) -> Option<EndReason> {
         self.reason
     }
 
-    /// How far the search is, as for all models.
-    pub fn progress(&self) -> LearningProgress {
+    /// How far the search is, as for all models; the `objective` is "bound" or "density".
+    pub fn progress(&self, objective: &str) -> LearningProgress {
         LearningProgress {
             iteration: self.iteration,
             max_iterations: self.max_iterations,
             objective: self.value,
             best: self.search().best,
             done: self.reason.is_some(),
-            reason: self.reason.map(str::to_owned),
+            reason: self.reason.map(|reason| reason.words(objective)),
             fraction: self.fraction(),
         }
     }

@@ -1,16 +1,17 @@
 //! Learning temporal movement primitives, sweep by sweep, and their number.
 
 use crate::gp::NumericsError;
-use crate::models::learner::{Learner, LearningProgress, MovementModel, Movements};
-use crate::models::phase::{Alignment, PhaseAxis, Trial};
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::movements::Movements;
+use crate::models::phase::{Alignment, Trial};
+use crate::models::settings::TmpSettings;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::posterior::Posterior;
+use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::trials_of;
-use crate::models::variational::trainer::TrainingError;
 
 /// More would only be slow.
 const MOST_PRIMITIVES: usize = 40;
-const MOST_SWEEPS: usize = 10_000;
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;
 /// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the bound.
@@ -23,36 +24,17 @@ const PLACES: usize = 32;
 const PHASE_STEP: f64 = 1.0 / 64.0;
 const LENGTHSCALE_FACTOR: f64 = 1.4;
 
-/// Which columns share a noise variance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoiseSharing {
-    /// None: sigma_k^2 belongs to the column, as in Endres et al. (2013).
-    Column,
-    /// Those of a part, like beta of the vCGPDM: only then are the bounds of both on the same footing, because the bound of a
-    /// column that hardly moves would otherwise grow without limit.
-    Part,
-}
-
-/// What the learning of temporal movement primitives is asked to do.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TmpSettings {
-    /// Q; absent: chosen by the bound.
-    pub primitives: Option<usize>,
-    /// Where the search for Q ends at the latest.
+/// How far the learning goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Where the search for the number of primitives ends at the latest.
     pub most_primitives: usize,
-    /// Sweeps over all updates for each Q, at most.
+    /// Sweeps over all updates for each number of primitives, at most.
     pub max_sweeps: usize,
-    /// Which columns share a noise variance.
-    pub noise: NoiseSharing,
-    /// What the phase means; absent: a cycle when the movement repeats itself.
-    pub axis: Option<PhaseAxis>,
 }
 
-impl Default for TmpSettings {
-    fn default() -> Self {
-        Self { primitives: None, most_primitives: 12, max_sweeps: 150, noise: NoiseSharing::Part, axis: None }
-    }
-}
+/// The limits of every training; tests have smaller ones.
+const LIMITS: Limits = Limits { most_primitives: 12, max_sweeps: 150 };
 
 /// A training of temporal movement primitives.
 pub struct TmpLearner {
@@ -60,7 +42,9 @@ pub struct TmpLearner {
     columns: Vec<usize>,
     groups: Vec<usize>,
     alignment: Alignment,
-    settings: TmpSettings,
+    /// The number of primitives asked for; absent: chosen by the bound.
+    asked: Option<usize>,
+    limits: Limits,
     /// The number of primitives that is being tried.
     count: usize,
     current: Posterior,
@@ -79,24 +63,27 @@ pub struct TmpLearner {
 
 impl TmpLearner {
     /// Aligns the trials and starts with the smallest number of primitives.
-    pub fn new(movements: &Movements, settings: TmpSettings) -> Result<Self, TrainingError> {
-        let limits = [
-            ("the number of primitives", settings.primitives.unwrap_or(1), MOST_PRIMITIVES),
-            ("the largest number of primitives", settings.most_primitives, MOST_PRIMITIVES),
-            ("the number of sweeps", settings.max_sweeps, MOST_SWEEPS),
-        ];
-        for (name, found, highest) in limits {
-            if !(1..=highest).contains(&found) {
-                return Err(TrainingError::Setting { name, lowest: 1, highest, found });
-            }
-        }
+    ///
+    /// # Errors
+    ///
+    /// When the number of primitives is out of its range, or the movements cannot be learned from.
+    pub fn new(movements: &Movements, settings: &TmpSettings) -> Result<Self, TrainingError> {
+        Self::within(movements, settings, LIMITS)
+    }
+
+    pub(super) fn within(
+        movements: &Movements,
+        settings: &TmpSettings,
+        limits: Limits,
+    ) -> Result<Self, TrainingError> {
+        let asked = settings.primitives;
+        in_range("the number of primitives", asked.unwrap_or(1), MOST_PRIMITIVES)?;
         let (trials, columns) = trials_of(movements)?;
-        let alignment = Alignment::new(&trials, settings.axis);
-        let count = settings.primitives.unwrap_or(1);
-        let groups = match settings.noise {
-            NoiseSharing::Column => vec![1; columns.iter().sum()],
-            NoiseSharing::Part => columns.iter().copied().filter(|&width| width > 0).collect(),
-        };
+        let alignment = Alignment::new(&trials, None);
+        let count = asked.unwrap_or(1);
+        // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the same footing, because
+        // the bound of a column that hardly moves would otherwise grow without limit.
+        let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
         let current = Posterior::start(&trials, &alignment, &groups, count)?;
         let bound = current.bound(&trials)?;
         Ok(Self {
@@ -104,7 +91,8 @@ impl TmpLearner {
             columns,
             groups,
             alignment,
-            settings,
+            asked,
+            limits,
             count,
             current,
             bound,
@@ -146,14 +134,14 @@ impl TmpLearner {
             self.before = self.bound;
         }
         // Late enough for the primitives to be about right, early enough for them to follow.
-        let late = 2 * self.sweeps > self.settings.max_sweeps;
-        if !self.relocated && (small || late) && self.sweeps < self.settings.max_sweeps {
+        let late = 2 * self.sweeps > self.limits.max_sweeps;
+        if !self.relocated && (small || late) && self.sweeps < self.limits.max_sweeps {
             self.current.relocate(&self.trials, PLACES)?;
             self.bound = self.current.bound(&self.trials)?;
             (self.relocated, self.before) = (true, f64::NEG_INFINITY);
             return Ok(());
         }
-        if self.sweeps < self.settings.max_sweeps && !small {
+        if self.sweeps < self.limits.max_sweeps && !small {
             return Ok(());
         }
         self.bounds.push((self.count, self.bound));
@@ -161,11 +149,11 @@ impl TmpLearner {
             self.best = Some((self.bound, self.current.clone()));
         }
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
-        if self.settings.primitives.is_some() {
+        if self.asked.is_some() {
             self.reason = Some("the bound no longer rises".into());
         } else if self.count >= best + WORSE_IN_A_ROW {
             self.reason = Some(format!("more than {best} primitives lower the bound"));
-        } else if self.count >= self.settings.most_primitives {
+        } else if self.count >= self.limits.most_primitives {
             self.reason = Some(format!("the most primitives are tried; {best} are best"));
         } else {
             self.count += 1;
@@ -190,14 +178,14 @@ impl Learner for TmpLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        let counts = if self.settings.primitives.is_some() { 1 } else { self.settings.most_primitives };
+        let counts = if self.asked.is_some() { 1 } else { self.limits.most_primitives };
         let best = self.best.as_ref().map_or(f64::NEG_INFINITY, |(best, _)| *best).max(self.bound);
-        let within = self.sweeps as f64 / self.settings.max_sweeps as f64;
+        let within = self.sweeps as f64 / self.limits.max_sweeps as f64;
         let share = (self.bounds.len() as f64 + within.min(1.0)) / counts as f64;
         let done = self.reason.is_some();
         LearningProgress {
             iteration: self.iteration,
-            max_iterations: counts * self.settings.max_sweeps,
+            max_iterations: counts * self.limits.max_sweeps,
             objective: self.bound,
             best,
             done,

@@ -2,7 +2,7 @@
 //!
 //! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
 //!
-//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (of the column or of its part: [`NoiseSharing`]),
+//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part; Endres et al. have one for each column),
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
 //!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
@@ -28,11 +28,12 @@ mod stored;
 mod tests;
 mod weights;
 
-pub use learner::{NoiseSharing, TmpLearner, TmpSettings};
+pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
 use crate::json::Value;
-use crate::models::learner::{ModelKind, MovementModel};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
 use crate::models::phase::{PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;

@@ -48,6 +48,8 @@ pub struct Posterior {
     pub maps: Vec<PhaseMap>,
     /// E[v] [R x Q]: primitive q at phases p is P(p) v_q.
     pub v: DMatrix<f64>,
+    /// The covariance of v, primitive after primitive [RQ x RQ].
+    pub v_covariance: DMatrix<f64>,
     /// q(mu_k, w_k) of every column.
     pub weights: Vec<ColumnWeights>,
     /// sigma_k^2 [D].
@@ -62,8 +64,6 @@ pub struct Posterior {
     groups: Vec<usize>,
     range: (f64, f64),
     views: Vec<View>,
-    /// The covariance of v, primitive after primitive [RQ x RQ].
-    v_covariance: DMatrix<f64>,
     v_log_determinant: f64,
     floor: f64,
 }
@@ -338,16 +338,6 @@ impl Posterior {
     pub fn divergence(&self) -> f64 {
         let size = self.v.len() as f64;
         0.5 * (self.v.norm_squared() + self.v_covariance.trace() - size - self.v_log_determinant)
-    }
-
-    /// Means of the primitives at `phases` [T x Q] and the covariance of the first one there [T x T].
-    #[cfg(test)]
-    pub fn primitive_at(&self, phases: &[f64]) -> (DMatrix<f64>, DMatrix<f64>) {
-        let (p, r) = (self.kernel.features(phases), self.v.nrows());
-        let left = DMatrix::identity(phases.len(), phases.len())
-            - DMatrix::from_diagonal(&(&p * p.transpose()).diagonal());
-        let covariance = &p * self.v_covariance.view((0, 0), (r, r)) * p.transpose() + left;
-        (&p * &self.v, covariance)
     }
 
     /// The phases between which the whole trials lie.

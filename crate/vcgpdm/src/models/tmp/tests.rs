@@ -1,8 +1,11 @@
 //! The bound against brute force, its rise, and what the primitives find.
 
 use super::*;
-use crate::models::learner::{Learner, Movements, Sequence};
+use crate::models::learner::Learner;
+use crate::models::movements::{Movements, Sequence};
 use crate::models::phase::Alignment;
+use crate::models::settings::TmpSettings;
+use crate::models::tmp::learner::Limits;
 use crate::models::tmp::posterior::Posterior;
 use approx::assert_relative_eq;
 use rand_chacha::ChaCha8Rng;
@@ -94,6 +97,15 @@ fn log_normal(x: f64, mean: f64, variance: f64) -> f64 {
     -0.5 * ((2.0 * PI * variance).ln() + (x - mean).powi(2) / variance)
 }
 
+/// Means of the primitives at `phases` [T x Q] and the covariance of the first one there [T x T].
+fn primitive(posterior: &Posterior, phases: &[f64]) -> (DMatrix<f64>, DMatrix<f64>) {
+    let (p, r) = (posterior.kernel.features(phases), posterior.v.nrows());
+    let left = DMatrix::identity(phases.len(), phases.len())
+        - DMatrix::from_diagonal(&(&p * p.transpose()).diagonal());
+    let covariance = &p * posterior.v_covariance.view((0, 0), (r, r)) * p.transpose() + left;
+    (&p * &posterior.v, covariance)
+}
+
 #[test]
 fn the_bound_is_the_expectation_that_it_stands_for() {
     // One column, one primitive, one trial of four frames: the expectation of the log joint is one of polynomials, which
@@ -113,7 +125,7 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
     let (centre_variance, spread) = (scale * posterior.relevance[0], scale * posterior.spread[(0, 0)]);
 
     // q(mu, w) written out from its own precision matrix, at the posterior's E[m^2] and E[m].
-    let (m, covariance) = posterior.primitive_at(&phases);
+    let (m, covariance) = primitive(&posterior, &phases);
     posterior.update_weights().unwrap();
     let precision = 1.0 / spread;
     let energy: f64 = (0..4).map(|t| m[(t, 0)].powi(2) + covariance[(t, t)]).sum();
@@ -168,8 +180,9 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
 fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
     for rhythmic in [true, false] {
         let trials = problem(8, rhythmic);
-        let settings = TmpSettings { most_primitives: 5, ..TmpSettings::default() };
-        let mut learner = TmpLearner::new(&movements(&trials), settings).unwrap();
+        let limits = Limits { most_primitives: 5, max_sweeps: 150 };
+        let settings = TmpSettings::default();
+        let mut learner = TmpLearner::within(&movements(&trials), &settings, limits).unwrap();
         let mut best = f64::NEG_INFINITY;
         while !learner.progress().done {
             let progress = learner.step();
@@ -206,8 +219,8 @@ fn what_never_moves_and_single_trials_break_nothing() {
         let d = trials[0].y.ncols();
         let sequences = vec![Sequence { frames: trials[0].y.nrows(), whole: true }];
         let movements = Movements { y: vec![trials[0].y.clone()], sequences };
-        let settings = TmpSettings { most_primitives: 3, max_sweeps: 20, ..TmpSettings::default() };
-        let mut learner = TmpLearner::new(&movements, settings).unwrap();
+        let limits = Limits { most_primitives: 3, max_sweeps: 20 };
+        let mut learner = TmpLearner::within(&movements, &TmpSettings::default(), limits).unwrap();
         while !learner.step().done {}
         let y = learner.model().unwrap().rollout(0, 30).unwrap();
         assert!(y[0].shape() == (30, d) && y[0].iter().all(|v| v.is_finite()));
@@ -215,9 +228,8 @@ fn what_never_moves_and_single_trials_break_nothing() {
     }
     let partial =
         Movements { y: vec![DMatrix::zeros(5, 1)], sequences: vec![Sequence { frames: 5, whole: false }] };
-    let error = TmpLearner::new(&partial, TmpSettings::default()).err().unwrap().to_string();
+    let error = TmpLearner::new(&partial, &TmpSettings::default()).err().unwrap().to_string();
     assert_eq!(error, "expected at least one whole movement to learn from, found none");
-    let settings = TmpSettings { most_primitives: 0, ..TmpSettings::default() };
-    let error = TmpLearner::new(&partial, settings).err().unwrap().to_string();
-    assert_eq!(error, "the largest number of primitives must be from 1 to 40, found 0");
+    let error = TmpLearner::new(&partial, &TmpSettings { primitives: Some(0) }).err().unwrap().to_string();
+    assert_eq!(error, "the number of primitives must be from 1 to 40, found 0");
 }

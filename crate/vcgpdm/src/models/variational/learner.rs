@@ -1,10 +1,14 @@
 //! The vCGPDM and, of one part, the vGPDM among the other models.
 
 use crate::gp::NumericsError;
-use crate::models::learner::{Learner, LearningProgress, ModelKind, MovementModel, Movements};
+use crate::models::kind::ModelKind;
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::movements::Movements;
 use crate::models::rollout::{Poser, Roller, RolloutError, check_frames};
+use crate::models::settings::VariationalSettings;
+use crate::models::training_error::TrainingError;
 use crate::models::variational::posterior::{FittedModel, Reading};
-use crate::models::variational::trainer::{Trainer, TrainingError, TrainingProgress, TrainingSettings};
+use crate::models::variational::trainer::{Trainer, TrainingProgress};
 use nalgebra::DMatrix;
 
 /// A training of the variational model. The parts are those of the movements: one for the vGPDM.
@@ -14,9 +18,13 @@ pub struct VariationalLearner {
 
 impl VariationalLearner {
     /// Ready to train. A sequence that is not whole is a short one like any other.
-    pub fn new(movements: Movements, settings: TrainingSettings) -> Result<Self, TrainingError> {
+    pub fn new(
+        movements: Movements,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Self, TrainingError> {
         let lengths = movements.lengths();
-        Ok(Self { trainer: Trainer::new(movements.y, lengths, settings)? })
+        Ok(Self { trainer: Trainer::new(movements.y, lengths, settings, seed)? })
     }
 
     /// The training itself, which knows more than all models have in common.
@@ -48,7 +56,7 @@ impl From<TrainingProgress> for LearningProgress {
             objective: p.bound,
             best: p.best,
             done: p.done,
-            reason: p.reason,
+            reason: p.reason.map(|reason| reason.words("bound")),
             fraction: p.fraction,
         }
     }
@@ -105,7 +113,7 @@ impl FittedModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::learner::Sequence;
+    use crate::models::movements::Sequence;
 
     fn movements() -> Movements {
         let wave = |lag: f64| {
@@ -118,15 +126,9 @@ mod tests {
     }
 
     fn learned(movements: Movements) -> Box<dyn MovementModel> {
-        let settings = TrainingSettings {
-            latent: 2,
-            dynamics_ips: 6,
-            pose_ips: 5,
-            order: 2,
-            seed: 1,
-            max_iterations: 60,
-        };
-        let mut learner = VariationalLearner::new(movements, settings).unwrap();
+        let settings =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 5, max_iterations: 60 };
+        let mut learner = VariationalLearner::new(movements, &settings, 1).unwrap();
         let mut best = learner.progress().best;
         while !learner.progress().done {
             let progress = learner.step();

@@ -6,6 +6,7 @@ use crate::models::variational::elbo::{DynamicsSums, coupling_weights};
 use crate::models::variational::elbo::{Objective, stack_offsets};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
+use serde::Deserialize;
 
 /// The pose map g^i of one part, with the posterior of its inducing outputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,12 +56,14 @@ pub struct FittedModel {
 }
 
 /// What a changed coupling does to the experts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum Reading {
     /// The experts stay as learned; only their weights change.
     #[default]
+    #[serde(rename = "as learned")]
     AsLearned,
     /// The experts are what the same data would make of them under the changed couplings.
+    #[serde(rename = "re-inferred")]
     ReInferred,
 }
 

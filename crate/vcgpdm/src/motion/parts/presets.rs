@@ -4,9 +4,10 @@ use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
 use crate::motion::parts::spec::PartSpec;
 use crate::motion::skeleton::Skeleton;
+use serde::Serialize;
 
 /// A way to split a body.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartsPreset {
     /// "whole", "lower-upper" or "legs-trunk-arms".
     pub id: String,

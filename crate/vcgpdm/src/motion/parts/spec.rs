@@ -1,10 +1,12 @@
 //! A part, and what a split of a body into parts must hold.
 
 use crate::motion::skeleton::Skeleton;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A part: joints that share a latent space.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,

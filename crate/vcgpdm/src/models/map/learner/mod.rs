@@ -2,14 +2,18 @@
 
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
-use crate::models::learner::{Learner, LearningProgress, MovementModel, Movements};
+use crate::models::latents::{
+    check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
+};
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
 use crate::models::map::density::{LogDensity, MapTerms};
 use crate::models::map::model::MapModel;
 use crate::models::map::params::{MapParams, MapPart};
+use crate::models::movements::Movements;
 use crate::models::search::ascent::{Ascent, Phase, Target};
 use crate::models::sequences::Sequences;
-use crate::models::variational::trainer::{TrainingError, check_training};
-use crate::models::variational::{TrainingSettings, starting_point};
+use crate::models::settings::MapSettings;
+use crate::models::training_error::TrainingError;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -18,29 +22,6 @@ use rand_distr::{Distribution, StandardNormal};
 const BLOCK_ITERATIONS: usize = 50;
 /// Standard deviation of what the seed adds to the latents at the start, which have unit variance.
 const SPREAD: f64 = 0.01;
-
-/// What training is asked to do.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MapSettings {
-    /// Latent dimensions Q of every part.
-    pub latent: usize,
-    /// Order p of the dynamics.
-    pub order: usize,
-    /// The seed of everything random.
-    pub seed: u32,
-    /// Most iterations of the optimiser.
-    pub max_iterations: usize,
-    /// The dynamics into each part weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006); otherwise the latents are at the
-    /// maximum of their posterior itself.
-    pub balanced: bool,
-}
-
-impl Default for MapSettings {
-    fn default() -> Self {
-        let TrainingSettings { latent, order, seed, max_iterations, .. } = TrainingSettings::default();
-        Self { latent, order, seed, max_iterations, balanced: false }
-    }
-}
 
 /// The density with its last value.
 struct Evaluated {
@@ -70,38 +51,26 @@ impl Target for Evaluated {
 /// A training of a MAP GPDM (one part) or a MAP CGPDM under way.
 pub struct MapLearner {
     ascent: Ascent<Evaluated>,
-    settings: MapSettings,
 }
 
 impl MapLearner {
     /// Ready to train. A sequence that is not whole is a short one like any other.
-    pub fn new(movements: Movements, settings: MapSettings) -> Result<Self, TrainingError> {
+    pub fn new(movements: Movements, settings: &MapSettings, seed: u32) -> Result<Self, TrainingError> {
         let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
-        let params = start(&movements, &sequences, &settings);
+        let params = starting_point(&movements, &sequences, settings, seed);
         let density = LogDensity::new(movements.y, sequences, settings.balanced);
         let terms = density.terms(&params)?;
         let start = (terms.total(), terms.clone());
         let target = Evaluated { density, terms, gradient: params.zeros_like() };
         let phases = vec![
             Phase {
-                name: "couplings and kernels",
                 groups: &[Group::Kernels],
                 iterations: BLOCK_ITERATIONS.min(settings.max_iterations / 8),
             },
-            Phase {
-                name: "everything together",
-                groups: &[Group::Latents, Group::Kernels],
-                iterations: settings.max_iterations,
-            },
+            Phase { groups: &[Group::Latents, Group::Kernels], iterations: settings.max_iterations },
         ];
-        let settled = "the density no longer rises";
-        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations, settled);
-        Ok(Self { ascent, settings })
-    }
-
-    /// What training was asked to do.
-    pub fn settings(&self) -> &MapSettings {
-        &self.settings
+        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations);
+        Ok(Self { ascent })
     }
 
     /// The parameters of the best density so far.
@@ -126,26 +95,34 @@ impl MapLearner {
     }
 }
 
-/// Where the vCGPDM starts, without what is variational about it.
-fn start(movements: &Movements, sequences: &Sequences, settings: &MapSettings) -> MapParams {
-    let MapSettings { latent, order, seed, max_iterations, .. } = *settings;
-    let variational = TrainingSettings { latent, order, seed, max_iterations, dynamics_ips: 1, pose_ips: 1 };
-    let params = starting_point(&movements.y, sequences, &variational);
-    let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
-    let parts = params.parts.into_iter().map(|part| {
-        let mut latents = part.latents.mean;
+/// Latents, kernels and couplings as those of a variational model start, with a little noise on the latents: it is all that the
+/// seed decides where the data have as many dimensions as asked for.
+fn starting_point(
+    movements: &Movements,
+    sequences: &Sequences,
+    settings: &MapSettings,
+    seed: u32,
+) -> MapParams {
+    let random = || ChaCha8Rng::seed_from_u64(u64::from(seed));
+    let mut rng = random();
+    let mut latents = Vec::with_capacity(movements.y.len());
+    for y in &movements.y {
+        latents.push(principal_components(y, settings.latent, &mut rng));
+    }
+    // Begun anew, so that the noise does not depend on what the components drew.
+    let mut rng = random();
+    let mut parts = Vec::with_capacity(movements.y.len());
+    for (mut latents, y) in latents.into_iter().zip(&movements.y) {
         for x in latents.iter_mut() {
             let noise: f64 = StandardNormal.sample(&mut rng);
             *x += SPREAD * noise;
         }
-        MapPart { latents, kernel: part.kernel, beta: part.beta }
-    });
-    let experts = params.experts.into_iter();
-    MapParams {
-        parts: parts.collect(),
-        dynamics: experts.map(|row| row.into_iter().map(|expert| expert.kernel).collect()).collect(),
-        alpha: params.alpha,
+        let (kernel, beta) = starting_pose(y, settings.latent);
+        parts.push(MapPart { latents, kernel, beta });
     }
+    let m = parts.len();
+    let dynamics = vec![vec![starting_dynamics(settings.latent, sequences.order()); m]; m];
+    MapParams { parts, dynamics, alpha: starting_couplings(m) }
 }
 
 impl Learner for MapLearner {
@@ -155,7 +132,7 @@ impl Learner for MapLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        self.ascent.progress()
+        self.ascent.progress("density")
     }
 
     fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {

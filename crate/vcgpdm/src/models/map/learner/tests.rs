@@ -1,5 +1,6 @@
 use super::*;
-use crate::models::learner::{ModelKind, Sequence};
+use crate::models::kind::ModelKind;
+use crate::models::movements::Sequence;
 use nalgebra::DMatrix;
 
 /// Two noisy loops, the second half a cycle behind the first; the last five frames are another trial's first.
@@ -18,7 +19,7 @@ fn loops() -> Movements {
 }
 
 fn settings() -> MapSettings {
-    MapSettings { latent: 2, order: 2, seed: 1, max_iterations: 150, balanced: false }
+    MapSettings { latent: 2, order: 2, max_iterations: 150, balanced: false }
 }
 
 fn spread(y: &DMatrix<f64>) -> f64 {
@@ -28,7 +29,7 @@ fn spread(y: &DMatrix<f64>) -> f64 {
 #[test]
 fn training_raises_the_density_and_the_rollout_keeps_moving() {
     for (movements, kind) in [(loops(), ModelKind::MapCgpdm), (loops().as_one_part(), ModelKind::MapGpdm)] {
-        let mut learner = MapLearner::new(movements.clone(), settings()).unwrap();
+        let mut learner = MapLearner::new(movements.clone(), &settings(), 1).unwrap();
         let start = learner.progress().best;
         let mut best = start;
         while !learner.progress().done {
@@ -52,7 +53,7 @@ fn training_raises_the_density_and_the_rollout_keeps_moving() {
 #[test]
 fn a_rollout_begins_as_its_sequence() {
     let movements = loops();
-    let mut learner = MapLearner::new(movements.clone(), settings()).unwrap();
+    let mut learner = MapLearner::new(movements.clone(), &settings(), 1).unwrap();
     while !learner.step().done {}
     let (params, model) = (learner.best(), learner.fitted().unwrap());
     let start = model.latents(1, 3).unwrap();
@@ -66,14 +67,14 @@ fn a_rollout_begins_as_its_sequence() {
         assert!(error < 5.0 * params.parts[i].beta.sqrt() + 1e-6, "{error}");
     }
     // One part of 75 frames: latents, coefficients of both maps, kernels, couplings.
-    let one = MapLearner::new(movements.as_one_part(), settings()).unwrap().model().unwrap();
+    let one = MapLearner::new(movements.as_one_part(), &settings(), 1).unwrap().model().unwrap();
     assert_eq!(one.stored_numbers(), 75 * 2 + 75 * 8 + (75 - 6) * 2 + 2 + 1 + 4 + 1);
 }
 
 #[test]
 fn the_seed_is_all_that_is_random() {
     let run = |seed| {
-        let mut learner = MapLearner::new(loops(), MapSettings { seed, ..settings() }).unwrap();
+        let mut learner = MapLearner::new(loops(), &settings(), seed).unwrap();
         for _ in 0..15 {
             learner.step();
         }
@@ -85,7 +86,7 @@ fn the_seed_is_all_that_is_random() {
 
 #[test]
 fn what_cannot_be_trained_is_refused_and_what_does_not_move_gives_no_nan() {
-    let error = |settings| MapLearner::new(loops(), settings).err().unwrap().to_string();
+    let error = |settings| MapLearner::new(loops(), &settings, 1).err().unwrap().to_string();
     assert_eq!(
         error(MapSettings { latent: 0, ..settings() }),
         "the latent dimension must be from 1 to 100, found 0"
@@ -96,7 +97,7 @@ fn what_cannot_be_trained_is_refused_and_what_does_not_move_gives_no_nan() {
     );
     let mut still = loops();
     still.y[1].fill(0.0);
-    let mut learner = MapLearner::new(still, MapSettings { max_iterations: 40, ..settings() }).unwrap();
+    let mut learner = MapLearner::new(still, &MapSettings { max_iterations: 40, ..settings() }, 1).unwrap();
     while !learner.step().done {}
     assert!(learner.progress().best.is_finite());
     let model = learner.model().unwrap();

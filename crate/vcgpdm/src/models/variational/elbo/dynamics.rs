@@ -35,6 +35,15 @@ fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
     combined
 }
 
+/// The weights w[source][target] that coupling variances alpha[source][target] give [M x M]; those into each part sum to 1.
+pub fn coupling_weight_matrix(alpha: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut weights = alpha.clone();
+    for (mut column, alpha) in weights.column_iter_mut().zip(alpha.column_iter()) {
+        coupling_weights_into(alpha.as_slice(), column.as_mut_slice());
+    }
+    weights
+}
+
 /// Where blocks of these heights start when stacked; one entry more than there are blocks.
 pub fn stack_offsets(sizes: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut offsets = vec![0];

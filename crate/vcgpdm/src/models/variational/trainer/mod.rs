@@ -2,16 +2,16 @@
 
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
-use crate::models::search::ascent::{Ascent, Phase, Target};
-use crate::models::sequences::{Sequences, SequencesError};
+use crate::models::latents::{check_dimensions, check_training};
+use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
+use crate::models::settings::VariationalSettings;
+use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::params::Params;
 use crate::models::variational::posterior::FittedModel;
 use crate::models::variational::start::starting_point;
-use crate::words::counted;
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
-use thiserror::Error;
+use serde::Serialize;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
@@ -19,97 +19,37 @@ const JITTER: f64 = 1e-6;
 const BLOCK_ITERATIONS: usize = 50;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
-const MOST_DIMENSIONS: usize = 100;
 
-/// What training is asked to do.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct TrainingSettings {
-    /// Latent dimensions Q of every part.
-    pub latent: usize,
-    /// Dynamics inducing points K of every expert.
-    pub dynamics_ips: usize,
-    /// Pose inducing points L of every part.
-    pub pose_ips: usize,
-    /// Order p of the dynamics.
-    pub order: usize,
-    /// The seed of everything random.
-    pub seed: u32,
-    /// Most iterations of the optimiser, all blocks together.
-    pub max_iterations: usize,
+/// What is being optimised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrainingPhase {
+    /// What the latents are explained with, while they are held.
+    CouplingsKernelsInducingPoints,
+    /// Everything together.
+    Everything,
 }
 
-impl Default for TrainingSettings {
-    fn default() -> Self {
-        Self { latent: 3, dynamics_ips: 12, pose_ips: 12, order: 2, seed: 0, max_iterations: 800 }
+impl TrainingPhase {
+    fn of(phase: &Phase) -> Self {
+        if phase.groups.contains(&Group::Latents) {
+            TrainingPhase::Everything
+        } else {
+            TrainingPhase::CouplingsKernelsInducingPoints
+        }
     }
-}
 
-/// Why training could not start.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum TrainingError {
-    /// A setting is out of its range.
-    #[error("{name} must be from {lowest} to {highest}, found {found}")]
-    Setting {
-        /// What the setting is called.
-        name: &'static str,
-        /// Smallest value.
-        lowest: usize,
-        /// Largest value.
-        highest: usize,
-        /// The value asked for.
-        found: usize,
-    },
-    /// There is nothing to do.
-    #[error("expected at least one phase in the schedule, found none")]
-    NoPhases,
-    /// There is no part.
-    #[error("expected at least one part, found none")]
-    NoParts,
-    /// Observations and sequences do not fit each other.
-    #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
-    Frames {
-        /// Counted from 0.
-        part: usize,
-        /// Frames of the sequences.
-        expected: usize,
-        /// Frames found.
-        found: usize,
-    },
-    /// No sequence is a whole movement.
-    #[error("expected at least one whole movement to learn from, found none")]
-    NoWhole,
-    /// A sequence holds too little to learn from.
-    #[error("sequence {sequence} has {}; expected at least {expected}", counted(*found, "frame"))]
-    Short {
-        /// Counted from 0.
-        sequence: usize,
-        /// Fewest frames.
-        expected: usize,
-        /// Frames found.
-        found: usize,
-    },
-    /// The sequences cannot be trained on.
-    #[error(transparent)]
-    Sequences(#[from] SequencesError),
-    /// The bound cannot be computed at the starting point.
-    #[error("training could not start: {0}")]
-    Numerics(#[from] NumericsError),
-}
-
-impl TrainingError {
-    /// The sequence that it is about, where it is about one, counted from 0.
-    pub fn sequence(&self) -> Option<usize> {
+    /// The phase in plain words.
+    pub fn words(self) -> &'static str {
         match self {
-            TrainingError::Short { sequence: found, .. }
-            | TrainingError::Sequences(SequencesError::TooShort { index: found, .. }) => Some(*found),
-            _ => None,
+            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
+            TrainingPhase::Everything => "everything together",
         }
     }
 }
 
 /// How far training is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrainingProgress {
     /// Optimiser iterations so far.
     pub iteration: usize,
@@ -123,12 +63,12 @@ pub struct TrainingProgress {
     pub best: f64,
     /// The terms of the best bound.
     pub terms: BoundTerms,
-    /// What is being optimised, in plain words.
-    pub phase: String,
+    /// What is being optimised.
+    pub phase: TrainingPhase,
     /// Whether training has ended.
     pub done: bool,
-    /// Why it ended, in plain words.
-    pub reason: Option<String>,
+    /// Why it ended.
+    pub reason: Option<EndReason>,
     /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
     pub fraction: f64,
 }
@@ -160,7 +100,8 @@ impl Target for Bound {
 /// A training under way.
 pub struct Trainer {
     ascent: Ascent<Bound>,
-    settings: TrainingSettings,
+    settings: VariationalSettings,
+    seed: u32,
 }
 
 impl Trainer {
@@ -168,25 +109,27 @@ impl Trainer {
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,
-        settings: TrainingSettings,
+        settings: &VariationalSettings,
+        seed: u32,
     ) -> Result<Self, TrainingError> {
-        check_settings(&settings)?;
+        check_settings(settings)?;
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
-        let params = starting_point(&y, &sequences, &settings);
+        let params = starting_point(&y, &sequences, settings, seed);
         let phases = schedule(settings.max_iterations);
-        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings)
+        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings, seed)
     }
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
-    /// number of iterations and for the model's provenance.
+    /// number of iterations and, with the seed, for the model's provenance.
     pub fn from_start(
         objective: Objective,
         start: Params,
         phases: Vec<Phase>,
-        settings: TrainingSettings,
+        settings: &VariationalSettings,
+        seed: u32,
     ) -> Result<Self, TrainingError> {
         // Otherwise the document of the model could not be read again.
-        check_settings(&settings)?;
+        check_settings(settings)?;
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
         }
@@ -195,9 +138,8 @@ impl Trainer {
         let terms = workspace.terms().clone();
         let value = (terms.total(), terms);
         let bound = Bound { objective, workspace };
-        let settled = "the bound no longer rises";
-        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations, settled);
-        Ok(Self { ascent, settings })
+        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
+        Ok(Self { ascent, settings: settings.clone(), seed })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -216,16 +158,21 @@ impl Trainer {
             bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
-            phase: ascent.phase().to_owned(),
+            phase: TrainingPhase::of(ascent.phase()),
             done: ascent.reason().is_some(),
-            reason: ascent.reason().map(str::to_owned),
+            reason: ascent.reason(),
             fraction: ascent.fraction(),
         }
     }
 
     /// What training was asked to do.
-    pub fn settings(&self) -> &TrainingSettings {
+    pub fn settings(&self) -> &VariationalSettings {
         &self.settings
+    }
+
+    /// The seed of everything random.
+    pub fn seed(&self) -> u32 {
+        self.seed
     }
 
     /// The parameters of the best bound so far; before the first step, the starting point.
@@ -245,38 +192,10 @@ impl Trainer {
     }
 }
 
-fn check_settings(settings: &TrainingSettings) -> Result<(), TrainingError> {
-    in_range("the latent dimension", settings.latent, MOST_DIMENSIONS)?;
-    in_range("the order of the dynamics", settings.order, MOST_DIMENSIONS)?;
+fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
+    check_dimensions(settings.latent, settings.order)?;
     in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
     in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
-}
-
-/// What every model with latents asks of its observations `y` [N x D_i] and settings.
-pub fn check_training(
-    y: &[DMatrix<f64>],
-    lengths: Vec<usize>,
-    latent: usize,
-    order: usize,
-) -> Result<Sequences, TrainingError> {
-    in_range("the latent dimension", latent, MOST_DIMENSIONS)?;
-    in_range("the order of the dynamics", order, MOST_DIMENSIONS)?;
-    if y.is_empty() {
-        return Err(TrainingError::NoParts);
-    }
-    let sequences = Sequences::new(lengths, order)?;
-    let expected = sequences.frames();
-    if let Some(part) = y.iter().position(|y| y.nrows() != expected) {
-        return Err(TrainingError::Frames { part, expected, found: y[part].nrows() });
-    }
-    Ok(sequences)
-}
-
-fn in_range(name: &'static str, found: usize, highest: usize) -> Result<(), TrainingError> {
-    if (1..=highest).contains(&found) {
-        return Ok(());
-    }
-    Err(TrainingError::Setting { name, lowest: 1, highest, found })
 }
 
 /// First what the latents are explained with, while they stay at their principal components; then everything together.
@@ -285,13 +204,10 @@ fn in_range(name: &'static str, found: usize, highest: usize) -> Result<(), Trai
 /// alone, inducing points alone) more of them end in a worse bound.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
-    let first = Phase {
-        name: "couplings, kernels and inducing points",
-        groups: &[Kernels, InducingInputs],
-        iterations: BLOCK_ITERATIONS.min(max_iterations / 8),
-    };
+    let first =
+        Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
     let all = &[Latents, Kernels, InducingInputs];
-    vec![first, Phase { name: "everything together", groups: all, iterations: max_iterations }]
+    vec![first, Phase { groups: all, iterations: max_iterations }]
 }
 
 #[cfg(test)]

@@ -17,13 +17,13 @@ fn loops(frames: usize) -> Vec<DMatrix<f64>> {
     vec![part(0.0), part(std::f64::consts::PI)]
 }
 
-fn settings() -> TrainingSettings {
-    TrainingSettings { latent: 2, dynamics_ips: 8, pose_ips: 8, order: 2, seed: 1, max_iterations: 250 }
+fn settings() -> VariationalSettings {
+    VariationalSettings { latent: 2, dynamics_ips: 8, pose_ips: 8, order: 2, max_iterations: 250 }
 }
 
 #[test]
 fn training_raises_the_bound_and_the_rollout_keeps_moving() {
-    let mut trainer = Trainer::new(loops(90), vec![50, 40], settings()).unwrap();
+    let mut trainer = Trainer::new(loops(90), vec![50, 40], &settings(), 1).unwrap();
     let start = trainer.progress();
     let mut best = start.best;
     while !trainer.progress().done {
@@ -47,7 +47,7 @@ fn training_raises_the_bound_and_the_rollout_keeps_moving() {
 #[test]
 fn the_same_seed_gives_the_same_training() {
     let run = |seed| {
-        let mut trainer = Trainer::new(loops(60), vec![60], TrainingSettings { seed, ..settings() }).unwrap();
+        let mut trainer = Trainer::new(loops(60), vec![60], &settings(), seed).unwrap();
         for _ in 0..30 {
             trainer.step();
         }
@@ -59,7 +59,7 @@ fn the_same_seed_gives_the_same_training() {
 
 #[test]
 fn stopping_early_keeps_the_best_so_far() {
-    let mut trainer = Trainer::new(loops(60), vec![60], settings()).unwrap();
+    let mut trainer = Trainer::new(loops(60), vec![60], &settings(), 1).unwrap();
     for _ in 0..12 {
         trainer.step();
     }
@@ -71,8 +71,8 @@ fn stopping_early_keeps_the_best_so_far() {
 
 #[test]
 fn no_iterations_leave_the_starting_point() {
-    let none = TrainingSettings { max_iterations: 0, ..settings() };
-    let mut trainer = Trainer::new(loops(60), vec![60], none).unwrap();
+    let none = VariationalSettings { max_iterations: 0, ..settings() };
+    let mut trainer = Trainer::new(loops(60), vec![60], &none, 1).unwrap();
     let start = trainer.progress().best;
     let progress = trainer.step();
     assert!(progress.done && progress.best == start && progress.fraction == 1.0);
@@ -81,13 +81,14 @@ fn no_iterations_leave_the_starting_point() {
 
 #[test]
 fn bad_settings_are_refused_in_words() {
-    let wrong =
-        |settings, lengths: Vec<usize>| Trainer::new(loops(60), lengths, settings).err().unwrap().to_string();
-    let zero = TrainingSettings { latent: 0, ..settings() };
+    let wrong = |settings, lengths: Vec<usize>| {
+        Trainer::new(loops(60), lengths, &settings, 1).err().unwrap().to_string()
+    };
+    let zero = VariationalSettings { latent: 0, ..settings() };
     assert_eq!(wrong(zero, vec![60]), "the latent dimension must be from 1 to 100, found 0");
-    let trainer = Trainer::new(loops(60), vec![60], settings()).unwrap();
-    let none = TrainingSettings { pose_ips: 0, ..settings() };
-    let elsewhere = Trainer::from_start(trainer.objective(), trainer.best(), schedule(10), none);
+    let trainer = Trainer::new(loops(60), vec![60], &settings(), 1).unwrap();
+    let none = VariationalSettings { pose_ips: 0, ..settings() };
+    let elsewhere = Trainer::from_start(trainer.objective(), trainer.best(), schedule(10), &none, 1);
     assert_eq!(
         elsewhere.err().unwrap().to_string(),
         "the number of pose inducing points must be from 1 to 1000, found 0"
@@ -107,7 +108,7 @@ fn a_motionless_part_trains_without_nan() {
     let mut y = loops(60);
     y[1].fill(0.0);
     let mut trainer =
-        Trainer::new(y, vec![60], TrainingSettings { max_iterations: 40, ..settings() }).unwrap();
+        Trainer::new(y, vec![60], &VariationalSettings { max_iterations: 40, ..settings() }, 1).unwrap();
     for _ in 0..40 {
         assert!(trainer.step().best.is_finite());
     }
