@@ -32,7 +32,7 @@ const fn positive(group: Group, lowest: f64, highest: f64) -> Kind {
 }
 
 /// The largest coupling variance that training can reach.
-pub const LARGEST_ALPHA: f64 = 10.0;
+pub const LARGEST_COUPLING: f64 = 10.0;
 
 // The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
@@ -41,7 +41,7 @@ pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
 pub(crate) const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
 pub(crate) const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
 pub(crate) const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2);
-pub(crate) const ALPHA: Kind = positive(Group::Kernels, 1e-3, LARGEST_ALPHA);
+pub(crate) const ALPHA: Kind = positive(Group::Kernels, 1e-3, LARGEST_COUPLING);
 
 /// Named parameters that an optimiser can see as one flat vector.
 pub trait Parameters: Clone {

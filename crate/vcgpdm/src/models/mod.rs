@@ -31,7 +31,7 @@ pub mod variational;
 pub use any_model::{AnyModel, BaselineModel, Record};
 pub use body::Body;
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
-pub use flat::{Group, Kind, LARGEST_ALPHA, Parameters};
+pub use flat::{Group, Kind, Parameters};
 pub use kind::ModelKind;
 pub use learner::{Learner, LearningProgress, MovementModel};
 pub use motion_model::{ENGINE, MotionModel, Provenance, Rollout, RolloutRequest};

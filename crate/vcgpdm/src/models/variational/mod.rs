@@ -11,6 +11,7 @@ pub mod testing;
 pub(crate) mod trainer;
 
 pub use crate::gp::bound::InducingPosterior;
+pub use crate::models::flat::LARGEST_COUPLING;
 pub use elbo::{
     BoundTerms, DynamicsSums, Objective, Posteriors, Workspace, coupling_weight_matrix, coupling_weights,
 };
