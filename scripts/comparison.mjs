@@ -44,7 +44,7 @@ function together(/** @type {string[]} */ files) {
 await main(async () => {
   const clips = process.argv.slice(2);
   if (clips.length < 10) throw new Failure(`expected at least ten clips (.bvh), found ${clips.length}`);
-  await run("cargo", "build", "--release", "--features", "cli");
+  await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
   const [results, times] = [join(folder, "results.json"), join(folder, "times.json")];
   const common = ["evaluate", ...clips, "--parts", "lower,upper"];

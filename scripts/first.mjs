@@ -14,9 +14,9 @@ const COVARIANCE_DIGITS = 4;
 export function writeFirst() {
   const [model, encoder] = [at("www/first/model.json"), at("www/src/stage/first-motion.js")];
   const [sent, motion] = [at("www/public/first/model.json"), at("www/public/first/motion.bin")];
-  const inputs = [model, encoder, at("scripts/first.mjs"), ...filesUnder([at("crate/pkg/node")])];
+  const inputs = [model, encoder, at("scripts/first.mjs"), ...filesUnder([at("crate/wasm/pkg/node")])];
   return whenChanged("first", { inputs, outputs: [sent, motion] }, async () => {
-    const { Model } = createRequire(import.meta.url)("../crate/pkg/node/vcgpdm.js");
+    const { Model } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
     const { encodeFirstMotion } = await import("../www/src/stage/first-motion.js");
     const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
       typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(digits)) : value;

@@ -70,7 +70,8 @@ const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[
 await main(async () => {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: { peer: { type: "string" } } });
   await installTools();
-  await run("cargo", "build", "--release", "--features", "cli,speed", "--example", "speed", "--bin", "vcgpdm");
+  await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
+  await run("cargo", "build", "--release", "--package", "vcgpdm", "--features", "speed", "--example", "speed");
   await buildPackage(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
@@ -83,7 +84,9 @@ await main(async () => {
 
   /** @type {Record<string, Side[]>} */
   const sides = {};
-  const add = (/** @type {string} */ name, /** @type {Side} */ side) => (sides[name] ??= []).push(side);
+  const add = (/** @type {string} */ name, /** @type {Side} */ side) => {
+    sides[name] = [...(sides[name] ?? []), side];
+  };
   for (let round = 0; round < ROUNDS; round++) {
     add("native", json(at("target/release/examples/speed"), file, ...clips));
     add("wasm, Node", json(process.execPath, at("scripts/speed/node.mjs"), file, ...clips));

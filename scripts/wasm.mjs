@@ -1,6 +1,6 @@
-// The npm package `vcgpdm` in crate/pkg: the same wasm for the browser (web/) and for Node (node/), and a smaller one for a
+// The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and a smaller one for a
 // first visit to the page (playground/), without what only comparisons need.
-import { copyFileSync, existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
@@ -25,15 +25,23 @@ const FEATURES = [
 ];
 
 export async function buildWasm() {
-  const sources = ["crate", "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"];
+  const sources = [
+    "crate/vcgpdm",
+    "crate/wasm",
+    "Cargo.toml",
+    "Cargo.lock",
+    ".cargo/config.toml",
+    "package-lock.json",
+    "scripts/wasm.mjs",
+  ];
   const inputs = filesUnder(
     sources.map((path) => at(path)),
-    ["pkg", "target", "tests", "benches"],
+    ["pkg", "target", "tests", "benches", "examples"],
   );
-  const outputs = TARGETS.map(({ folder }) => at("crate/pkg", folder, "vcgpdm.js"));
+  const outputs = TARGETS.map(({ folder }) => at("crate/wasm/pkg", folder, "vcgpdm.js"));
   const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
-    rmSync(at("crate/pkg"), { recursive: true, force: true });
-    await buildPackage(at("crate/pkg"));
+    rmSync(at("crate/wasm/pkg"), { recursive: true, force: true });
+    await buildPackage(at("crate/wasm/pkg"));
   });
   describe();
   return note;
@@ -43,8 +51,18 @@ export async function buildWasm() {
 export async function buildPackage(/** @type {string} */ place, /** @type {string[]} */ more = []) {
   for (const { folder, target, type, features } of TARGETS) {
     // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
-    const build = ["--mode", "no-install", "--target", target, "--out-dir", join(place, folder), "--no-pack"];
-    await run("wasm-pack", "build", at("crate"), ...build, "--", "--features", [...features, ...more].join(","));
+    const build = ["--mode", "no-install", "--target", target, "--out-name", "vcgpdm", "--no-pack"];
+    const out = ["--out-dir", join(place, folder)];
+    await run(
+      "wasm-pack",
+      "build",
+      at("crate/wasm"),
+      ...build,
+      ...out,
+      "--",
+      "--features",
+      [...features, ...more].join(","),
+    );
     rmSync(join(place, folder, ".gitignore"), { force: true }); // npm would leave out what it names
     writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
   }
@@ -86,9 +104,8 @@ function describe() {
     sideEffects: false,
     engines: { node: ">=20" },
   };
-  writeFileSync(at("crate/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
-  const readme = ["crate/README.md", "README.md"].map((file) => at(file)).find((file) => existsSync(file));
-  if (readme) copyFileSync(readme, at("crate/pkg/README.md"));
+  writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
+  copyFileSync(at("README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
-    copyFileSync(at(file), at("crate/pkg", file));
+    copyFileSync(at(file), at("crate/wasm/pkg", file));
 }

@@ -1,4 +1,4 @@
-// The same measurements as crate/examples/speed.rs, of the wasm package; runs in Node and in a browser.
+// The same measurements as crate/vcgpdm/examples/speed.rs, of the wasm package; runs in Node and in a browser.
 
 /**
  * Median milliseconds of one bound with its gradient.

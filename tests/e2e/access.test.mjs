@@ -37,7 +37,7 @@ describe("accessibility", () => {
         await page.keyboard.press("Tab");
         if (
           await page.evaluate(
-            (id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset["testid"] === id,
+            (id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset.testid === id,
             id,
           )
         )

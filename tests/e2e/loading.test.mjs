@@ -49,7 +49,7 @@ describe("a first visit", () => {
     });
     const { page, problems, leave } = await site.visit();
     const stage = page.getByTestId("stage");
-    await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset["framesDrawn"]) > 5);
+    await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset.framesDrawn) > 5);
     assert.ok(await changes(stage), "the figure moves");
     await page.getByTestId("play").click();
     assert.ok(await rests(stage), "Pause stops it");

@@ -1,7 +1,7 @@
 // Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a crash leaves.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { Model } from "../../crate/pkg/node/vcgpdm.js";
+import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { barriers, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -40,7 +40,7 @@ const provenance = async (/** @type {Page} */ page) =>
 async function table(/** @type {Page} */ page) {
   return page.getByTestId("run").evaluateAll((rows) =>
     rows.map((row) => ({
-      state: /** @type {HTMLElement} */ (row).dataset["state"],
+      state: /** @type {HTMLElement} */ (row).dataset.state,
       seed: Number(row.querySelector("th")?.textContent),
       chosen: row.querySelector("input")?.checked,
       best: row.querySelector(".best") !== null,

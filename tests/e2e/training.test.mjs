@@ -1,7 +1,7 @@
 // Train, cancel, own files, save and open: what a visitor does with their own data.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { Clip, Model } from "../../crate/pkg/node/vcgpdm.js";
+import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { changes, drop, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */

@@ -18,7 +18,7 @@ export async function installPackage() {
     });
   };
   writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }\n');
-  const tarball = npm("pack", at("crate/pkg"), "--loglevel=error").trim().split("\n").at(-1) ?? "";
+  const tarball = npm("pack", at("crate/wasm/pkg"), "--loglevel=error").trim().split("\n").at(-1) ?? "";
   npm("install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${tarball}`);
 
   const require = createRequire(join(folder, "user.js"));

@@ -56,6 +56,8 @@ export class App {
 
   /** Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a model. */
   async start(startEngine: () => Promise<StartedEngine>, text: Promise<string | null>): Promise<void> {
+    // Where the engine cannot start, nobody waits for the model.
+    text.catch(() => {});
     await this.engine.start(startEngine, async () => {
       const first = await text;
       if (first !== null) await this.model.open(first, { couplings: true, clip: false });

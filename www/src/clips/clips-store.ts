@@ -67,7 +67,7 @@ export class ClipsStore extends Store {
     return this.#locked;
   }
 
-  /** The parts that the settings ask for, of the ticked clips' skeleton; none without a ticked clip. */
+  /** The parts that the settings ask for, of the ticked clips' skeleton; empty without a ticked clip. */
   get parts(): PartSpec[] {
     const [clip] = this.ticked;
     return clip ? this.#partsOf(clip) : [];

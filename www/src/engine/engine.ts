@@ -85,7 +85,7 @@ export async function startEngine(): Promise<StartedEngine> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
-  const program = compile(new URL("../../../crate/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
+  const program = compile(new URL("../../../crate/wasm/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
   const { worker, broken } = open("model");
   const engine = Comlink.wrap<Workbench>(worker);
   const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));

@@ -77,7 +77,7 @@ export class WholeEngine implements WholeProgram {
 
   async #start(): Promise<WholeProgramWorkers> {
     try {
-      const wasm = await compile(new URL("../../../crate/pkg/web/vcgpdm_bg.wasm", import.meta.url));
+      const wasm = await compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url));
       const cores = Math.max(1, navigator.hardwareConcurrency || 1);
       return { pool: new Pool(cores, () => hire(wasm)), desk: new Pool(1, () => hire(wasm)) };
     } catch (problem) {

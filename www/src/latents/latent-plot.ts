@@ -12,8 +12,8 @@ import { drawLatents, type LatentPicture, Plane } from "./latent-drawing";
 import { type PointingStore, samePoint } from "./pointing-store";
 import { type Projection, principalAxes, project, type Turn } from "./projection";
 
-/** What the plots show besides paths. */
-export interface Marks {
+/** The inducing points that the plots show. */
+export interface Layers {
   pose: boolean;
   dynamics: boolean;
   between: boolean;
@@ -32,9 +32,9 @@ interface Mark {
 }
 
 export class LatentPlot extends View {
-  static override properties = { bodyPart: { type: Number }, marks: { attribute: false } };
+  static override properties = { bodyPart: { type: Number }, layers: { attribute: false } };
   declare bodyPart: number;
-  declare marks: Marks;
+  declare layers: Layers;
   declare model: ModelStore;
   declare pointing: PointingStore;
   declare settings: SettingsStore;
@@ -50,7 +50,7 @@ export class LatentPlot extends View {
   constructor() {
     super();
     this.bodyPart = 0;
-    this.marks = { pose: true, dynamics: true, between: false };
+    this.layers = { pose: true, dynamics: true, between: false };
   }
 
   protected override stores() {
@@ -114,7 +114,7 @@ export class LatentPlot extends View {
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
-      if (!inducing || !(own ? this.marks.dynamics : this.marks.between)) return;
+      if (!inducing || !(own ? this.layers.dynamics : this.layers.between)) return;
       for (let i = 0; i < inducing.count; i++) {
         marks.push({
           key: `d${target}-${i}`,
@@ -127,7 +127,7 @@ export class LatentPlot extends View {
     });
     // Last, so that they lie on top, as they are drawn.
     const poses = model.poseInducing[part];
-    for (let i = 0; this.marks.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
+    for (let i = 0; this.layers.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
       const label = `Pose inducing point ${i + 1} of ${name(part)}`;
       marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
     }
@@ -140,7 +140,7 @@ export class LatentPlot extends View {
   }
 
   private picture(box: HTMLElement): LatentPicture | null {
-    const { bodyPart: part, projection, turn, marks, playback } = this;
+    const { bodyPart: part, projection, turn, layers, playback } = this;
     const { model, rollout, learned, altered } = this.model;
     const latents = rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
@@ -148,7 +148,7 @@ export class LatentPlot extends View {
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
     const between = (of: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
-        const points = other === part || !marks.between ? undefined : of(other);
+        const points = other === part || !layers.between ? undefined : of(other);
         return points ? [{ inducing: points, other, colour: partColour(other) }] : [];
       });
     return {
@@ -161,8 +161,8 @@ export class LatentPlot extends View {
       rollout: latents,
       learned: altered ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
-      poses: marks.pose ? (model.poseInducing[part] ?? null) : null,
-      dynamics: marks.dynamics ? (inducing(part, part) ?? null) : null,
+      poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
+      dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
       outgoing: between((other) => inducing(part, other)),
       incoming: between((other) => inducing(other, part)),
       order: model.info.order,

@@ -6,7 +6,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { View } from "../ui/view";
-import type { Marks } from "./latent-plot";
+import type { Layers } from "./latent-plot";
 import "./latent-plot";
 import "./latents.css";
 import type { PointingStore } from "./pointing-store";
@@ -18,28 +18,28 @@ export class LatentsView extends View {
   declare engine: EngineStore;
   declare stage: StageStore;
   declare playback: Playback;
-  static override properties = { marks: { state: true } };
-  declare marks: Marks;
+  static override properties = { layers: { state: true } };
+  declare layers: Layers;
 
   constructor() {
     super();
-    this.marks = { pose: true, dynamics: true, between: false };
+    this.layers = { pose: true, dynamics: true, between: false };
   }
 
   protected override stores() {
     return [this.model, this.settings, this.engine];
   }
 
-  private toggle(kind: keyof Marks) {
+  private toggle(kind: keyof Layers) {
     return () => {
-      this.marks = { ...this.marks, [kind]: !this.marks[kind] };
+      this.layers = { ...this.layers, [kind]: !this.layers[kind] };
     };
   }
 
   protected override render() {
     const { model, pointing, settings, stage, playback } = this;
     const parts = model.model?.info.parts ?? [];
-    const pressed = (kind: keyof Marks) => (this.marks[kind] ? "true" : "false");
+    const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
       <header class="panel-head">
         <h2>Latent spaces</h2>
@@ -62,7 +62,7 @@ export class LatentsView extends View {
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
             ${parts.map(
               (_, part) => html`
-              <pg-latent-plot .bodyPart=${part} .marks=${this.marks} .model=${model} .pointing=${pointing} .settings=${settings}
+              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .settings=${settings}
                 .stage=${stage} .playback=${playback}></pg-latent-plot>`,
             )}
           </div>

@@ -27,7 +27,7 @@ const UP = new Vector3(0, 1, 0);
 /** A trunk is wider than it is deep. */
 const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
-/** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
+/** Solid bodies mark their pixels. Pale bodies leave marked pixels out and draw each pixel once: flat shades without seams. */
 function stencil(material: MeshStandardMaterial, pale: boolean): void {
   material.stencilWrite = true;
   material.stencilRef = 1;

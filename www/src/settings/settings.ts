@@ -6,7 +6,7 @@ interface Setting<T> {
   /** The name in the URL. */
   key: string;
   initial: T;
-  /** The value that a text stands for, not yet limited; null when it stands for none. */
+  /** The value that a text stands for, not yet limited; null when it is not one. */
   read(text: string): T | null;
   write(value: T): string;
   /** The nearest value within the limits; null when the value is not valid. */

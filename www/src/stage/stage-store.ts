@@ -41,7 +41,7 @@ export class StageStore extends Store {
     return this.#clip ?? this.#model;
   }
 
-  /** The key of the clip that is shown; null: there is none in front of the model. */
+  /** The key of the clip that is shown; null: the model is seen. */
   get clip(): string | null {
     return this.#clip?.clip ?? null;
   }

@@ -97,6 +97,11 @@ export class BoundChart extends View {
       this.fill();
     };
     this.whenLeaving(onThemeChange(redraw));
+    this.whenLeaving(() => {
+      this.bound?.destroy();
+      this.terms?.destroy();
+      [this.bound, this.terms] = [null, null];
+    });
     this.watchSize(this, () => this.fit());
   }
 
@@ -205,18 +210,18 @@ export class BoundChart extends View {
     const phase = learning && last ? `, ${phaseWords(last.phase)}` : "";
     const which = runs.length > 1 ? `, seed ${charted?.settings.seed}` : phase;
     // While a next training sets up, the room of the last one stays.
-    const none = runs.every(({ steps }) => steps.length === 0);
+    const isEmpty = runs.every(({ steps }) => steps.length === 0);
     return html`
       <figure class="chart" data-testid="bound-chart">
         <figcaption><span>Evidence lower bound<small>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-          ${none ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+          ${isEmpty ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
         <pg-runs .training=${this.training}></pg-runs>
-        <figcaption ?hidden=${none}>Its terms</figcaption>
-        <div class="terms" ?hidden=${none} role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul ?hidden=${none} class="term-list">
+        <figcaption ?hidden=${isEmpty}>Its terms</figcaption>
+        <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>

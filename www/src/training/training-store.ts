@@ -11,7 +11,7 @@ import { bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
 import { endingOfRuns, endingWords } from "./words";
 
-/** The runs from a press of Train until none is under way. */
+/** The runs from a press of Train until all are over. */
 interface Session {
   runs: Run[];
   /** Stops the runs; each keeps its best so far. */

@@ -1,0 +1,42 @@
+//! `vcgpdm bound`: the bound of a golden case, with everything that is expected of it.
+
+use crate::files;
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Instant;
+use vcgpdm::golden::Case;
+
+/// Print the bound of a case, its terms, gradient, posteriors and rollouts as one JSON object.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A problem and a point in its parameter space, as JSON with an "input".
+    #[arg(value_name = "CASE.json")]
+    case: PathBuf,
+    /// Compute the bound with its gradient so often and add the median time, in milliseconds.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    repeat: Option<u32>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let text = files::read_text(&arguments.case)?;
+    let named = |error| files::about(&arguments.case, &error);
+    let case = Case::from_json(&text).map_err(named)?;
+    let mut result = case.evaluate().map_err(named)?;
+    if let Some(repeat) = arguments.repeat {
+        let mut workspace = case.objective.workspace(&case.params);
+        let mut times = Vec::new();
+        for _ in 0..repeat {
+            let begin = Instant::now();
+            case.objective.compute_with_gradient(std::hint::black_box(&case.params), &mut workspace)?;
+            times.push(1e3 * begin.elapsed().as_secs_f64());
+        }
+        result.median_ms = Some(median(&mut times));
+    }
+    files::print_json(&result)
+}
+
+fn median(times: &mut [f64]) -> f64 {
+    times.sort_by(f64::total_cmp);
+    let (low, high) = (times[(times.len() - 1) / 2], times[times.len() / 2]);
+    0.5 * (low + high)
+}

@@ -1,0 +1,260 @@
+//! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
+
+use crate::results::Store;
+use crate::train::parts;
+use crate::{files, interrupt};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+use std::collections::HashMap;
+use std::error::Error;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, Setting};
+use vcgpdm::models::{ModelKind, VariationalSettings};
+use vcgpdm::motion::Clip;
+
+/// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// BVH files, or sample:ID; each is a trial.
+    #[arg(value_name = "CLIP", required = true)]
+    clips: Vec<String>,
+    /// Which models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic).
+    #[arg(long, value_name = "all|ID,ID", default_value = "all")]
+    models: String,
+    /// How the coupled models split the body, as for `train`.
+    #[arg(long, value_name = "lower,upper|FILE")]
+    parts: String,
+    /// Which trials are held out, one after the other: all, or numbers from 1.
+    #[arg(long, value_name = "all|N,N", default_value = "all")]
+    folds: String,
+    /// Seeds of the models that have some.
+    #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0])]
+    seeds: Vec<u32>,
+    /// Inducing points of every dynamics map and every pose map of the variational models: one number, or several to compare.
+    #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12])]
+    ips: Vec<usize>,
+    /// Numbers of primitives of the TMP: "bound" chooses by the bound.
+    #[arg(long, value_name = "bound|N,N", value_delimiter = ',', default_values_t = ["bound".to_owned()])]
+    primitives: Vec<String>,
+    /// Basis functions of every column of the DMPs.
+    #[arg(long, value_name = "B,B", value_delimiter = ',', default_values_t = [20])]
+    bases: Vec<usize>,
+    /// How many of the other trials are trained on, to see how time grows; absent: all.
+    #[arg(long, value_name = "N,N", value_delimiter = ',')]
+    training_trials: Vec<usize>,
+    /// Latent dimensions of every part.
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
+    latent: usize,
+    /// Frames of history that the dynamics see.
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
+    order: usize,
+    /// Most iterations of the optimiser.
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
+    max_iterations: usize,
+    /// Balance the dynamics of the MAP models against their many columns.
+    #[arg(long)]
+    balanced: bool,
+    /// Resample the clips to about so many frames a second.
+    #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
+    fps: f64,
+    /// Only the K-th of N equal shares of the jobs, for a scheduler that runs the others elsewhere.
+    #[arg(long, num_args = 3, value_names = ["K", "of", "N"])]
+    job: Option<Vec<String>>,
+    /// Jobs at a time; absent: as many as there are cores.
+    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that failed are.
+    #[arg(long, value_name = "RESULTS.json")]
+    out: PathBuf,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let clips: Vec<Clip> =
+        arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
+    let parts = parts(&arguments.parts, &clips[0].skeleton)?;
+    let setting = Setting::new(&clips, &parts, arguments.fps)?;
+    let asked = jobs(arguments, clips.len())?;
+    // Whatever cannot be used is found before anything is computed.
+    let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
+    for job in &asked {
+        let key = (job.held_out, job.training_trials);
+        if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
+            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps)?);
+        }
+    }
+    let share = share(arguments, asked.len())?;
+    let store = Store::open(&arguments.out, setting)?;
+    let (known, open): (Vec<Job>, Vec<Job>) =
+        share.map(|k| asked[k].clone()).partition(|job| store.results().has_outcome(job));
+
+    let work = Work::new(open, store)?;
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = arguments.threads.map_or(cores, usize::from).min(work.jobs.len());
+    std::thread::scope(|scope| {
+        for thread in 0..threads {
+            let (work, folds) = (&work, &folds);
+            scope.spawn(move || work.go_on(thread, folds));
+        }
+    });
+    let progress = work.progress();
+    progress.bar.finish_and_clear();
+    if let Some(problem) = &progress.problem {
+        return Err(problem.clone().into());
+    }
+    let computed = progress.done;
+    files::print_json(&json!({
+        "jobs": known.len() + work.jobs.len(),
+        "computed": computed,
+        "known_before": known.len(),
+        "left": work.jobs.len() - computed,
+        "failed": progress.failed,
+    }))
+}
+
+/// Jobs that are shared out to threads, and where they stand.
+struct Work {
+    jobs: Vec<Job>,
+    next: AtomicUsize,
+    stopped: Arc<AtomicBool>,
+    progress: Mutex<Progress>,
+}
+
+struct Progress {
+    store: Store,
+    bar: ProgressBar,
+    /// How far the job of each thread is, 0 to 1.
+    fractions: HashMap<usize, f64>,
+    done: usize,
+    failed: usize,
+    problem: Option<String>,
+}
+
+/// Steps of the bar for one job.
+const FINE: f64 = 100.0;
+
+impl Work {
+    fn new(jobs: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
+        let stopped = interrupt::flag()?;
+        let bar = ProgressBar::new(jobs.len() as u64 * FINE as u64);
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (about {eta} left)") {
+            bar.set_style(style);
+        }
+        let progress = Progress { store, bar, fractions: HashMap::new(), done: 0, failed: 0, problem: None };
+        Ok(Self { jobs, next: AtomicUsize::new(0), stopped, progress: Mutex::new(progress) })
+    }
+
+    fn progress(&self) -> MutexGuard<'_, Progress> {
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes job after job until there is none left, or Ctrl-C.
+    fn go_on(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
+        while let Some(job) = self.jobs.get(self.next.fetch_add(1, Ordering::Relaxed)) {
+            let Some(fold) = folds.get(&(job.held_out, job.training_trials)) else { continue };
+            let begin = Instant::now();
+            let seconds = || begin.elapsed().as_secs_f64();
+            let outcome = fold.evaluate(&job.candidate, job.seed, &seconds, &mut |progress| {
+                self.show(thread, progress.fraction);
+                !self.stopped.load(Ordering::Relaxed)
+            });
+            let result = match outcome {
+                Ok(Some(outcome)) => Ok(outcome),
+                Ok(None) => return,
+                Err(error) => Err(error.to_string()),
+            };
+            let mut progress = self.progress();
+            progress.failed += usize::from(result.is_err());
+            if let Err(problem) = progress.store.add(Finished::new(job.clone(), result)) {
+                progress.problem = Some(problem.to_string());
+                self.stopped.store(true, Ordering::Relaxed);
+                return;
+            }
+            progress.done += 1;
+            drop(progress);
+            self.show(thread, 0.0);
+            if self.stopped.load(Ordering::Relaxed) {
+                return;
+            }
+        }
+    }
+
+    fn show(&self, thread: usize, fraction: f64) {
+        let mut progress = self.progress();
+        progress.fractions.insert(thread, fraction);
+        let parts: f64 = progress.fractions.values().sum();
+        progress.bar.set_position(((progress.done as f64 + parts) * FINE) as u64);
+        progress.bar.set_message(format!("{} of {} jobs", progress.done, self.jobs.len()));
+    }
+}
+
+/// The jobs that the arguments ask for on so many trials.
+fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>> {
+    let plan = Plan {
+        models: models(&arguments.models)?,
+        latent: arguments.latent,
+        order: arguments.order,
+        max_iterations: arguments.max_iterations,
+        ips: arguments.ips.clone(),
+        primitives: primitives(&arguments.primitives)?,
+        bases: arguments.bases.clone(),
+        balanced: arguments.balanced,
+        held_out: folds(&arguments.folds, trials)?,
+        seeds: arguments.seeds.clone(),
+        training_trials: arguments.training_trials.clone(),
+        growth: false,
+    };
+    plan.jobs(trials).map_err(|error| match error {
+        PlanError::TrainingTrials { most, found } => {
+            format!("--training-trials {found}: expected from 1 to {most} trials").into()
+        }
+        error => error.into(),
+    })
+}
+
+/// The trials held out, counted from 1; none named: each in turn.
+fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
+    if asked == "all" {
+        return Ok(Vec::new());
+    }
+    let number = |word: &str| word.trim().parse().ok().filter(|n| (1..=trials).contains(n));
+    asked.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
+        format!("--folds {asked}: expected all, or numbers from 1 to {trials} with commas between").into()
+    })
+}
+
+fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
+    if asked == "all" {
+        return Ok(ModelKind::ALL.to_vec());
+    }
+    let kind = |word: &str| {
+        ModelKind::from_id(word.trim()).ok_or_else(|| {
+            let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+            format!("--models {word}: expected all, or some of {}", known.join(", ")).into()
+        })
+    };
+    asked.split(',').map(kind).collect()
+}
+
+fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
+    let number = |word: &String| match (word.trim(), word.trim().parse()) {
+        ("bound", _) => Ok(None),
+        (_, Ok(count)) => Ok(Some(count)),
+        _ => Err(format!("--primitives {word}: expected bound, or a number").into()),
+    };
+    asked.iter().map(number).collect()
+}
+
+/// The places of the jobs that `--job K of N` asks for: every N-th, so that all shares take about as long.
+fn share(arguments: &Arguments, jobs: usize) -> Result<impl Iterator<Item = usize> + use<>, Box<dyn Error>> {
+    let (k, n) = match arguments.job.as_deref() {
+        None => (1, 1),
+        Some(words) => match (words[0].parse::<usize>(), words[1].as_str(), words[2].parse::<usize>()) {
+            (Ok(k), "of", Ok(n)) if k >= 1 && k <= n => (k, n),
+            _ => return Err(format!("--job {}: expected K of N with K from 1 to N", words.join(" ")).into()),
+        },
+    };
+    Ok((k - 1..jobs).step_by(n))
+}

@@ -1,0 +1,123 @@
+//! The file of an evaluation. Finished jobs are added one by one, so that a stopped evaluation goes on where it was, and so
+//! that several processes can work on one file.
+
+use crate::files;
+use std::error::Error;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use vcgpdm::evaluation::{Finished, Results, Setting};
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+/// Reads a file.
+pub fn read(path: &Path) -> Result<Results> {
+    Results::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+}
+
+/// The file, to which finished jobs are added.
+pub struct Store {
+    path: PathBuf,
+    results: Results,
+}
+
+impl Store {
+    /// Opens the file, or will write a new one.
+    pub fn open(path: &Path, setting: Setting) -> Result<Self> {
+        let mut store = Self { path: path.to_owned(), results: Results::new(setting) };
+        let _lock = store.lock()?;
+        if path.exists() {
+            files::check_writable(path)?;
+        }
+        store.take_over()?;
+        Ok(store)
+    }
+
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
+    /// Keeps other processes out until it is dropped. The locked file stays beside the results for good: deleted while others
+    /// wait for it, it would be one file for them and another for whoever comes next.
+    fn lock(&self) -> Result<File> {
+        let path = self.beside("lock");
+        let lock = File::create(&path).map_err(|error| files::about(&path, &error))?;
+        lock.lock().map_err(|error| files::about(&path, &error))?;
+        Ok(lock)
+    }
+
+    fn take_over(&mut self) -> Result<()> {
+        if self.path.exists() {
+            self.results.merge(read(&self.path)?).map_err(|error| files::about(&self.path, &error))?;
+        }
+        Ok(())
+    }
+
+    /// Adds a finished job. Another process may have added some meanwhile; they stay.
+    pub fn add(&mut self, finished: Finished) -> Result<()> {
+        let _lock = self.lock()?;
+        self.take_over()?;
+        self.results.add(finished)?;
+        // A new file takes the old one's place at once: nobody ever sees half of it. Its name is this process's own, so that a disk
+        // that cannot lock does not mix two processes' texts.
+        let new = self.beside(&format!("{}.new", std::process::id()));
+        files::write_text(&new, &(self.results.to_json()? + "\n"))?;
+        fs::rename(&new, &self.path).map_err(|error| files::about(&self.path, &error))
+    }
+
+    fn beside(&self, ending: &str) -> PathBuf {
+        let mut name = self.path.clone().into_os_string();
+        name.push(".");
+        name.push(ending);
+        name.into()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use vcgpdm::evaluation::Job;
+    use vcgpdm::models::{ModelSettings, TmpSettings};
+    use vcgpdm::motion::samples;
+
+    fn setting() -> Setting {
+        let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();
+        Setting::new(&clips, &[], 30.0).unwrap()
+    }
+
+    fn finished(seed: u32) -> Finished {
+        let candidate = ModelSettings::Tmp(TmpSettings { primitives: None });
+        let job = Job { candidate, held_out: 1, training_trials: 1, seed };
+        Finished::new(job, Err("a test".to_owned()))
+    }
+
+    /// A folder that is there for one test.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("vcgpdm-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn those_who_come_and_go_lose_no_job_of_others() {
+        let folder = folder("store");
+        let path = folder.join("results.json");
+        std::thread::scope(|scope| {
+            for worker in 0..8 {
+                let (path, setting) = (&path, setting());
+                scope.spawn(move || {
+                    for k in 0..10 {
+                        let mut store = Store::open(path, setting.clone()).unwrap();
+                        store.add(finished(10 * worker + k)).unwrap();
+                    }
+                });
+            }
+        });
+        assert_eq!(read(&path).unwrap().finished().len(), 80);
+        let mut left: Vec<_> = fs::read_dir(&folder).unwrap().map(|e| e.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, ["results.json", "results.json.lock"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -1,0 +1,34 @@
+//! `vcgpdm score`: how far a rollout is from a whole trial.
+
+use crate::files;
+use std::error::Error;
+use std::path::PathBuf;
+use vcgpdm::evaluation::dtw_mse;
+
+/// Print the error of a rollout against a whole trial after dynamic time warping as one JSON object.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A trained model of any kind.
+    #[arg(value_name = "MODEL.json")]
+    model: PathBuf,
+    /// The trial: a BVH file of the same body, or sample:ID.
+    #[arg(value_name = "CLIP")]
+    clip: String,
+    /// Start where this training sequence starts, counted from 0 in the order given to training.
+    #[arg(long, value_name = "SEQUENCE", default_value_t = 0)]
+    from: usize,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let model = crate::rollout::read_model(&arguments.model)?;
+    let body = model.body();
+    let clip = files::read_clip(&arguments.clip)?;
+    let in_clip = |reason: &dyn Error| format!("{}: {reason}", clip.name);
+    body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
+        format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
+    })?;
+    let trial = clip.resample(1.0 / body.frame_time)?;
+    let actual = body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
+    let predicted = model.rollout(arguments.from, actual.nrows())?;
+    files::print_json(&dtw_mse(&predicted, &actual)?)
+}

@@ -1,0 +1,164 @@
+//! Which kind of model `vcgpdm train` makes, and the options that only some kinds have.
+
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Command, FromArgMatches};
+use serde_json::Value;
+use std::error::Error;
+use std::path::PathBuf;
+use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+
+/// The options that only some kinds have. What they hold counts where the kind has them.
+#[derive(clap::Args)]
+pub struct Options {
+    // Before the others: reading an option takes it away.
+    #[command(flatten)]
+    given: Given,
+    /// The seed of everything random (GPDMs).
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u32,
+    /// Latent dimensions of every part (GPDMs).
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
+    latent: usize,
+    /// Inducing points of every dynamics map (vcgpdm, vgpdm).
+    #[arg(long, value_name = "K", default_value_t = VariationalSettings::default().dynamics_ips)]
+    dynamics_ips: usize,
+    /// Inducing points of every pose map (vcgpdm, vgpdm).
+    #[arg(long, value_name = "L", default_value_t = VariationalSettings::default().pose_ips)]
+    pose_ips: usize,
+    /// Frames of history that the dynamics see (GPDMs).
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
+    order: usize,
+    /// Most iterations of the optimiser (GPDMs).
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
+    max_iterations: usize,
+    /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
+    #[arg(long)]
+    balanced: bool,
+    /// How many primitives (tmp); absent: chosen by the bound.
+    #[arg(long, value_name = "N")]
+    primitives: Option<usize>,
+    /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
+    #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases)]
+    bases: usize,
+    /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).
+    #[arg(long, value_name = "CASE.json")]
+    pub write_start: Option<PathBuf>,
+}
+
+const VARIATIONAL: &[ModelKind] = &[ModelKind::Vcgpdm, ModelKind::Vgpdm];
+const POINT: &[ModelKind] = &[ModelKind::MapGpdm, ModelKind::MapCgpdm];
+const GPDMS: &[ModelKind] = &[ModelKind::Vcgpdm, ModelKind::Vgpdm, ModelKind::MapGpdm, ModelKind::MapCgpdm];
+const TMP: &[ModelKind] = &[ModelKind::Tmp];
+const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
+
+/// Which kinds have an option.
+const KINDS: [(&str, &[ModelKind]); 10] = [
+    ("seed", GPDMS),
+    ("latent", GPDMS),
+    ("dynamics_ips", VARIATIONAL),
+    ("pose_ips", VARIATIONAL),
+    ("order", GPDMS),
+    ("max_iterations", GPDMS),
+    ("balanced", POINT),
+    ("primitives", TMP),
+    ("bases", DMPS),
+    ("write_start", VARIATIONAL),
+];
+
+impl Options {
+    /// A model of that kind with the settings asked for; an option that the kind does not have is refused.
+    pub fn settings(&self, kind: ModelKind) -> Result<ModelSettings, Box<dyn Error>> {
+        let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
+        if let Some((id, kinds)) = misplaced {
+            let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
+            let option = id.replace('_', "-");
+            return Err(format!(
+                "--{option}: expected a model that has it ({}), found {}",
+                kinds.join(", "),
+                kind.id()
+            )
+            .into());
+        }
+        let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, bases, .. } = self;
+        let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
+        let point = MapSettings { latent, order, max_iterations, balanced };
+        Ok(match kind {
+            ModelKind::Vcgpdm => ModelSettings::Vcgpdm(variational),
+            ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),
+            ModelKind::MapGpdm => ModelSettings::MapGpdm(point),
+            ModelKind::MapCgpdm => ModelSettings::MapCgpdm(point),
+            ModelKind::Tmp => ModelSettings::Tmp(TmpSettings { primitives: self.primitives }),
+            ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
+            ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
+        })
+    }
+}
+
+/// The kind that `--model` names.
+pub fn named(id: &str) -> Result<ModelKind, String> {
+    ModelKind::from_id(id).ok_or_else(|| {
+        let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+        format!("expected one of {}", known.join(", "))
+    })
+}
+
+/// The kind asked for, or else the variational one of so many parts. A kind that cannot have so many is refused; `split` is
+/// what `--parts` says.
+pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<ModelKind, Box<dyn Error>> {
+    let Some(kind) = asked else {
+        return Ok(if parts == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm });
+    };
+    let wrong = match kind {
+        ModelKind::Vcgpdm if parts == 1 => ("two parts or more", "a model of one part is a vgpdm"),
+        ModelKind::MapCgpdm if parts == 1 => ("two parts or more", "a model of one part is a map-gpdm"),
+        ModelKind::Vgpdm if parts > 1 => ("one part (whole)", "coupled it is a vcgpdm"),
+        ModelKind::MapGpdm if parts > 1 => ("one part (whole)", "coupled it is a map-cgpdm"),
+        _ => return Ok(kind),
+    };
+    let ((expected, other), kind) = (wrong, kind.id());
+    Err(format!("--parts {split}: expected {expected} for a {kind} model, found {parts}; {other}").into())
+}
+
+/// Names and values of a candidate's settings as a document keeps them: yes is 1, and what is left to the training is left out.
+pub fn recorded(candidate: &ModelSettings, seed: u32) -> Result<Vec<(String, f64)>, Box<dyn Error>> {
+    let Value::Object(fields) = serde_json::to_value(candidate)? else { return Ok(Vec::new()) };
+    let number = |value: &Value| value.as_f64().or(value.as_bool().map(|yes| f64::from(u8::from(yes))));
+    let mut settings: Vec<(String, f64)> =
+        fields.into_iter().filter_map(|(name, value)| Some((name, number(&value)?))).collect();
+    if candidate.is_random() {
+        settings.push(("seed".to_owned(), seed.into()));
+    }
+    Ok(settings)
+}
+
+/// Which options stand on the command line; the others hold their defaults.
+struct Given(Vec<String>);
+
+impl Given {
+    fn has(&self, id: &str) -> bool {
+        self.0.iter().any(|given| given == id)
+    }
+}
+
+impl clap::Args for Given {
+    fn augment_args(command: Command) -> Command {
+        command
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        command
+    }
+}
+
+impl FromArgMatches for Given {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let ids = matches.ids().map(clap::Id::as_str);
+        let given = ids.filter(|id| matches.value_source(id) == Some(ValueSource::CommandLine));
+        Ok(Given(given.map(str::to_owned).collect()))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,228 @@
+//! `vcgpdm train`: clips to a model.
+
+mod kind;
+
+use crate::{files, interrupt};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+use vcgpdm::golden::Case;
+use vcgpdm::models::variational::VariationalLearner;
+use vcgpdm::models::{
+    AnyModel, BaselineModel, Body, Dataset, Learner, LearningProgress, ModelKind, ModelSettings, MotionModel,
+    Movements, Sequence, Source, VariationalSettings,
+};
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::motion::{Clip, Skeleton, parts};
+
+/// Train a model on clips of one body and print what it reached as one JSON object.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// BVH files, or sample:ID; each becomes a sequence.
+    #[arg(value_name = "CLIP", required = true)]
+    clips: Vec<String>,
+    /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
+    #[arg(long, value_name = "KIND", value_parser = kind::named)]
+    model: Option<ModelKind>,
+    /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; legs,trunk,left arm,right arm), or a
+    /// file with a list like [{"name": "legs", "joints": ["LeftUpLeg", 3]}]. Models that are not coupled need none.
+    #[arg(long, value_name = "lower,upper|whole|FILE")]
+    parts: Option<String>,
+    /// Write the model to this file.
+    #[arg(long, value_name = "MODEL.json")]
+    out: PathBuf,
+    /// Resample the clips to about so many frames a second.
+    #[arg(long, value_name = "F", default_value_t = 30.0)]
+    fps: f64,
+    /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
+    #[arg(long, value_name = "CLIP:COUNT")]
+    seed_frames: Vec<String>,
+    /// Keep a note in the model, such as an acknowledgement.
+    #[arg(long, value_name = "TEXT")]
+    note: Option<String>,
+    #[command(flatten)]
+    options: kind::Options,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let mut clips = Vec::new();
+    for place in &arguments.clips {
+        clips.push((files::read_clip(place)?, None));
+    }
+    for text in &arguments.seed_frames {
+        let (clip, count) = read_seed_frames(text)?;
+        clips.push((clip, Some(count)));
+    }
+    let split = match (&arguments.parts, arguments.model) {
+        (Some(split), _) => split,
+        (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
+            return Err(
+                "--parts: expected how to split the body of a coupled model, such as lower,upper".into()
+            );
+        }
+        (None, Some(_)) => "whole",
+    };
+    let parts = parts(split, &clips[0].0.skeleton)?;
+    let kind = kind::of_parts(arguments.model, parts.len(), split)?;
+    let settings = arguments.options.settings(kind)?;
+    let sources: Vec<Source> =
+        clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
+    let dataset = Dataset::new(&sources, &parts, arguments.fps)?;
+    let sequences = dataset.sequences.iter().zip(&sources);
+    let sequences = sequences
+        .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
+    let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
+    for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
+        files::check_writable(path)?;
+    }
+    match &settings {
+        ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
+            variational(arguments, &dataset, movements, settings)
+        }
+        _ => baseline(arguments, &dataset, &movements, &settings),
+    }
+}
+
+/// Trains a variational model, whose document has couplings, latents and the terms of its bound.
+fn variational(
+    arguments: &Arguments,
+    dataset: &Dataset,
+    movements: Movements,
+    settings: &VariationalSettings,
+) -> Result<(), Box<dyn Error>> {
+    let begin = Instant::now();
+    let mut learner = VariationalLearner::new(movements, settings, arguments.options.seed)
+        .map_err(|reason| dataset.refusal(reason))?;
+    if let Some(path) = &arguments.options.write_start {
+        let trainer = learner.trainer();
+        files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
+    }
+    let reason = train(&mut learner, |learner, progress| {
+        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase.words())
+    })?;
+    let seconds = begin.elapsed().as_secs_f64();
+
+    let mut model = MotionModel::trained(dataset, learner.trainer(), arguments.fps)?;
+    model.provenance.note.clone_from(&arguments.note);
+    let rows = model.fitted.alpha.row_iter();
+    let alpha: Vec<Vec<f64>> = rows.map(|row| row.iter().copied().collect()).collect();
+    let model = AnyModel::Variational(Box::new(model));
+    files::write_text(&arguments.out, &model.to_json()?)?;
+    let progress = learner.trainer().progress();
+    files::print_json(&json!({
+        "kind": model.kind().id(),
+        "elbo": progress.best,
+        "terms": progress.terms,
+        "alpha": alpha,
+        "iterations": progress.iteration,
+        "evaluations": progress.evaluations,
+        "seconds": seconds,
+        "warnings": dataset.warnings,
+        "reason": reason,
+    }))
+}
+
+/// Trains a model that only rolls out.
+fn baseline(
+    arguments: &Arguments,
+    dataset: &Dataset,
+    movements: &Movements,
+    settings: &ModelSettings,
+) -> Result<(), Box<dyn Error>> {
+    let begin = Instant::now();
+    let seed = arguments.options.seed;
+    let mut learner = settings.learner(movements, seed).map_err(|reason| dataset.refusal(reason))?;
+    let objective = match settings.kind() {
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
+        ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
+        _ => "bound",
+    };
+    let reason = train(&mut *learner, |_, progress| format!("{objective} {:.1}", progress.best))?;
+    let seconds = begin.elapsed().as_secs_f64();
+
+    let settings = kind::recorded(settings, seed)?;
+    let mut model = BaselineModel::trained(Body::of(dataset), &*learner, settings, arguments.fps)?;
+    model.record.note.clone_from(&arguments.note);
+    files::write_text(&arguments.out, &model.to_json()?)?;
+    files::print_json(&json!({
+        "kind": model.model.kind().id(),
+        "objective": model.record.objective,
+        "bound": model.model.bound(),
+        "iterations": model.record.iterations,
+        "seconds": seconds,
+        "warnings": dataset.warnings,
+        "reason": reason,
+    }))
+}
+
+/// Steps of the bar.
+const FINE: u64 = 1000;
+
+/// Trains to the end, or until Ctrl-C: then the best so far is kept. Says why it ended. The bar is drawn on stderr, and only when
+/// that is a terminal.
+fn train<L: Learner + ?Sized>(
+    learner: &mut L,
+    say: impl Fn(&L, &LearningProgress) -> String,
+) -> Result<String, Box<dyn Error>> {
+    let stopped = interrupt::flag()?;
+    let bar = ProgressBar::new(FINE);
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (at most {eta} left)") {
+        bar.set_style(style);
+    }
+    loop {
+        let progress = learner.step();
+        // Not the iterations: a search for the number of primitives may end long before the most there can be.
+        bar.set_position((progress.fraction * FINE as f64) as u64);
+        let (iteration, most) = (progress.iteration, progress.max_iterations);
+        bar.set_message(format!("{iteration}/{most}  {}", say(learner, &progress)));
+        if progress.done || stopped.load(Ordering::Relaxed) {
+            bar.finish_and_clear();
+            return Ok(progress.reason.unwrap_or_else(|| "stopped".to_owned()));
+        }
+    }
+}
+
+/// `CLIP:COUNT`; the clip's place may hold colons itself.
+fn read_seed_frames(text: &str) -> Result<(Clip, usize), Box<dyn Error>> {
+    let parsed = text.rsplit_once(':').and_then(|(clip, count)| Some((clip, count.parse::<usize>().ok()?)));
+    match parsed {
+        Some((clip, count)) if count > 0 && !clip.is_empty() => Ok((files::read_clip(clip)?, count)),
+        _ => Err(format!("--seed-frames {text}: expected CLIP:COUNT with a number of frames above 0").into()),
+    }
+}
+
+/// The parts that `--parts` asks for.
+pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
+    let presets = parts::presets(skeleton);
+    if let Some(preset) = presets.iter().find(|preset| preset.id == asked) {
+        return Ok(preset.parts.clone());
+    }
+    // The parts' names, in the order in which the model is to have them.
+    let names: Vec<&str> = asked.split(',').map(str::trim).collect();
+    for preset in presets.iter().filter(|preset| preset.parts.len() == names.len()) {
+        let chosen: Option<Vec<PartSpec>> =
+            names.iter().map(|name| preset.parts.iter().find(|part| part.name == *name).cloned()).collect();
+        if let Some(chosen) =
+            chosen.filter(|_| names.iter().all(|a| names.iter().filter(|b| a == *b).count() == 1))
+        {
+            return Ok(chosen);
+        }
+    }
+    let path = Path::new(asked);
+    if path.exists() {
+        return parts::from_json(&files::read_text(path)?, skeleton)
+            .map_err(|error| files::about(path, &error));
+    }
+    let known: Vec<String> = presets
+        .iter()
+        .map(|preset| preset.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>().join(","))
+        .collect();
+    Err(format!(
+        "--parts {asked}: expected whole, a file, or what this body can be split into ({})",
+        known.join("; ")
+    )
+    .into())
+}

@@ -1,0 +1,406 @@
+//! The terminal program as a user meets it: what it prints, what it writes, how it fails.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
+}
+
+/// Runs a command that must succeed and reads the one JSON object that it prints.
+fn json(arguments: &[&str]) -> Value {
+    let output = run(arguments);
+    let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert!(output.status.success(), "{arguments:?}: {err}");
+    assert_eq!(err, "", "{arguments:?}: nothing but results without a terminal");
+    assert_eq!(out.lines().count(), 1, "{arguments:?}: one JSON object");
+    serde_json::from_str(&out).unwrap()
+}
+
+/// Runs a command that must fail with status 1, one line on stderr and nothing on stdout.
+fn fails(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+    assert_eq!(err.matches('\n').count(), 1, "{arguments:?}: one line, found {err:?}");
+    assert!(err.ends_with('\n') && !err.contains("panicked"), "{err}");
+    assert_eq!(output.stdout, b"", "{arguments:?}");
+    err
+}
+
+/// A folder of its own for each test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    let commands = ["bound", "clip", "train", "rollout", "score", "evaluate", "report"]
+        .map(|command| vec![command, "--help"]);
+    for arguments in commands.iter().map(Vec::as_slice).chain([&["--help"][..], &["--version"]]) {
+        let output = run(arguments);
+        assert!(output.status.success() && !output.stdout.is_empty() && output.stderr.is_empty());
+    }
+}
+
+#[test]
+fn a_wrong_command_line_gets_one_line() {
+    assert!(fails(&[]).contains("expected one of the commands"));
+    assert!(fails(&["dance"]).contains("'dance'"));
+    assert!(fails(&["clip"]).contains("CLIP"));
+    assert!(fails(&["clip", "sample:walk-1", "--fps", "many"]).contains("'many'"));
+    assert!(fails(&["clip", "sample:walk-1", "--speed", "3"]).contains("--speed"));
+    assert!(fails(&["bound", "case.json", "--repeat", "0"]).contains("--repeat"));
+}
+
+#[test]
+fn a_number_that_an_option_cannot_have_is_refused_as_a_number() {
+    for (line, said) in [
+        (
+            "train c.bvh --parts whole --out m --latent -1",
+            "'-1' for '--latent <Q>': expected a whole number from 0",
+        ),
+        (
+            "train c.bvh --parts whole --out m --order 1.5",
+            "'1.5' for '--order <P>': expected a whole number from 0",
+        ),
+        ("train c.bvh --parts whole --out m --seed -1", "expected a whole number from 0 to 4294967295"),
+        (
+            "train c.bvh --out m --primitives -2",
+            "'-2' for '--primitives <N>': expected a whole number from 0",
+        ),
+        ("rollout m --out o --frames -1", "'-1' for '--frames <N>': expected a whole number from 0"),
+        ("rollout m --out o --frames 99999999999999999999", "expected a smaller number"),
+        (
+            "rollout m --out o --frames 9 --from -1",
+            "'-1' for '--from <SEQUENCE>': expected a whole number from 0",
+        ),
+        ("score m c.bvh --from -1", "'-1' for '--from <SEQUENCE>': expected a whole number from 0"),
+        ("bound c.json --repeat -1", "'-1' for '--repeat <N>': expected a whole number from 1 to 4294967295"),
+        ("evaluate c.bvh --parts whole --out r --threads -1", "expected a whole number from 1 to 65535"),
+        (
+            "evaluate c.bvh --parts whole --out r --ips -1",
+            "'-1' for '--ips <K,K>': expected a whole number from 0",
+        ),
+        ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
+        // No option: it is still taken for one.
+        ("clip -1", "unexpected argument '-1'"),
+    ] {
+        let error = fails(&line.split(' ').collect::<Vec<_>>());
+        assert!(error.contains(said), "{line}: {error}");
+    }
+}
+
+#[test]
+fn clip_tells_what_a_clip_holds() {
+    let info = json(&["clip", "sample:walk-1"]);
+    assert_eq!(info["name"], "walk-1 (made by this project).bvh");
+    assert_eq!((info["up_axis"].as_str(), info["frames"].as_u64()), (Some("y"), Some(252)));
+    assert_eq!(info["frame_time"].as_f64(), Some(1.0 / 60.0));
+    let height = info["height"].as_f64().unwrap();
+    assert!((height - 172.0).abs() < 6.0, "{height}");
+    assert_eq!(info["warnings"].as_array().map(Vec::len), Some(0));
+    let joints = info["joints"].as_array().unwrap();
+    assert_eq!(joints.len(), 21);
+    assert_eq!((&joints[0]["name"], &joints[0]["parent"]), (&"Hips".into(), &Value::Null));
+    assert_eq!(joints[0]["channels"].as_array().map(Vec::len), Some(6));
+    assert_eq!((&joints[2]["name"], &joints[2]["parent"]), (&"LeftLeg".into(), &1.into()));
+}
+
+#[test]
+fn a_clip_is_written_back_and_resampled() {
+    let folder = folder("clip");
+    let (same, slower) = (folder.join("same.bvh"), folder.join("slower.bvh"));
+    let made = json(&["clip", "sample:walk-wave-2", "--out", text(&same)]);
+    let read = json(&["clip", text(&same), "--fps", "30", "--out", text(&slower)]);
+    for key in ["joints", "height", "sha256"] {
+        assert_eq!(made[key], read[key], "{key}");
+    }
+    assert_eq!(read["name"], "same.bvh");
+    let again = json(&["clip", text(&slower)]);
+    assert_eq!(made["frames"].as_u64().unwrap().div_ceil(2), again["frames"].as_u64().unwrap());
+    assert_eq!(again["frame_time"].as_f64(), Some(1.0 / 30.0));
+}
+
+#[test]
+fn clips_that_cannot_be_read_or_written_say_why_and_where() {
+    let folder = folder("bad-clips");
+    let broken = folder.join("broken.bvh");
+    fs::write(&broken, "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 zero 0\n}\n").unwrap();
+    let error = fails(&["clip", text(&broken)]);
+    assert!(error.contains("broken.bvh, line 4: ") && error.contains("zero"), "{error}");
+    assert!(fails(&["clip", "no-such-file.bvh"]).contains("no-such-file.bvh: "));
+    assert!(fails(&["clip", text(&folder)]).contains("bad-clips: "));
+    assert!(fails(&["clip", "sample:run-1"]).contains("walk-wave-1"));
+    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("frames a second, found -3"));
+    let nowhere = folder.join("no-such-folder").join("out.bvh");
+    assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
+}
+
+#[test]
+fn bound_prints_a_golden_case_in_its_own_shape() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/case-1.json");
+    let printed = json(&["bound", case, "--repeat", "3"]);
+    let golden: Value = serde_json::from_str(&fs::read_to_string(case).unwrap()).unwrap();
+    let expected = golden["expected"].as_object().unwrap();
+    for (key, value) in expected {
+        assert!(!printed[key].is_null(), "{key} is missing");
+        assert_eq!(printed[key].as_array().map(Vec::len), value.as_array().map(Vec::len), "{key}");
+    }
+    let (elbo, wanted) = (printed["elbo"].as_f64().unwrap(), expected["elbo"].as_f64().unwrap());
+    assert!((elbo / wanted - 1.0).abs() < 1e-9, "{elbo} is not {wanted}");
+    assert!(printed["median_ms"].as_f64().unwrap() > 0.0);
+    assert!(json(&["bound", case])["median_ms"].is_null());
+}
+
+#[test]
+fn cases_that_are_none_are_refused_with_file_and_field() {
+    let folder = folder("bad-cases");
+    let case = folder.join("case.json");
+    fs::write(&case, r#"{"input": {"params": {"parts": 3}}}"#).unwrap();
+    let error = fails(&["bound", text(&case)]);
+    assert!(error.contains("case.json: ") && error.contains("input.params.parts"), "{error}");
+    fs::write(&case, b"\xff\xfe").unwrap();
+    assert!(fails(&["bound", text(&case)]).contains("case.json: "));
+    assert!(fails(&["bound", "no-such-case.json"]).contains("no-such-case.json: "));
+}
+
+/// Trains a small model for a few iterations.
+fn train(folder: &Path, more: &[&str]) -> (PathBuf, Value) {
+    let model = folder.join("model.json");
+    let mut arguments = vec!["train", "sample:walk-1", "sample:walk-2", "--out", text(&model), "--parts"];
+    arguments.extend([
+        "lower,upper",
+        "--dynamics-ips",
+        "5",
+        "--pose-ips",
+        "6",
+        "--latent",
+        "2",
+        "--seed",
+        "3",
+    ]);
+    arguments.extend(["--fps", "15", "--max-iterations", "40", "--seed-frames", "sample:walk-3:5"]);
+    arguments.extend(more);
+    let printed = json(&arguments);
+    (model, printed)
+}
+
+#[test]
+fn train_then_roll_out_then_score() {
+    let folder = folder("train");
+    let (start, motion, latents) =
+        (folder.join("start.json"), folder.join("motion.bvh"), folder.join("latents.csv"));
+    let (model, printed) = train(&folder, &["--write-start", text(&start)]);
+    assert_eq!(printed["alpha"].as_array().unwrap().len(), 2);
+    assert_eq!(printed["iterations"].as_u64(), Some(40));
+    assert!(printed["evaluations"].as_u64().unwrap() >= 40 && printed["seconds"].as_f64().unwrap() > 0.0);
+    let elbo = printed["elbo"].as_f64().unwrap();
+    let sum = |value: &Value| value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).sum::<f64>();
+    let terms = &printed["terms"];
+    let total = sum(&terms["kinematics"])
+        + sum(&terms["dynamics"])
+        + terms["initial"].as_f64().unwrap()
+        + terms["entropy"].as_f64().unwrap();
+    assert!((elbo / total - 1.0).abs() < 1e-9);
+
+    // The starting point is a case of its own, with a bound below the trained one.
+    let input: Value = serde_json::from_str(&fs::read_to_string(&start).unwrap()).unwrap();
+    assert_eq!(input["input"]["lengths"].as_array().unwrap().len(), 3);
+    assert_eq!(input["input"]["lengths"][2].as_u64(), Some(5));
+    assert!(json(&["bound", text(&start)])["elbo"].as_f64().unwrap() < elbo);
+
+    let (model, motion, latents) = (text(&model), text(&motion), text(&latents));
+    let roll = |more: &[&str]| {
+        let mut arguments = vec!["rollout", model, "--frames", "50", "--out", motion, "--latents", latents];
+        arguments.extend(more);
+        let output = run(&arguments);
+        assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+        fs::read_to_string(latents).unwrap()
+    };
+    let learned = roll(&[]);
+    assert_eq!(learned.lines().next(), Some("frame,time,lower_0,lower_1,upper_0,upper_1"));
+    assert_eq!(learned.lines().count(), 51);
+    assert!(
+        learned.lines().skip(1).flat_map(|row| row.split(',')).all(|v| v.parse::<f64>().unwrap().is_finite())
+    );
+    let info = json(&["clip", motion]);
+    assert_eq!((info["frames"].as_u64(), info["joints"].as_array().map(Vec::len)), (Some(50), Some(21)));
+    assert_eq!(info["warnings"].as_array().map(Vec::len), Some(0));
+    // Another coupling into the upper body changes the upper body and, hardly coupled back, the start of neither.
+    let changed = roll(&["--alpha", "lower:upper=0.001", "1:0=10"]);
+    assert_ne!(learned, changed);
+    assert_eq!(learned.lines().take(3).collect::<Vec<_>>(), changed.lines().take(3).collect::<Vec<_>>());
+    assert_ne!(learned, roll(&["--from", "1"]));
+
+    let score = json(&["score", model, "sample:walk-3", "--from", "2"]);
+    let number = |key: &str| score[key].as_f64().unwrap();
+    assert!(number("dtw_mse") > 0.0 && number("dtw_mse") <= number("mse") && number("variance") > 1e-3);
+
+    // A place that cannot be written to is found before anything is computed or written.
+    let (nowhere, unwritten) = (folder.join("no-such-folder").join("file"), folder.join("unwritten"));
+    let (nowhere, unwritten) = (text(&nowhere), text(&unwritten));
+    for (out, latents) in [(nowhere, unwritten), (unwritten, nowhere)] {
+        let error = fails(&["rollout", model, "--frames", "9", "--out", out, "--latents", latents]);
+        assert!(error.contains("no-such-folder"), "{error}");
+        assert!(!Path::new(unwritten).exists(), "one of two files is left behind");
+    }
+
+    for (arguments, said) in [
+        (&["score", model, "sample:walk-3", "--from", "7"][..], "from 0 to 2, found 7"),
+        (&["rollout", model, "--frames", "9", "--from", "3", "--out", motion], "found 3"),
+        (&["rollout", model, "--frames", "0", "--out", motion], "0"),
+        (&["rollout", model, "--frames", "9", "--alpha", "lower:tail=2", "--out", motion], "lower, upper"),
+        (&["rollout", model, "--frames", "9", "--alpha", "lower:upper=0", "--out", motion], "positive"),
+        (&["rollout", text(&start), "--frames", "9", "--out", motion], "start.json: "),
+        (&["score", motion, "sample:walk-3"], "motion.bvh: "),
+    ] {
+        let error = fails(arguments);
+        assert!(error.contains(said), "{arguments:?}: {error}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_model() {
+    let (first, _) = train(&folder("seed-a"), &[]);
+    let (second, _) = train(&folder("seed-b"), &[]);
+    assert_eq!(fs::read(first).unwrap(), fs::read(second).unwrap());
+}
+
+#[test]
+fn parts_are_named_or_read_from_a_file() {
+    let folder = folder("parts");
+    let (parts, model) = (folder.join("parts.json"), folder.join("model.json"));
+    let train = |parts: &str| {
+        [
+            "train",
+            "sample:walk-1",
+            "--parts",
+            parts,
+            "--out",
+            text(&model),
+            "--max-iterations",
+            "2",
+            "--fps",
+            "10",
+        ]
+        .map(str::to_owned)
+        .to_vec()
+    };
+    let ask = |parts: &str| {
+        let arguments = train(parts);
+        json(&arguments.iter().map(String::as_str).collect::<Vec<_>>())["alpha"].as_array().unwrap().len()
+    };
+    let refuse = |parts: &str| {
+        let arguments = train(parts);
+        fails(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    let names: Vec<String> = (0..21).map(|joint| joint.to_string()).collect();
+    let list = format!(
+        r#"[{{"name": "a", "joints": [{}]}}, {{"name": "b", "joints": ["RightHand"]}}]"#,
+        names[..20].join(",")
+    );
+    fs::write(&parts, &list).unwrap();
+    assert_eq!(
+        [ask("whole"), ask("upper,lower"), ask("legs,trunk,left arm,right arm"), ask(text(&parts))],
+        [1, 2, 4, 2]
+    );
+    fs::write(&parts, list.replace("RightHand", "LeftWing")).unwrap();
+    let error = refuse(text(&parts));
+    assert!(error.contains("parts.json: ") && error.contains("LeftWing"), "{error}");
+    assert!(refuse("head,tail").contains("lower,upper"));
+    assert!(refuse("lower,lower").contains("lower,upper"));
+}
+
+#[test]
+fn training_that_cannot_begin_says_why() {
+    let folder = folder("bad-training");
+    let model = folder.join("model.json");
+    let other = folder.join("other.bvh");
+    fs::write(&other, "HIERARCHY\nROOT Stick\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 4\nFrame Time: 0.1\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n").unwrap();
+    let refuse = |more: &[&str]| {
+        let mut arguments = vec!["train", "sample:walk-1", "--parts", "whole", "--out", text(&model)];
+        arguments.extend(more);
+        fails(&arguments)
+    };
+    assert!(refuse(&[text(&other)]).contains("other.bvh"));
+    assert!(refuse(&["--latent", "0"]).contains("latent"));
+    let short = folder.join("short.bvh");
+    let walk = folder.join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&walk)]);
+    let walk = fs::read_to_string(&walk).unwrap().replacen("Frames: 252", "Frames: 1", 1);
+    let header = walk.lines().position(|line| line.starts_with("Frame Time")).unwrap();
+    fs::write(&short, walk.lines().take(header + 2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    let told = "short.bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    assert!(refuse(&[text(&short)]).contains(told), "the clip's name says more than its number");
+    let told = "short.bvh: sequence 1 has 1 frame; expected at least 4";
+    assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
+    let told =
+        "walk-2 (made by this project).bvh: sequence 1 has 2 frames; dynamics of order 2 need at least 3";
+    assert!(refuse(&["--seed-frames", "sample:walk-2:2"]).contains(told));
+    let rate = refuse(&["--fps", "-1"]);
+    assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
+    assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
+    assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
+    // Found before the training, which here could not begin either.
+    assert!(refuse(&["--write-start", text(&folder), "--latent", "0"]).contains("bad-training"));
+    assert!(
+        fails(&["train", "sample:walk-1", "--parts", "whole", "--out", text(&folder)])
+            .contains("bad-training")
+    );
+    assert!(!model.exists(), "nothing is left behind");
+}
+
+/// Recorded clips are not part of the project; this one looks where they may lie.
+#[test]
+fn real_clips_are_told_and_written_back() {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/bvh").to_owned();
+    let folder_of_clips = PathBuf::from(std::env::var("VCGPDM_CLIPS").unwrap_or(beside)).join("cmu-walk");
+    let clip = folder_of_clips.join("35_01.bvh");
+    if !clip.exists() {
+        println!("skipped: no recorded clips in {}", folder_of_clips.display());
+        return;
+    }
+    let out = folder("real").join("out.bvh");
+    let first = json(&["clip", text(&clip), "--out", text(&out)]);
+    assert_eq!((first["up_axis"].as_str(), first["joints"].as_array().map(Vec::len)), (Some("y"), Some(31)));
+    assert!(first["warnings"].to_string().contains("T-pose"));
+    let again = json(&["clip", text(&out)]);
+    for key in ["frames", "frame_time", "joints", "height", "up_axis"] {
+        assert_eq!(first[key], again[key], "{key}");
+    }
+    assert_eq!(
+        again["warnings"].as_array().map(Vec::len),
+        Some(0),
+        "the T-pose was dropped once and for all"
+    );
+}
+
+#[test]
+fn the_readmes_commands_run_as_they_stand() {
+    let readme = include_str!("../../../README.md");
+    let folder = folder("readme");
+    let commands: Vec<&str> = readme.lines().filter(|line| line.starts_with("vcgpdm ")).collect();
+    assert!(commands.len() >= 5, "the README's commands: {commands:?}");
+    for command in commands {
+        let output = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
+            .args(command.split(' ').skip(1))
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    for file in ["walk-1.bvh", "model.json", "new-walk.bvh", "latents.csv", "other-arms.bvh", "tmp.bvh"] {
+        assert!(folder.join(file).exists(), "{file}");
+    }
+}

@@ -1,0 +1,149 @@
+//! `vcgpdm evaluate` and `report` as a user meets them: resumable, in shares, with tables.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const TRIALS: [&str; 3] = ["sample:walk-1", "sample:walk-2", "sample:walk-3"];
+const SMALL: [&str; 8] = ["--parts", "lower,upper", "--fps", "15", "--max-iterations", "8", "--latent", "2"];
+
+fn vcgpdm(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
+}
+
+fn evaluate(out: &Path, more: &[&str]) -> Output {
+    let all = [&["evaluate"], &TRIALS[..], &SMALL, more, &["--out", out.to_str().unwrap()]].concat();
+    vcgpdm(&all)
+}
+
+fn summary(output: &Output) -> Value {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refusal(output: &Output) -> String {
+    let err = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!((output.status.code(), err.matches('\n').count()), (Some(1), 1), "{err}");
+    err
+}
+
+fn file(name: &str) -> PathBuf {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("evaluate-{name}.json"));
+    let _ = fs::remove_file(&file);
+    file
+}
+
+fn results(file: &Path) -> Value {
+    serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap()
+}
+
+#[test]
+fn a_finished_fold_is_never_computed_twice() {
+    let out = file("twice");
+    let first = summary(&evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2"]));
+    assert_eq!((first["computed"].as_u64(), first["known_before"].as_u64()), (Some(2), Some(0)));
+    let before = results(&out);
+    let second =
+        summary(&evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2,3", "--seeds", "0,1"]));
+    // The DMP has no seeds: one run in each fold; fold 2 of both with seed 0 is there.
+    assert_eq!((second["computed"].as_u64(), second["known_before"].as_u64()), (Some(4), Some(2)));
+    let after = results(&out);
+    assert_eq!(after["finished"].as_array().unwrap().len(), 6);
+    for k in 0..2 {
+        assert_eq!(after["finished"][k], before["finished"][k], "seconds and all: it was not computed again");
+    }
+    let score = &after["finished"][0]["outcome"]["score"];
+    assert!(score["dtw_mse"].as_f64().unwrap() > 0.0 && score["variance"].as_f64().unwrap() > 0.0);
+    let beside: Vec<String> = fs::read_dir(out.parent().unwrap())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .filter(|name| name.starts_with("evaluate-twice.json."))
+        .collect();
+    assert_eq!(beside, ["evaluate-twice.json.lock"], "nothing else is left lying about");
+}
+
+#[test]
+fn what_failed_is_tried_again() {
+    let out = file("failed");
+    let models = ["--models", "dmp-rhythmic", "--folds", "1,2"];
+    summary(&evaluate(&out, &models));
+    let whole = results(&out);
+    let mut failed = whole.clone();
+    failed["finished"][0]["outcome"] = Value::Null;
+    failed["finished"][0]["failure"] = "a bug that is mended by now".into();
+    fs::write(&out, failed.to_string()).unwrap();
+    let again = summary(&evaluate(&out, &models));
+    assert_eq!((again["computed"].as_u64(), again["known_before"].as_u64()), (Some(1), Some(1)));
+    let mended = results(&out);
+    assert_eq!(mended["finished"].as_array().unwrap().len(), 2);
+    assert_eq!(mended["finished"][0]["outcome"]["score"], whole["finished"][0]["outcome"]["score"]);
+    assert_eq!(mended["finished"][0]["failure"], Value::Null);
+}
+
+#[test]
+fn shares_together_are_the_whole() {
+    let (one, whole) = (file("share"), file("whole"));
+    let models = ["--models", "vgpdm,dmp-discrete", "--ips", "4,5", "--threads", "1"];
+    let mut computed = 0;
+    for k in ["1", "2", "4"] {
+        let share = [&models[..], &["--job", k, "of", "4"]].concat();
+        computed += summary(&evaluate(&one, &share))["computed"].as_u64().unwrap();
+    }
+    let rest = summary(&evaluate(&one, &models));
+    assert_eq!(rest["known_before"].as_u64(), Some(computed));
+    assert_eq!(rest["jobs"].as_u64(), Some(9));
+    summary(&evaluate(&whole, &models));
+    // The same numbers, whoever computed them in whatever order.
+    let numbers = |file: &Path| {
+        let found = results(file);
+        let mut lines: Vec<String> = found["finished"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|f| format!("{} {}", f["job"], f["outcome"]["score"]))
+            .collect();
+        lines.sort();
+        lines
+    };
+    assert_eq!(numbers(&one), numbers(&whole));
+}
+
+#[test]
+fn the_report_has_a_row_for_each_model_and_says_what_holds() {
+    let out = file("report");
+    summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6"]));
+    let text = String::from_utf8(vcgpdm(&["report", out.to_str().unwrap()]).stdout).unwrap();
+    for id in ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] {
+        assert!(text.contains(&format!("\n| {id} | ")), "{id} in {text}");
+    }
+    assert!(text.contains("| 5 bases | ") && text.contains("| 6 bases | "), "{text}");
+    assert!(text.contains("Both variational models predict better than both MAP models"), "{text}");
+}
+
+#[test]
+fn bad_input_is_refused_before_anything_is_computed() {
+    let out = file("refused");
+    assert!(refusal(&evaluate(&out, &["--models", "gplvm"])).contains("expected all, or some of vcgpdm"));
+    assert!(refusal(&evaluate(&out, &["--folds", "4"])).contains("numbers from 1 to 3"));
+    assert!(refusal(&evaluate(&out, &["--job", "3", "of", "2"])).contains("K of N with K from 1 to N"));
+    assert!(refusal(&evaluate(&out, &["--training-trials", "3"])).contains("from 1 to 2 trials"));
+    assert!(refusal(&evaluate(&out, &["--primitives", "some"])).contains("expected bound, or a number"));
+    assert!(refusal(&evaluate(&out, &["sample:walk-2"])).contains("trials 2 and 4 are the same motion"));
+    assert!(!out.exists());
+    summary(&evaluate(&out, &["--models", "dmp-rhythmic", "--folds", "1"]));
+    let other = [
+        &["evaluate", "sample:walk-4", "sample:walk-5"],
+        &SMALL[..],
+        &["--models", "dmp-rhythmic", "--out", out.to_str().unwrap()],
+    ]
+    .concat();
+    assert!(refusal(&vcgpdm(&other)).contains("these results are of other trials"));
+    fs::write(&out, "{}").unwrap();
+    assert!(refusal(&evaluate(&out, &[])).contains("expected the results of an evaluation"));
+    assert!(
+        refusal(&vcgpdm(&["report", out.to_str().unwrap()]))
+            .contains("expected the results of an evaluation")
+    );
+}

@@ -1,0 +1,224 @@
+//! Every kind of model from the terminal: trained, written, read back, rolled out and scored.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use vcgpdm::evaluation::dtw_mse;
+use vcgpdm::models::{
+    AnyModel, Body, Dataset, DmpSettings, MapSettings, ModelKind, ModelSettings, Movements, Sequence, Source,
+    TmpSettings, VariationalSettings,
+};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
+
+const FPS: f64 = 12.0;
+const START_FRAMES: usize = 5;
+/// The beginning of a third walk.
+const SEQUENCE: usize = 2;
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
+}
+
+/// What a command that must succeed prints.
+fn prints(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && err.is_empty(), "{arguments:?}: {err}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The one line that a command that must fail says.
+fn fails(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), err.lines().count()), (Some(1), 1), "{arguments:?}: {err}");
+    err
+}
+
+/// A folder of its own for each test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("models").join(name);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// Trains two walks and the first frames of a third.
+fn train(out: &Path, more: &str) -> Value {
+    let line =
+        format!("train sample:walk-1 sample:walk-2 --seed-frames sample:walk-3:{START_FRAMES} --fps {FPS}");
+    let mut arguments: Vec<&str> = line.split(' ').chain(more.split_whitespace()).collect();
+    arguments.extend(["--out", text(out)]);
+    serde_json::from_str(&prints(&arguments)).unwrap()
+}
+
+/// The same with the library: all columns that the model makes of the beginning of the third walk.
+fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
+    let clips: Vec<Clip> = [1, 2, 3].map(|k| samples::clip(&format!("walk-{k}")).unwrap()).into();
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
+    let first = |k: usize| (k == SEQUENCE).then_some(START_FRAMES);
+    let sources: Vec<Source> =
+        clips.iter().enumerate().map(|(k, clip)| Source { clip, first_frames: first(k) }).collect();
+    let dataset = Dataset::new(&sources, &parts, FPS).unwrap();
+    let sequences = dataset.lengths().into_iter().enumerate();
+    let sequences = sequences.map(|(k, frames)| Sequence { frames, whole: k != SEQUENCE }).collect();
+    let mut learner = candidate.learner(&Movements { y: dataset.y.clone(), sequences }, seed).unwrap();
+    while !learner.step().done {}
+    Body::of(&dataset).columns(&learner.model().unwrap().rollout(SEQUENCE, frames).unwrap())
+}
+
+#[test]
+fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
+    let gpdm = VariationalSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
+    let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced };
+    let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
+    let ips = "--dynamics-ips 4 --pose-ips 5";
+    let split = "--parts lower,upper";
+    let cases = [
+        (ModelSettings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
+        (ModelSettings::Vgpdm(gpdm), "whole", format!("{small} {ips}")),
+        (ModelSettings::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
+        (ModelSettings::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
+        (
+            ModelSettings::Tmp(TmpSettings { primitives: Some(2) }),
+            "lower-upper",
+            format!("{split} --primitives 2"),
+        ),
+        (ModelSettings::DmpDiscrete(DmpSettings { bases: 7 }), "whole", "--bases 7".to_owned()),
+        (ModelSettings::DmpRhythmic(DmpSettings { bases: 6 }), "whole", "--bases 6".to_owned()),
+    ];
+    let folder = folder("kinds");
+    assert_eq!(cases.each_ref().map(|(candidate, ..)| candidate.kind()), ModelKind::ALL);
+    for (candidate, preset, options) in cases {
+        let id = candidate.kind().id();
+        let (file, motion) = (folder.join(format!("{id}.json")), folder.join(format!("{id}.bvh")));
+        let printed = train(&file, &format!("--model {id} {options} --note from-the-test"));
+        assert_eq!(printed["kind"], id);
+        assert!(printed["seconds"].as_f64().unwrap() > 0.0 && printed["reason"].is_string(), "{printed}");
+
+        let written = fs::read_to_string(&file).unwrap();
+        let model = AnyModel::from_json(&written).unwrap();
+        assert_eq!((model.kind(), model.to_json().unwrap()), (candidate.kind(), written.clone()));
+        let again = rolled_out(&candidate, preset, 3, 40);
+        assert_eq!(model.rollout(SEQUENCE, 40).unwrap(), again, "{id}");
+
+        // What the program makes of the file is what the library makes of it.
+        let arguments = ["rollout", text(&file), "--frames", "40", "--from", "2", "--out", text(&motion)];
+        assert_eq!(prints(&arguments), "");
+        let clip = model.body().clip(&again, &format!("{id}.bvh")).unwrap();
+        assert_eq!(fs::read_to_string(&motion).unwrap(), bvh::write(&clip), "{id}");
+        let score: Value =
+            serde_json::from_str(&prints(&["score", text(&file), "sample:walk-3", "--from", "2"])).unwrap();
+        let trial = samples::clip("walk-3").unwrap().resample(1.0 / model.body().frame_time).unwrap();
+        let actual = model.body().mapping.encode(&trial).unwrap().y;
+        let expected = dtw_mse(&model.rollout(SEQUENCE, actual.nrows()).unwrap(), &actual).unwrap();
+        assert_eq!(score["dtw_mse"].as_f64(), Some(expected.dtw_mse), "{id}");
+
+        // Couplings and latents are there where the model has some.
+        let latents = folder.join("latents.csv");
+        let _ = fs::remove_file(&latents);
+        let variational = matches!(model, AnyModel::Variational(_));
+        for (option, value) in [("--alpha", "0:0=2"), ("--latents", text(&latents))] {
+            let arguments: Vec<&str> = arguments.into_iter().chain([option, value]).collect();
+            if variational {
+                prints(&arguments);
+            } else {
+                let said = fails(&arguments);
+                let expected = format!("{option}: expected a vcgpdm or vgpdm model, found a {id} model");
+                assert!(said.contains(&expected), "{said}");
+            }
+        }
+        assert_eq!(latents.exists(), variational);
+        let document: Value = serde_json::from_str(&written).unwrap();
+        assert_eq!(document["provenance"]["note"], "from-the-test");
+        let AnyModel::Baseline(baseline) = &model else { continue };
+        assert_eq!(printed["objective"].as_f64(), Some(baseline.record.objective));
+        assert_eq!(printed["bound"].as_f64(), baseline.model.bound());
+        let settings: Vec<(&str, f64)> =
+            baseline.record.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        let asked: &[(&str, f64)] = match candidate.kind() {
+            ModelKind::Tmp => &[("primitives", 2.0)],
+            ModelKind::DmpDiscrete => &[("bases", 7.0)],
+            ModelKind::DmpRhythmic => &[("bases", 6.0)],
+            kind => &[
+                ("balanced", if kind == ModelKind::MapCgpdm { 1.0 } else { 0.0 }),
+                ("latent", 2.0),
+                ("max_iterations", 8.0),
+                ("order", 1.0),
+                ("seed", 3.0),
+            ],
+        };
+        assert_eq!(settings, asked, "{id}");
+    }
+}
+
+#[test]
+fn the_kind_follows_the_parts_unless_one_is_named() {
+    let out = folder("default").join("model.json");
+    let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 1";
+    assert_eq!(train(&out, &format!("--parts lower,upper {few}"))["kind"], "vcgpdm");
+    assert_eq!(train(&out, &format!("--parts whole {few}"))["kind"], "vgpdm");
+}
+
+#[test]
+fn options_of_other_kinds_are_refused_in_words() {
+    let out = folder("refused").join("model.json");
+    for (more, said) in [
+        (
+            "--model gplvm",
+            "'gplvm' for '--model <KIND>': expected one of vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete",
+        ),
+        (
+            "--model tmp --dynamics-ips 5",
+            "--dynamics-ips: expected a model that has it (vcgpdm, vgpdm), found tmp",
+        ),
+        (
+            "--model map-gpdm --pose-ips 12",
+            "--pose-ips: expected a model that has it (vcgpdm, vgpdm), found map-",
+        ),
+        (
+            "--model dmp-discrete --seed 1",
+            "--seed: expected a model that has it (vcgpdm, vgpdm, map-gpdm, map-c",
+        ),
+        (
+            "--model dmp-rhythmic --primitives 3",
+            "--primitives: expected a model that has it (tmp), found dmp-r",
+        ),
+        (
+            "--parts lower,upper --bases 9",
+            "--bases: expected a model that has it (dmp-discrete, dmp-rhythmic), fou",
+        ),
+        (
+            "--model vgpdm --balanced",
+            "--balanced: expected a model that has it (map-gpdm, map-cgpdm), found vgpdm",
+        ),
+        (
+            "--model tmp --write-start s.json",
+            "--write-start: expected a model that has it (vcgpdm, vgpdm), found ",
+        ),
+        ("--model tmp --primitives 0", "the number of primitives must be from 1 to 40, found 0"),
+        ("", "--parts: expected how to split the body of a coupled model, such as lower,upper"),
+        ("--model map-cgpdm", "--parts: expected how to split the body of a coupled model"),
+        (
+            "--model vcgpdm --parts whole",
+            "--parts whole: expected two parts or more for a vcgpdm model, found 1; a model of one part is a vgpdm",
+        ),
+        (
+            "--model map-gpdm --parts lower,upper",
+            "--parts lower,upper: expected one part (whole) for a map-gpdm model, found 2; coupled it is a map-cgpdm",
+        ),
+    ] {
+        let arguments: Vec<&str> = ["train", "sample:walk-1", "--out", text(&out)]
+            .into_iter()
+            .chain(more.split_whitespace())
+            .collect();
+        let error = fails(&arguments);
+        assert!(error.contains(said), "{more}: {error}");
+    }
+    assert!(!out.exists(), "nothing is left behind");
+}

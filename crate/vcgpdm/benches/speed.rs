@@ -1,0 +1,83 @@
+//! How long the things take that people wait for, on the project's own walks, Q = 3. `cargo run --release --example scaling`
+//! goes on to 16,000 frames and measures memory; `npm run speed` compares native, wasm and another implementation.
+#![allow(missing_docs, clippy::unwrap_used)]
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::DMatrix;
+use std::hint::black_box;
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::motion::{parts, samples};
+
+fn dataset() -> Dataset {
+    let clips: Vec<_> = samples::list().iter().take(4).map(|s| samples::clip(s.id).unwrap()).collect();
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let sources: Vec<_> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    Dataset::new(&sources, &parts, 30.0).unwrap()
+}
+
+fn trained(y: Vec<DMatrix<f64>>, lengths: Vec<usize>, ips: usize) -> Trainer {
+    let settings = VariationalSettings {
+        dynamics_ips: ips,
+        pose_ips: ips,
+        max_iterations: 30,
+        ..VariationalSettings::default()
+    };
+    let mut trainer = Trainer::new(y, lengths, &settings, 0).unwrap();
+    while !trainer.step().done {}
+    trainer
+}
+
+/// The walks of both parts, one after the other so many times.
+fn repeated(dataset: &Dataset, times: usize) -> (Vec<DMatrix<f64>>, Vec<usize>) {
+    let repeat =
+        |y: &DMatrix<f64>| DMatrix::from_fn(y.nrows() * times, y.ncols(), |t, d| y[(t % y.nrows(), d)]);
+    (dataset.y.iter().map(repeat).collect(), dataset.lengths().repeat(times))
+}
+
+/// The columns of both parts in so many groups.
+fn split(dataset: &Dataset, parts: usize) -> Vec<DMatrix<f64>> {
+    let columns: Vec<_> = dataset.y.iter().flat_map(|y| y.column_iter()).collect();
+    let place = |i: usize| i * columns.len() / parts;
+    (0..parts).map(|i| DMatrix::from_columns(&columns[place(i)..place(i + 1)])).collect()
+}
+
+fn bound(criterion: &mut Criterion) {
+    let dataset = dataset();
+    let mut group = criterion.benchmark_group("bound with gradient");
+    let mut add = |id: BenchmarkId, trainer: &Trainer| {
+        let (objective, params) = (trainer.objective(), trainer.best());
+        let mut workspace = objective.workspace(&params);
+        group.throughput(Throughput::Elements(objective.sequences().frames() as u64));
+        group.bench_function(id, |bench| {
+            bench.iter(|| objective.compute_with_gradient(black_box(&params), &mut workspace).unwrap());
+        });
+    };
+    for times in [1, 2, 4, 8] {
+        let (y, lengths) = repeated(&dataset, times);
+        add(BenchmarkId::new("frames", lengths.iter().sum::<usize>()), &trained(y, lengths, 12));
+    }
+    for parts in 1..=5 {
+        add(BenchmarkId::new("parts", parts), &trained(split(&dataset, parts), dataset.lengths(), 12));
+    }
+    for ips in [8, 16, 40] {
+        add(BenchmarkId::new("inducing points", ips), &trained(dataset.y.clone(), dataset.lengths(), ips));
+    }
+    group.finish();
+}
+
+fn rollout(criterion: &mut Criterion) {
+    let dataset = dataset();
+    let trainer = trained(dataset.y.clone(), dataset.lengths(), 12);
+    let model = MotionModel::trained(&dataset, &trainer, 30.0).unwrap();
+    let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
+    let mut group = criterion.benchmark_group("rollout");
+    group.throughput(Throughput::Elements(300));
+    group.bench_function("300 frames with figure positions", |bench| {
+        bench.iter(|| model.positions(&model.rollout(black_box(&request)).unwrap()).unwrap());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, bound, rollout);
+criterion_main!(benches);

@@ -1,0 +1,376 @@
+//! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown table:
+//!
+//! ```sh
+//! cargo run --release --features cli --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
+//! ```
+//!
+//! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
+//! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use clap::Parser;
+use nalgebra::DMatrix;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+use vcgpdm::evaluation::dtw_mse;
+use vcgpdm::golden::Case;
+use vcgpdm::models::variational::{Objective, Params, Trainer, schedule, starting_point};
+use vcgpdm::models::{
+    Dataset, Group, MotionModel, Phase, RolloutRequest, Sequences, Source, VariationalSettings,
+};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
+
+const START_FRAMES: usize = 5;
+const FRAMES_PER_SECOND: f64 = 30.0;
+
+#[derive(Parser)]
+struct Arguments {
+    /// A folder whose first six BVH files, by name, are trials of one body; absent: the bundled walks.
+    #[arg(long)]
+    clips: Option<PathBuf>,
+    /// Seeds of our own training, from 0.
+    #[arg(long, default_value_t = 20)]
+    seeds: u32,
+    /// Seeds of each other way to train, from 0.
+    #[arg(long, default_value_t = 8)]
+    others: u32,
+    /// A command that trains from a starting point in a file, named last, and prints a JSON object with "elbo" and "seconds".
+    #[arg(long)]
+    peer: Option<String>,
+    /// Seeds that the peer trains from, from 0.
+    #[arg(long, default_value_t = 3)]
+    peer_seeds: u32,
+    /// Trainings at a time; absent: as many as there are cores.
+    #[arg(long)]
+    threads: Option<usize>,
+}
+
+/// A way to train: where it starts and what it does.
+#[derive(Clone, Copy)]
+struct Way {
+    start: &'static str,
+    schedule: &'static str,
+    begin: fn(&[DMatrix<f64>], &Sequences, &VariationalSettings, u32) -> Params,
+    phases: fn() -> Vec<Phase>,
+}
+
+const ITERATIONS: usize = 800;
+const X: &[Group] = &[Group::Latents];
+const K: &[Group] = &[Group::Kernels];
+const IP: &[Group] = &[Group::InducingInputs];
+const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
+const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
+
+fn phase(groups: &'static [Group], iterations: usize) -> Phase {
+    Phase { groups, iterations }
+}
+
+const OURS: Way = Way {
+    start: "ours",
+    schedule: "ours: one block of 50, then jointly",
+    begin: starting_point,
+    phases: || schedule(ITERATIONS),
+};
+
+const OTHERS: [Way; 6] = [
+    Way { schedule: "jointly", phases: || vec![phase(ALL, ITERATIONS)], ..OURS },
+    Way {
+        schedule: "five blocks of 50, then jointly",
+        phases: || [K_IP, X, K, IP, K, ALL].map(|groups| phase(groups, 50)).to_vec(),
+        ..OURS
+    },
+    Way {
+        start: "inducing inputs by k-means",
+        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, true),
+        ..OURS
+    },
+    Way {
+        start: "inducing inputs far apart",
+        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, false),
+        ..OURS
+    },
+    Way {
+        start: "the authors'",
+        schedule: "jointly",
+        begin: authors,
+        phases: || vec![phase(ALL, ITERATIONS)],
+    },
+    Way {
+        start: "the authors'",
+        schedule: "the authors' blocks of 300",
+        begin: authors,
+        phases: || {
+            let round = [X, K, IP, K].repeat(4);
+            std::iter::once(K_IP).chain(round).map(|groups| phase(groups, 300)).collect()
+        },
+    },
+];
+
+/// The authors' start: signal variance and noise 1, whatever the data's units.
+fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
+    let mut params = starting_point(y, sequences, settings, seed);
+    for part in &mut params.parts {
+        (part.kernel.variance, part.beta) = (1.0, 1.0);
+    }
+    params
+}
+
+/// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to cluster centres.
+fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params {
+    let histories: Vec<DMatrix<f64>> =
+        params.parts.iter().map(|part| sequences.histories(&part.latents).mean).collect();
+    for part in &mut params.parts {
+        spread(&part.latents.mean, &mut part.r, centres);
+    }
+    for (row, histories) in params.experts.iter_mut().zip(&histories) {
+        row.iter_mut().for_each(|expert| spread(histories, &mut expert.z, centres));
+    }
+    params
+}
+
+/// From the first row of `z` on, takes the row of `x` that is farthest from those taken; then Lloyd's iterations.
+fn spread(x: &DMatrix<f64>, z: &mut DMatrix<f64>, centres: bool) {
+    let distance = |t: usize, z: &DMatrix<f64>, k: usize| (x.row(t) - z.row(k)).norm_squared();
+    for k in 1..z.nrows() {
+        let nearest = |t: usize| (0..k).map(|l| distance(t, z, l)).fold(f64::INFINITY, f64::min);
+        let far = (0..x.nrows()).max_by(|a, b| nearest(*a).total_cmp(&nearest(*b))).unwrap();
+        z.set_row(k, &x.row(far));
+    }
+    for _ in 0..if centres { 30 } else { 0 } {
+        let mut sums = DMatrix::zeros(z.nrows(), z.ncols());
+        let mut counts = vec![0.0; z.nrows()];
+        for t in 0..x.nrows() {
+            let near = (0..z.nrows()).min_by(|a, b| distance(t, z, *a).total_cmp(&distance(t, z, *b)));
+            let mut sum = sums.row_mut(near.unwrap());
+            sum += x.row(t);
+            counts[near.unwrap()] += 1.0;
+        }
+        for (k, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
+            z.set_row(k, &(sums.row(k) / *count));
+        }
+    }
+}
+
+/// The data of one split of the body.
+struct Problem {
+    title: String,
+    dataset: Dataset,
+    /// The bound as the trainer computes it, whatever the start.
+    objective: Objective,
+    /// The rows of the whole trial that is predicted.
+    actual: DMatrix<f64>,
+}
+
+#[derive(Clone)]
+struct Run {
+    bound: f64,
+    evaluations: usize,
+    seconds: f64,
+    /// Seconds until 99.9 % of the final bound.
+    nearly: f64,
+    mse: f64,
+    still: bool,
+    alpha: DMatrix<f64>,
+}
+
+fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
+    let settings = VariationalSettings { max_iterations: 20 * ITERATIONS, ..VariationalSettings::default() };
+    let begin = Instant::now();
+    let mut trainer = trainer(problem, way, &settings, seed);
+    let mut trace = Vec::new();
+    let progress = loop {
+        let progress = trainer.step();
+        trace.push((begin.elapsed().as_secs_f64(), progress.best));
+        let joint: usize = (way.phases)().iter().rev().skip(1).map(|phase| phase.iterations).sum();
+        if progress.done || progress.iteration >= joint + ITERATIONS {
+            break progress;
+        }
+    };
+    let seconds = begin.elapsed().as_secs_f64();
+    let enough = progress.best - 1e-3 * progress.best.abs();
+    let nearly = trace.iter().find(|(_, best)| *best >= enough).unwrap().0;
+    let model = MotionModel::trained(&problem.dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let request = |frames, sequence| {
+        model.rollout(&RolloutRequest { frames, sequence, ..Default::default() }).unwrap().y
+    };
+    let last = problem.dataset.sequences.len() - 1;
+    let mse = dtw_mse(&request(problem.actual.nrows(), last), &problem.actual).unwrap().dtw_mse;
+    // No walk: what is left of the movement after ten seconds is a fifth of what the trial does, or the prediction is hardly
+    // better than a motionless one.
+    let end = request(300, 0).rows(240, 60).row_variance().sum().sqrt();
+    let variance = problem.actual.row_variance().sum();
+    let still = end < 0.2 * variance.sqrt() || mse > 0.5 * variance / problem.actual.ncols() as f64;
+    Run {
+        bound: progress.best,
+        evaluations: progress.evaluations,
+        seconds,
+        nearly,
+        mse,
+        still,
+        alpha: model.fitted.alpha.clone(),
+    }
+}
+
+fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u32) -> Trainer {
+    let objective = problem.objective.clone();
+    let start = (way.begin)(objective.observations(), objective.sequences(), settings, seed);
+    Trainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
+}
+
+fn read_trials(folder: Option<&Path>) -> Vec<Clip> {
+    let Some(folder) = folder else {
+        return samples::list().iter().take(6).map(|sample| samples::clip(sample.id).unwrap()).collect();
+    };
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_some_and(|e| e == "bvh"));
+    files.sort();
+    let read = |file: &PathBuf| {
+        bvh::read(&file.file_name().unwrap().to_string_lossy(), &std::fs::read(file).unwrap())
+            .unwrap()
+            .into_clip()
+    };
+    files.iter().take(6).map(read).collect()
+}
+
+fn problem(trials: &[Clip], preset: &str) -> Problem {
+    let chosen = parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == preset).unwrap();
+    let sources: Vec<Source> = trials
+        .iter()
+        .enumerate()
+        .map(|(k, clip)| Source { clip, first_frames: (k + 1 == trials.len()).then_some(START_FRAMES) })
+        .collect();
+    let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
+    let trial = trials[trials.len() - 1].resample(1.0 / dataset.frame_time).unwrap();
+    let actual = dataset.mapping.encode(&trial).unwrap().y;
+    let trainer =
+        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
+    Problem { title: chosen.title, objective: trainer.objective(), dataset, actual }
+}
+
+/// The runs of a way, seed by seed, several at a time.
+fn runs(problem: &Problem, way: &Way, seeds: u32, threads: usize) -> Vec<Run> {
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(vec![None; seeds as usize]));
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= seeds as usize {
+                        break;
+                    }
+                    let run = run(problem, way, seed as u32);
+                    eprintln!("{}, {}, seed {seed}: {:.0}", way.start, way.schedule, run.bound);
+                    done.lock().unwrap()[seed] = Some(run);
+                }
+            });
+        }
+    });
+    done.into_inner().unwrap().into_iter().flatten().collect()
+}
+
+/// Smallest, middle and largest.
+fn range(values: impl Iterator<Item = f64>, digits: usize) -> String {
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_by(f64::total_cmp);
+    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+    format!("{low:.digits$} / {:.digits$} / {high:.digits$}", sorted[sorted.len() / 2])
+}
+
+/// What another program makes of our starts: bounds and seconds.
+fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, f64)> {
+    let file = std::env::temp_dir().join(format!("every-seed-{}.json", std::process::id()));
+    let found = (0..seeds).map(|seed| {
+        let trainer = trainer(problem, &OURS, &VariationalSettings::default(), seed);
+        std::fs::write(&file, Case::write(&trainer.best(), &trainer.objective()).unwrap()).unwrap();
+        let mut words = command.split_whitespace();
+        let output = Command::new(words.next().unwrap()).args(words).arg(&file).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        let result: serde_json::Value = serde_json::from_str(&text)
+            .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)));
+        eprintln!("peer, seed {seed}: {}", result["elbo"]);
+        (result["elbo"].as_f64().unwrap(), result["seconds"].as_f64().unwrap())
+    });
+    let found = found.collect();
+    let _ = std::fs::remove_file(&file);
+    found
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = arguments.threads.unwrap_or(cores);
+    let trials = read_trials(arguments.clips.as_deref());
+    for preset in ["whole", "lower-upper"] {
+        let problem = problem(&trials, preset);
+        let frames: usize = problem.dataset.lengths().iter().sum();
+        let variance = problem.actual.row_variance().sum() / problem.actual.ncols() as f64;
+        println!("## {}\n", problem.title);
+        println!("{frames} frames; a motionless prediction scores about {variance:.5}.\n");
+        let ours = runs(&problem, &OURS, arguments.seeds, threads);
+        let mut all = vec![(OURS, ours.clone())];
+        all.extend(OTHERS.map(|way| (way, runs(&problem, &way, arguments.others, threads))));
+        let peers = arguments.peer.as_ref().map(|command| peer(&problem, command, arguments.peer_seeds));
+        let bounds = all.iter().flat_map(|(_, runs)| runs.iter().map(|run| run.bound));
+        let best = bounds.chain(peers.iter().flatten().map(|p| p.0)).fold(f64::NEG_INFINITY, f64::max);
+        println!("Best bound of all: {best:.0}. Numbers with slashes are smallest / middle / largest.\n");
+        println!(
+            "| start | schedule | seeds | within 0.5 % | bound | DTW MSE | no walk | evaluations | seconds to 99.9 % |"
+        );
+        println!("|---|---|---|---|---|---|---|---|---|");
+        for (way, runs) in &all {
+            let near = runs.iter().filter(|run| run.bound >= best - 0.005 * best.abs()).count();
+            println!(
+                "| {} | {} | {} | {near} | {} | {} | {} | {} | {} |",
+                way.start,
+                way.schedule,
+                runs.len(),
+                range(runs.iter().map(|run| run.bound), 0),
+                range(runs.iter().map(|run| run.mse), 5),
+                runs.iter().filter(|run| run.still).count(),
+                range(runs.iter().map(|run| run.evaluations as f64), 0),
+                range(runs.iter().map(|run| run.nearly), 1),
+            );
+        }
+        if let Some(peers) = peers {
+            let near = peers.iter().filter(|p| p.0 >= best - 0.005 * best.abs()).count();
+            println!(
+                "| ours | the peer's, from our starts ({} s in all) | {} | {near} | {} | | | | |",
+                range(peers.iter().map(|p| p.1), 0),
+                peers.len(),
+                range(peers.iter().map(|p| p.0), 0),
+            );
+        }
+        println!();
+        println!("Seconds of a whole training of ours: {}.\n", range(ours.iter().map(|run| run.seconds), 1));
+        who_drives_whom(&problem, &ours);
+    }
+}
+
+/// Coupling variances alpha over the seeds, and how often each says that a part drives another.
+fn who_drives_whom(problem: &Problem, runs: &[Run]) {
+    let names: Vec<&str> = problem.dataset.layout.parts().iter().map(|part| part.name.as_str()).collect();
+    if names.len() < 2 {
+        return;
+    }
+    println!("| coupling | alpha | weight w | seeds with w at least 0.1 |\n|---|---|---|---|");
+    for (j, source) in names.iter().enumerate() {
+        for (i, target) in names.iter().enumerate() {
+            let weights: Vec<f64> = runs
+                .iter()
+                .map(|run| vcgpdm::models::variational::coupling_weights(run.alpha.column(i).as_slice()).1[j])
+                .collect();
+            println!(
+                "| {source} to {target} | {} | {} | {} of {} |",
+                range(runs.iter().map(|run| run.alpha[(j, i)]), 3),
+                range(weights.iter().copied(), 3),
+                weights.iter().filter(|w| **w >= 0.1).count(),
+                runs.len()
+            );
+        }
+    }
+    println!();
+}

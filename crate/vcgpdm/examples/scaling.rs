@@ -1,0 +1,132 @@
+//! Prints, as Markdown, how the time of one bound with its gradient and the memory of a training grow with frames, parts and
+//! inducing points:
+//!
+//! ```sh
+//! cargo run --release --example scaling
+//! ```
+//!
+//! The data are the bundled walks, one after the other as often as needed, a little different each time. Every row is measured in
+//! a process of its own: a few iterations of a training, whose largest memory the system tells (Linux; elsewhere it is left out).
+#![allow(missing_docs, clippy::unwrap_used)]
+
+use nalgebra::DMatrix;
+use std::process::Command;
+use std::time::Instant;
+use vcgpdm::evaluation::stats::exponent;
+use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::{Dataset, Source, VariationalSettings};
+use vcgpdm::motion::{parts, samples};
+
+/// Iterations enough for the optimiser to have filled its memory.
+const ITERATIONS: usize = 40;
+
+#[derive(Clone, Copy)]
+struct Size {
+    frames: usize,
+    parts: usize,
+    ips: usize,
+}
+
+const BASE: Size = Size { frames: 500, parts: 2, ips: 12 };
+
+/// All columns of the bundled walks, repeated to exactly so many frames, and the sequences' lengths.
+fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
+    let clips: Vec<_> = samples::list().iter().take(6).map(|s| samples::clip(s.id).unwrap()).collect();
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let parts = parts::presets(&clips[0].skeleton).remove(0).parts;
+    let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
+    let (all, lengths) = (&dataset.y[0], dataset.lengths());
+    let mut y = DMatrix::zeros(frames, all.ncols());
+    let mut out = Vec::new();
+    let mut at = 0;
+    while at < frames {
+        let round = out.len() / lengths.len();
+        let k = out.len() % lengths.len();
+        let first: usize = lengths[..k].iter().sum();
+        let rest = frames - at;
+        // No sequence is left that is too short to have dynamics.
+        let length = if rest < lengths[k] + 10 { rest.min(lengths[k]) } else { lengths[k] };
+        let scale = 1.0 + 0.03 * (round as f64).sin();
+        y.rows_mut(at, length).copy_from(&(all.rows(first, length) * scale));
+        at += length;
+        out.push(length);
+    }
+    (y, out)
+}
+
+/// Columns in groups of about the same size.
+fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
+    let place = |i: usize| i * y.ncols() / parts;
+    (0..parts).map(|i| y.columns(place(i), place(i + 1) - place(i)).into_owned()).collect()
+}
+
+/// Milliseconds of one bound with its gradient.
+fn measure(size: Size) -> f64 {
+    let (y, lengths) = walks(size.frames);
+    let settings = VariationalSettings {
+        dynamics_ips: size.ips,
+        pose_ips: size.ips,
+        max_iterations: ITERATIONS,
+        ..VariationalSettings::default()
+    };
+    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
+    while !trainer.step().done {}
+    let (objective, params) = (trainer.objective(), trainer.best());
+    let mut workspace = objective.workspace(&params);
+    let mut times = Vec::new();
+    let begin = Instant::now();
+    while times.len() < 5 || (begin.elapsed().as_secs_f64() < 1.0 && times.len() < 200) {
+        let begin = Instant::now();
+        objective.compute_with_gradient(&params, &mut workspace).unwrap();
+        times.push(1e3 * begin.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// The largest memory of this process so far, in MB.
+fn peak_memory() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    line.split_whitespace().nth(1)?.parse::<f64>().ok().map(|kb| kb / 1024.0)
+}
+
+/// Time in milliseconds and memory in MB, from a process of its own.
+fn in_a_process(size: Size) -> (f64, Option<f64>) {
+    let numbers = [size.frames, size.parts, size.ips].map(|n| n.to_string());
+    let output = Command::new(std::env::current_exe().unwrap()).args(numbers).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let mut found = text.split_whitespace().map(|word| word.parse::<f64>().ok());
+    (found.next().flatten().unwrap(), found.next().flatten())
+}
+
+/// Prints a table; gives the points (varied number, milliseconds).
+fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f64)> {
+    println!("| {title} | ms | largest memory, MB |\n|---|---|---|");
+    let points = sizes.map(|(number, size)| {
+        let (ms, memory) = in_a_process(size);
+        println!("| {number} | {ms:.2} | {} |", memory.map_or(String::new(), |m| format!("{m:.0}")));
+        (number as f64, ms)
+    });
+    let points = points.collect();
+    println!();
+    points
+}
+
+fn main() {
+    let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().unwrap()).collect();
+    if let [frames, parts, ips] = numbers[..] {
+        let ms = measure(Size { frames, parts, ips });
+        println!("{ms} {}", peak_memory().map_or("-".to_owned(), |m| m.to_string()));
+        return;
+    }
+    println!("{} parts, {} + {} inducing points:\n", BASE.parts, BASE.ips, BASE.ips);
+    let frames = [250, 500, 1000, 2000, 4000, 8000, 16_000];
+    let points = table("frames", frames.map(|frames| (frames, Size { frames, ..BASE })).into_iter());
+    println!("Exponent in frames: {:.3}.\n", exponent(&points).unwrap());
+    println!("{} frames, {} + {} inducing points:\n", BASE.frames, BASE.ips, BASE.ips);
+    table("parts", (1..=5).map(|parts| (parts, Size { parts, ..BASE })));
+    println!("{} frames, {} parts:\n", BASE.frames, BASE.parts);
+    table("inducing points", [8, 12, 16, 24, 32, 40].map(|ips| (ips, Size { ips, ..BASE })).into_iter());
+}

@@ -1,0 +1,335 @@
+use super::*;
+use crate::models::map::MapLearner;
+use crate::models::variational::Trainer;
+use crate::models::{
+    Body, Dataset, DmpSettings, Learner, MapSettings, ModelKind, Movements, Record, RolloutRequest, Sequence,
+    Source, TmpSettings, VariationalSettings,
+};
+use crate::motion::{parts, samples};
+use serde_json::{Value, json};
+use std::sync::OnceLock;
+
+fn trained() -> &'static MotionModel {
+    static MODEL: OnceLock<MotionModel> = OnceLock::new();
+    MODEL.get_or_init(|| {
+        let clip = samples::clip("walk-1").unwrap();
+        let parts = &parts::presets(&clip.skeleton)[1].parts;
+        let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+        let settings =
+            VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
+        let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
+        while !trainer.step().done {}
+        MotionModel::trained(&dataset, &trainer, 30.0).unwrap()
+    })
+}
+
+fn document() -> Value {
+    serde_json::from_str(&trained().to_json().unwrap()).unwrap()
+}
+
+fn refused(change: impl FnOnce(&mut Value)) -> String {
+    let mut value = document();
+    change(&mut value);
+    MotionModel::from_json(&value.to_string()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
+    let model = trained();
+    let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
+    assert_eq!(again.fitted, model.fitted);
+    assert_eq!(again.provenance, model.provenance);
+    assert_eq!(again.body.sequences, model.body.sequences);
+    let request = RolloutRequest { frames: 50, ..Default::default() };
+    assert_eq!(model.rollout(&request).unwrap().y, again.rollout(&request).unwrap().y);
+    assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
+}
+
+#[test]
+fn it_holds_no_training_clip() {
+    // 120 frames of 60 odd columns would be the largest thing in the file.
+    let model = trained();
+    let numbers = |v: &Value| -> usize {
+        fn count(v: &Value) -> usize {
+            match v {
+                Value::Array(a) => a.iter().map(count).sum(),
+                Value::Object(o) => o.values().map(count).sum(),
+                Value::Number(_) => 1,
+                _ => 0,
+            }
+        }
+        count(v)
+    };
+    let frames = model.body.sequences[0].frames;
+    assert!(numbers(&document()) < frames * model.body.column_means.len() / 2);
+}
+
+#[test]
+fn other_files_are_refused_with_the_reason() {
+    let error = |text: &str| MotionModel::from_json(text).unwrap_err().to_string();
+    assert!(error("HIERARCHY").starts_with("expected a model as JSON: "));
+    assert_eq!(error("{}"), "expected a model with \"format\": \"vcgpdm model\", found no format");
+    assert_eq!(
+        refused(|v| v["format"] = json!("pose")),
+        "expected a model with \"format\": \"vcgpdm model\", found \"pose\""
+    );
+    assert!(refused(|v| v["format"] = json!(vec![1; 100_000])).len() < 200, "a line can be read");
+    assert_eq!(
+        refused(|v| v["version"] = json!(7)),
+        "expected a model of version 2 or earlier, found version 7; a newer program wrote it"
+    );
+}
+
+#[test]
+fn wrong_fields_are_refused_with_their_path() {
+    type Change = fn(&mut Value);
+    let cases: [(&str, Change); 13] = [
+        ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
+        ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
+            v["parts"][0]["r"][1] = json!([1.0])
+        }),
+        ("at parts[0].r[1][0]: expected a number, found null", |v| v["parts"][0]["r"][1][0] = Value::Null),
+        ("at parts[0].v_mean: expected 4 x ", |v| v["parts"][0]["v_mean"] = json!([[1.0]])),
+        ("at dynamics[1].experts[0].lambda: expected 6, found 1", |v| {
+            v["dynamics"][1]["experts"][0]["lambda"] = json!([1.0]);
+        }),
+        ("at dynamics[0].sum_psi2: expected 10 x 10", |v| v["dynamics"][0]["sum_psi2"] = json!([])),
+        ("at alpha: expected positive numbers", |v| v["alpha"][0][1] = json!(0.0)),
+        ("at alpha: expected 2 x 2 numbers, found 1 x 2", |v| v["alpha"] = json!([[1.0, 1.0]])),
+        ("at order: expected from 1 to 100, found 1000000", |v| v["order"] = json!(1_000_000)),
+        ("at provenance.terms.dynamics: expected 2, found 1", |v| {
+            v["provenance"]["terms"]["dynamics"] = json!([1.0]);
+        }),
+        ("at frame_time: expected seconds", |v| v["frame_time"] = json!(0.0)),
+        ("at sequences[0].start[1]: expected 2 x 3 numbers", |v| {
+            v["sequences"][0]["start"][1] = json!([[1, 2, 3]])
+        }),
+        ("at sequences[0]: expected a field \"frames\", found none", |v| {
+            v["sequences"][0].as_object_mut().unwrap().remove("frames");
+        }),
+    ];
+    for (expected, change) in cases {
+        let error = refused(change);
+        assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
+    }
+    // A joint that is in no part, and a skeleton that is no tree.
+    assert!(
+        refused(|v| v["parts"][0]["joints"] = json!([0]))
+            .starts_with("at parts: expected each joint in one part")
+    );
+    // JSON itself has no numbers that do not fit.
+    let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
+    assert!(MotionModel::from_json(&huge).unwrap_err().to_string().contains("out of range"));
+}
+
+/// What a person reads about a model must be something that it could have been asked for.
+#[test]
+fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
+    let mut variational = document();
+    let mut point: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
+    let set = |document: &mut Value, name: &str, value: Value| {
+        document["provenance"]["settings"][name] = value;
+        AnyModel::from_json(&document.to_string()).err().map(|error| error.to_string())
+    };
+    for (name, good, bad, expected) in [
+        ("latent", json!(100), json!(0), "expected from 1 to 100, found 0"),
+        ("order", json!(1), json!(101), "expected from 1 to 100, found 101"),
+        ("dynamics_ips", json!(1000), json!(1001), "expected from 1 to 1000, found 1001"),
+        ("pose_ips", json!(12), json!(0), "expected from 1 to 1000, found 0"),
+        ("max_iterations", json!(0), json!(0.5), "expected a whole number, found 0.5"),
+        ("seed", json!(4294967295u32), json!(-1), "expected a whole number, found -1"),
+        ("balanced", json!(1), json!(2), "expected from 0 to 1, found 2"),
+        ("primitives", json!(4), json!(0), "expected from 1 to 1000, found 0"),
+        ("bases", json!(20), json!(1e9), "expected from 1 to 1000, found 1000000000"),
+        ("not known yet", json!(-0.5), json!(1e300), "expected numbers up to 1e12 in size, found 1"),
+    ] {
+        // A variational document has these settings and no others; one of another kind has what its kind was asked for.
+        let its_own = variational["provenance"]["settings"].get(name).is_some();
+        for document in [Some(&mut point), its_own.then_some(&mut variational)].into_iter().flatten() {
+            let error = set(document, name, bad.clone()).unwrap();
+            assert!(error.starts_with(&format!("at provenance.settings.{name}: {expected}")), "{error}");
+            assert_eq!(set(document, name, good.clone()), None, "{name}");
+        }
+    }
+    for mut document in [variational, point] {
+        document["provenance"]["frames_per_second"] = json!(0);
+        let error = AnyModel::from_json(&document.to_string()).err().unwrap().to_string();
+        let expected = "at provenance.frames_per_second: expected frames a second from 0.1 to 10000, found 0";
+        assert_eq!(error, expected);
+    }
+}
+
+#[test]
+fn a_broken_body_is_refused_with_the_path_of_the_field() {
+    let broken: [(&str, Value, &str); 13] = [
+        ("/pose/stage/up", json!("w"), "at pose.stage.up: expected one of \"x\""),
+        ("/pose/stage/height", json!(0.0), "at pose.stage.height: expected a positive number, found 0"),
+        ("/pose/stage/ground", json!(-1e300), "at pose.stage.ground: expected a height below 1e12"),
+        ("/pose/upright/0", json!(2.0), "at pose.upright: expected four numbers"),
+        ("/pose/upright", json!([1.0]), "at pose.upright: expected a list of 4 numbers, found a list of 1"),
+        ("/pose/positions", json!([]), "at pose.positions: expected three numbers for each of the"),
+        ("/pose/first/0/0", json!(1e300), "at pose.first: expected numbers below 1e12"),
+        ("/pose/first/0/0", json!("a"), "at pose.first[0][0]: expected a number, found a text"),
+        ("/pose/skeleton/joints/3/parent", json!(99), "at pose.skeleton: joint 3"),
+        ("/pose/skeleton/joints/0/parent", json!(0), "at pose.skeleton: joint 0"),
+        ("/pose/skeleton/joints/3/parent", json!(-1), "at pose.skeleton.joints[3].parent: expected a whole"),
+        (
+            "/pose/skeleton/joints/3/channels/0",
+            json!("x"),
+            "at pose.skeleton.joints[3].channels[0]: expected",
+        ),
+        ("/pose/skeleton/joints", json!([]), "at pose.skeleton: expected at least one joint"),
+    ];
+    for (path, value, wanted) in broken {
+        let message = refused(|v| *v.pointer_mut(path).unwrap() = value);
+        assert!(message.starts_with(wanted), "{path}: {message}");
+    }
+}
+
+#[test]
+fn unknown_and_doubled_fields_are_refused() {
+    assert!(refused(|v| v["colour"] = json!("red")).starts_with("at the document: expected no field"));
+    assert!(
+        refused(|v| v["parts"][1]["gamma"] = json!(1))
+            .starts_with("at parts[1]: expected no field \"gamma\"")
+    );
+    let twice = trained().to_json().unwrap().replacen("\"order\":2", "\"order\":2,\"order\":2", 1);
+    let message = MotionModel::from_json(&twice).unwrap_err().to_string();
+    assert_eq!(message, "at the document: expected no field \"order\", or only one");
+}
+
+#[test]
+fn what_is_not_finite_is_not_written() {
+    let mut model = trained().clone();
+    model.provenance.bound = f64::NAN;
+    assert!(model.to_json().unwrap_err().to_string().ends_with("expected finite numbers, found NaN"));
+}
+
+/// A MAP CGPDM of the sample walk, hardly trained.
+fn baseline() -> BaselineModel {
+    let clip = samples::clip("walk-1").unwrap().cut(0, 40).unwrap();
+    let parts = &parts::presets(&clip.skeleton)[1].parts;
+    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+    let frames = dataset.lengths()[0];
+    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
+    let mut learner = MapLearner::new(movements, &settings, 0).unwrap();
+    while !learner.step().done {}
+    let record = Record {
+        engine: "test".to_owned(),
+        settings: vec![("latent".to_owned(), 2.0), ("seed".to_owned(), 0.0)],
+        frames_per_second: 30.0,
+        objective: learner.progress().best,
+        iterations: 10,
+        note: None,
+    };
+    BaselineModel { body: Body::of(&dataset), model: learner.model().unwrap(), record }
+}
+
+#[test]
+fn a_baseline_rolls_out_to_the_bit_as_it_was_written() {
+    let model = AnyModel::Baseline(Box::new(baseline()));
+    let text = model.to_json().unwrap();
+    let again = AnyModel::from_json(&text).unwrap();
+    assert_eq!(again.kind(), ModelKind::MapCgpdm);
+    assert_eq!(again.to_json().unwrap(), text);
+    let y = model.rollout(0, 60).unwrap();
+    assert_eq!(again.rollout(0, 60).unwrap(), y);
+    assert!(y.iter().all(|v| v.is_finite()));
+    let (AnyModel::Baseline(written), AnyModel::Baseline(read)) = (&model, &again) else {
+        panic!("another kind");
+    };
+    assert_eq!(read.record, written.record);
+    assert_eq!(read.model.stored_numbers(), written.model.stored_numbers());
+    assert_eq!(again.body().clip(&y, "walk.bvh").unwrap().frames(), 60);
+    assert_eq!(
+        MotionModel::from_json(&text).unwrap_err().to_string(),
+        "expected a vcgpdm or vgpdm model, found a map-cgpdm model"
+    );
+}
+
+#[test]
+fn documents_without_a_kind_are_variational() {
+    let AnyModel::Variational(model) = AnyModel::from_json(&trained().to_json().unwrap()).unwrap() else {
+        panic!("another kind");
+    };
+    assert_eq!(model.fitted, trained().fitted);
+    let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
+    let known = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
+    assert_eq!(named("gplvm"), format!("at kind: expected one of {known}, found \"gplvm\""));
+    assert_eq!(named("vgpdm"), "at kind: expected vcgpdm, for so many parts, found vgpdm");
+    let any = AnyModel::from_json(&trained().to_json().unwrap()).unwrap();
+    let request = RolloutRequest { frames: 20, ..Default::default() };
+    assert_eq!(any.rollout(0, 20).unwrap(), trained().rollout(&request).unwrap().y);
+}
+
+#[test]
+fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
+    type Change = fn(&mut Value);
+    let document: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
+    let cases: [(&str, Change); 10] = [
+        ("at kind: expected map-cgpdm, for so many parts, found map-gpdm", |v| v["kind"] = json!("map-gpdm")),
+        ("at model.order: expected from 1 to 100, found 0", |v| v["model"]["order"] = json!(0)),
+        ("at model: sequence 0 has ", |v| v["model"]["order"] = json!(100)),
+        ("at model.parts[0].latents: expected ", |v| v["sequences"][0]["frames"] = json!(39)),
+        ("at model.parts[1].variance: expected positive", |v| v["model"]["parts"][1]["variance"] = json!(0)),
+        ("at model.parts[1].coefficients: expected ", |v| v["model"]["parts"][1]["coefficients"] = json!([])),
+        ("at model.dynamics[0].lambda[1]: expected 4, found 1", |v| {
+            v["model"]["dynamics"][0]["lambda"][1] = json!([1.0]);
+        }),
+        ("at model.dynamics[1].coefficients: expected numbers up to 1e12", |v| {
+            v["model"]["dynamics"][1]["coefficients"][3][0] = json!(1e13);
+        }),
+        ("at model.alpha: expected positive numbers", |v| v["model"]["alpha"][1][0] = json!(-1.0)),
+        ("at provenance.settings.latent: expected a whole number, found a text", |v| {
+            v["provenance"]["settings"]["latent"] = json!("two");
+        }),
+    ];
+    for (expected, change) in cases {
+        let mut value = document.clone();
+        change(&mut value);
+        let error = AnyModel::from_json(&value.to_string()).err().unwrap().to_string();
+        assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
+    }
+}
+
+#[test]
+fn movement_primitives_come_back_as_they_were_written() {
+    use crate::models::dmp::{Canonical, DmpLearner};
+    use crate::models::tmp::TmpLearner;
+    let BaselineModel { body, record, .. } = baseline();
+    let clip = samples::clip("walk-1").unwrap();
+    let parts = body.layout.parts().to_vec();
+    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
+    let frames = dataset.lengths()[0];
+    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let dmp = |canonical| DmpLearner::new(&movements, canonical, &DmpSettings::default()).unwrap();
+    let learners: [(ModelKind, Box<dyn Learner>); 3] = [
+        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, &TmpSettings::default()).unwrap())),
+        (ModelKind::DmpDiscrete, Box::new(dmp(Canonical::Discrete))),
+        (ModelKind::DmpRhythmic, Box::new(dmp(Canonical::Rhythmic))),
+    ];
+    for (kind, mut learner) in learners {
+        for _ in 0..3 {
+            learner.step();
+        }
+        let body = Body::of(&dataset);
+        let model = BaselineModel { body, model: learner.model().unwrap(), record: record.clone() };
+        let text = model.to_json().unwrap();
+        let again = AnyModel::from_json(&text).unwrap();
+        assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
+        let y = AnyModel::Baseline(Box::new(model)).rollout(0, 50).unwrap();
+        assert_eq!(again.rollout(0, 50).unwrap(), y);
+        // Every field of a model is needed, and none but these.
+        let value: Value = serde_json::from_str(&text).unwrap();
+        for name in value["model"].as_object().unwrap().keys() {
+            let mut broken = value.clone();
+            broken["model"].as_object_mut().unwrap().remove(name);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert_eq!(error, format!("at model: expected a field \"{name}\", found none"));
+            broken["model"][name] = json!([["x"]]);
+            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            assert!(error.starts_with(&format!("at model.{name}")), "{error}");
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! What the results of a comparison say: the table of models, bound against error, time against frames, claims.
+
+use crate::evaluation::claims::claims;
+use crate::evaluation::correlation::correlations;
+use crate::evaluation::growth::growth;
+use crate::evaluation::labels::Labels;
+use crate::evaluation::results::Results;
+use crate::evaluation::rows::rows;
+use crate::evaluation::summary::{Claim, Correlation, Growth, ModelSummary};
+use serde::Serialize;
+
+/// What the results of a comparison say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// Every candidate that was trained on all other trials.
+    pub models: Vec<ModelSummary>,
+    /// For every kind of model with a bound and at least three candidates that differ in size alone.
+    pub correlations: Vec<Correlation>,
+    /// For every kind of model that was trained on at least three numbers of trials.
+    pub growth: Vec<Growth>,
+    /// The claims about which there are results.
+    pub claims: Vec<Claim>,
+}
+
+impl Comparison {
+    /// What these results say.
+    pub fn of(results: &Results) -> Self {
+        let (rows, labels) = (rows(results), Labels::of(results));
+        let growth = growth(results, &labels);
+        let claims = claims(&rows, results.setting().trials.len(), &growth, &labels);
+        let models = rows.iter().filter_map(|row| row.summary(labels.label(row.candidate))).collect();
+        Self { models, correlations: correlations(&rows, &labels), growth, claims }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::testing::{finished, map, outcome, results, variational};
+    use crate::models::{ModelKind, ModelSettings, VariationalSettings};
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn seeds_are_averaged_before_folds() {
+        let mut jobs = Vec::new();
+        let candidate = || ModelSettings::Vgpdm(variational(8));
+        for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
+            jobs.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
+        }
+        // Trained on fewer trials: no row of the table.
+        jobs.push(finished(candidate(), 3, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
+        let found = Comparison::of(&results(3, &jobs));
+        assert_eq!(found.models.len(), 1);
+        let row = &found.models[0];
+        assert_eq!((row.folds, row.runs, row.mse.count), (2, 3, 2));
+        // Folds 2 and 6: mean 4, standard error |6 - 2| / 2.
+        assert_relative_eq!(row.mse.mean, 4.0);
+        assert_relative_eq!(row.mse.standard_error.unwrap(), 2.0);
+        assert_relative_eq!(row.mse_median, 4.0);
+        assert!(found.claims.is_empty() && found.correlations.is_empty() && found.growth.is_empty());
+    }
+
+    #[test]
+    fn the_claims_use_the_setting_that_the_bound_prefers() {
+        let mut jobs = Vec::new();
+        let mut add = |candidate: ModelSettings, mse: f64, bound: Option<f64>| {
+            jobs.push(finished(candidate, 1, 1, 0, outcome(mse, bound, 100, 1.0)));
+        };
+        // The bound prefers 12, though 16 happens to predict better.
+        for (ips, mse, bound) in [(8, 0.5, 1.0), (12, 0.3, 3.0), (16, 0.2, 2.0)] {
+            add(ModelSettings::Vcgpdm(variational(ips)), mse, Some(bound));
+            add(ModelSettings::Vgpdm(variational(ips)), mse, Some(bound));
+        }
+        add(ModelSettings::MapGpdm(map(false)), 0.4, None);
+        add(ModelSettings::MapCgpdm(map(false)), 0.5, None);
+        add(ModelSettings::MapGpdm(map(true)), 0.25, None);
+        add(ModelSettings::MapCgpdm(map(true)), 0.5, None);
+        let found = Comparison::of(&results(2, &jobs));
+        let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
+        // Better than plain MAP models, not than balanced ones; not the best of all; ratio 1 of parts and whole; 0.3 is not
+        // nearly 0.2; correlations of (1, 3, 2) with (0.5, 0.3, 0.2).
+        assert_eq!(holds, [true, false, false, true, false, false, false, false], "{:?}", found.claims);
+        assert!(found.claims[1].found.contains("0.30000"), "{:?}", found.claims);
+        assert!(found.claims[2].found.contains("0.20000: vgpdm, 16 + 16"), "{:?}", found.claims);
+        assert!(found.claims[4].found.contains("1.50 times"), "{:?}", found.claims);
+        assert_relative_eq!(found.correlations[0].rank, -0.5);
+    }
+
+    /// What a cancelled run leaves: the hard trials 2 and 3 are there for the first model alone.
+    #[test]
+    fn models_are_compared_over_the_trials_that_all_of_them_have() {
+        let mut jobs = Vec::new();
+        let mut add = |candidate: ModelSettings, fold: usize, mse: f64| {
+            jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
+        };
+        for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
+            add(ModelSettings::Vcgpdm(variational(12)), fold, mse);
+        }
+        add(ModelSettings::Vgpdm(variational(12)), 1, 0.25);
+        add(ModelSettings::MapGpdm(map(false)), 1, 0.4);
+        add(ModelSettings::MapCgpdm(map(false)), 1, 0.5);
+        let found = Comparison::of(&results(3, &jobs));
+        let holds: Vec<bool> = found.claims.iter().map(|claim| claim.holds).collect();
+        assert_eq!(holds, [true, true, true], "{:?}", found.claims);
+        assert!(found.claims[1].found.starts_with("MSE 0.20000; of the others at best 0.25000"));
+        assert!(found.claims.iter().all(|claim| claim.found.ends_with(" (over 1 of 3 trials)")));
+        // The table shows all that each of them has.
+        assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
+        assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
+        // Held against another trial than all others, a model says nothing.
+        for finished in jobs.iter_mut().filter(|f| f.job.candidate.kind() == ModelKind::Vgpdm) {
+            finished.job.held_out = 2;
+        }
+        let found = Comparison::of(&results(3, &jobs));
+        let claims: Vec<&str> = found.claims.iter().map(|claim| &claim.claim[..15]).collect();
+        assert_eq!(claims, ["Parts cost no p"], "over trial 2, which both of them have");
+    }
+
+    #[test]
+    fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
+        let mut jobs = Vec::new();
+        let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = ModelSettings::Vgpdm(variational(ips));
+            jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher, and hard.
+        for (ips, mse, bound) in [(4, 0.3, 10.0), (8, 0.2, 20.0), (12, 0.1, 30.0)] {
+            add(ips, 1, mse, bound);
+        }
+        add(4, 2, 0.9, 500.0);
+        add(8, 2, 0.8, 600.0);
+        let found = Comparison::of(&results(3, &jobs));
+        let correlation = &found.correlations[0];
+        assert_relative_eq!(correlation.rank, -1.0);
+        assert_eq!((correlation.settings, correlation.folds), (3, 1));
+        assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
+        // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
+        assert!(found.claims[0].found.starts_with("vgpdm over 3 settings: 1.00 times"), "{:?}", found.claims);
+        // A setting that has only another trial: nothing to compare.
+        jobs[0].job.held_out = 3;
+        jobs.retain(|f| f.job.held_out != 2);
+        let found = Comparison::of(&results(3, &jobs));
+        assert!(found.correlations.is_empty() && found.claims.is_empty(), "{:?}", found.claims);
+    }
+
+    #[test]
+    fn settings_besides_the_size_are_never_mixed() {
+        let mut jobs = Vec::new();
+        let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = ModelSettings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
+            jobs.push(finished(candidate, fold, 1, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // A few iterations find worse models; those of many iterations have more results.
+        for (ips, mse, bound) in [(4, 0.7, 1.0), (8, 0.8, 2.0), (12, 0.9, 3.0)] {
+            add(ips, 10, 1, mse, bound);
+        }
+        for (ips, mse, bound) in [(4, 0.3, 11.0), (8, 0.2, 12.0), (12, 0.1, 13.0)] {
+            add(ips, 800, 1, mse, bound);
+            add(ips, 800, 2, mse, bound);
+        }
+        let found = Comparison::of(&results(2, &jobs));
+        let groups: Vec<(&str, f64)> = found.correlations.iter().map(|c| (&c.label[..], c.rank)).collect();
+        assert_eq!(
+            groups.iter().map(|(label, _)| *label).collect::<Vec<_>>(),
+            ["10 iterations", "800 iterations"]
+        );
+        assert_relative_eq!(groups[0].1, 1.0);
+        assert_relative_eq!(groups[1].1, -1.0);
+        assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
+        assert_eq!(
+            found.models[5].candidate,
+            ModelSettings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
+        );
+        let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
+        assert_eq!(said, ["vgpdm over 3 settings: 1.00 times", "vgpdm over 3 settings: -1.00"]);
+    }
+
+    #[test]
+    fn time_is_compared_over_the_same_folds_and_settings() {
+        let mut jobs = Vec::new();
+        for count in 1..=4usize {
+            let frames = 100 * count;
+            let cubic = (frames as f64).powi(3) * 1e-6;
+            jobs.push(finished(
+                ModelSettings::MapCgpdm(map(false)),
+                1,
+                count,
+                0,
+                outcome(1.0, None, frames, cubic),
+            ));
+            let linear = frames as f64 * 1e-3;
+            let vcgpdm = || ModelSettings::Vcgpdm(variational(12));
+            jobs.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
+        }
+        // Another fold that has only the most trials, and another setting: neither tells how time grows.
+        let odd = || outcome(1.0, Some(1.0), 400, 1e6);
+        jobs.push(finished(ModelSettings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
+        jobs.push(finished(ModelSettings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        let found = Comparison::of(&results(5, &jobs));
+        let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
+        assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
+        assert_relative_eq!(exponents[1], 3.0, epsilon = 1e-9);
+        assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
+        assert!(
+            found.claims.iter().filter(|c| c.claim.contains("time")).all(|c| c.holds),
+            "{:?}",
+            found.claims
+        );
+    }
+}

@@ -1,0 +1,353 @@
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
+//! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
+
+use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
+use crate::gp::NumericsError;
+use crate::models::{
+    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements,
+    RolloutError, Sequence, Source,
+};
+use crate::motion::parts::PartSpec;
+use crate::motion::pose::PoseError;
+use crate::motion::{Clip, ClipError};
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Frames of the trial held out that a prediction starts from.
+pub const START_FRAMES: usize = 5;
+
+/// Why a model could not be evaluated.
+#[derive(Debug, Error)]
+pub enum EvaluationError {
+    /// There is no such trial.
+    #[error(
+        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}"
+    )]
+    Trial {
+        /// Trials there are.
+        count: usize,
+        /// The one asked for, counted from 1.
+        found: usize,
+    },
+    /// There are not so many trials to train on.
+    #[error("expected from 1 to {most} trials to train on, found {found}")]
+    TrainingTrials {
+        /// Trials besides the one held out.
+        most: usize,
+        /// The number asked for.
+        found: usize,
+    },
+    /// The trials cannot be used together.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    /// The trial held out cannot be brought to the frame rate.
+    #[error(transparent)]
+    Clip(#[from] ClipError),
+    /// The trial held out cannot be turned into rows.
+    #[error(transparent)]
+    Pose(#[from] PoseError),
+    /// The trained model could not be fitted.
+    #[error(transparent)]
+    Numerics(#[from] NumericsError),
+    /// The model could not be rolled out.
+    #[error(transparent)]
+    Rollout(#[from] RolloutError),
+    /// A number that went astray, though the predicted columns are finite.
+    #[error("the prediction is not finite: {what} is {found}")]
+    NotFinite {
+        /// Which number of the outcome.
+        what: &'static str,
+        /// What it is.
+        found: f64,
+    },
+    /// A time that no training takes.
+    #[error("expected the seconds of the training, from 0, found {0}")]
+    Seconds(f64),
+    /// The prediction could not be scored.
+    #[error("the prediction cannot be scored: {0}")]
+    Score(#[from] ScoreError),
+}
+
+/// One trial held out: what is trained on, and what is to be predicted.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    body: Body,
+    movements: Movements,
+    /// All columns of the trial held out [T x D].
+    actual: DMatrix<f64>,
+}
+
+/// What came of one model in one fold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Outcome {
+    /// How far the prediction is from the trial.
+    pub score: Score,
+    /// The bound on the log evidence, where the model has one.
+    pub bound: Option<f64>,
+    /// What training maximised, at its best.
+    pub objective: f64,
+    /// Iterations of the training.
+    pub iterations: usize,
+    /// Seconds of the training.
+    pub seconds: f64,
+    /// Frames trained on.
+    pub frames: usize,
+    /// Numbers that must be kept to roll out.
+    pub stored_numbers: usize,
+    /// Why training ended.
+    pub reason: Option<String>,
+}
+
+impl Fold {
+    /// The trial `held_out`, counted from 1, against the first `training_trials` of the others.
+    ///
+    /// # Errors
+    /// There are not so many trials, or they cannot be trained on together at this frame rate.
+    pub fn new(
+        trials: &[Clip],
+        held_out: usize,
+        training_trials: usize,
+        parts: &[PartSpec],
+        frames_per_second: f64,
+    ) -> Result<Self, EvaluationError> {
+        let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
+        let Some(place) = place else {
+            return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
+        };
+        let (trial, most) = (&trials[place], trials.len() - 1);
+        if !(1..=most).contains(&training_trials) {
+            return Err(EvaluationError::TrainingTrials { most, found: training_trials });
+        }
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
+        let mut sources: Vec<Source> =
+            others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
+        sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
+        let dataset = Dataset::new(&sources, parts, frames_per_second)?;
+        let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
+        let lengths = dataset.lengths();
+        let last = lengths.len() - 1;
+        let sequences =
+            lengths.iter().enumerate().map(|(k, frames)| Sequence { frames: *frames, whole: k != last });
+        let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
+        Ok(Self { body: Body::of(&dataset), movements, actual })
+    }
+
+    /// What a model of this fold is trained on; its last sequence is the beginning of the trial held out.
+    pub fn movements(&self) -> &Movements {
+        &self.movements
+    }
+
+    /// What turns the columns into poses.
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// All columns of the trial held out [T x D].
+    pub fn actual(&self) -> &DMatrix<f64> {
+        &self.actual
+    }
+
+    /// All columns that the model predicts for the trial held out [T x D].
+    pub fn predict(&self, model: &dyn MovementModel) -> Result<DMatrix<f64>, RolloutError> {
+        let rollout = model.rollout(self.movements.sequences.len() - 1, self.actual.nrows())?;
+        // A model of the whole body has one part with the columns of all parts side by side.
+        if rollout.len() == self.movements.y.len() {
+            return Ok(self.body.columns(&rollout));
+        }
+        let mut at = 0;
+        let parts = self.movements.y.iter().map(|y| {
+            at += y.ncols();
+            rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
+        });
+        Ok(self.body.columns(&parts.collect::<Vec<_>>()))
+    }
+
+    /// A training of a model in this fold, ready to begin.
+    pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+        let learner = candidate.learner(&self.movements, seed);
+        Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
+    }
+
+    /// Trains a model and scores its prediction. `watch` is told of every step and may end the training by saying false: then
+    /// there is no outcome. `seconds` is a clock.
+    pub fn evaluate(
+        &self,
+        candidate: &ModelSettings,
+        seed: u32,
+        seconds: &dyn Fn() -> f64,
+        watch: &mut dyn FnMut(&LearningProgress) -> bool,
+    ) -> Result<Option<Outcome>, EvaluationError> {
+        let begin = seconds();
+        let mut learner = self.learner(candidate, seed)?;
+        while {
+            let progress = learner.step();
+            if !watch(&progress) {
+                return Ok(None);
+            }
+            !progress.done
+        } {}
+        let model = learner.model()?;
+        let trained = seconds() - begin;
+        self.outcome(&*model, &learner.progress(), trained).map(Some)
+    }
+
+    /// What a model is worth, whose training ended so and took so many seconds.
+    pub fn outcome(
+        &self,
+        model: &dyn MovementModel,
+        training: &LearningProgress,
+        seconds: f64,
+    ) -> Result<Outcome, EvaluationError> {
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            return Err(EvaluationError::Seconds(seconds));
+        }
+        let outcome = Outcome {
+            score: dtw_mse(&self.predict(model)?, &self.actual)?,
+            bound: model.bound(),
+            objective: training.best,
+            iterations: training.iteration,
+            seconds,
+            frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
+            stored_numbers: model.stored_numbers(),
+            reason: training.reason.clone(),
+        };
+        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do not.
+        for (what, found) in [
+            ("its mean squared error after time warping", Some(outcome.score.dtw_mse)),
+            ("its mean squared error", Some(outcome.score.mse)),
+            ("the trial's variance", Some(outcome.score.variance)),
+            ("the model's bound", outcome.bound),
+            ("what the training maximised", Some(outcome.objective)),
+        ] {
+            if let Some(found) = found.filter(|found| !found.is_finite()) {
+                return Err(EvaluationError::NotFinite { what, found });
+            }
+        }
+        Ok(outcome)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
+    use crate::motion::{parts, samples};
+
+    fn trials() -> Vec<Clip> {
+        samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
+    }
+
+    #[test]
+    fn every_model_predicts_a_walk() {
+        let trials = trials();
+        let parts =
+            &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
+        assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
+        let gpdm =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        for candidate in [
+            ModelSettings::Vcgpdm(gpdm.clone()),
+            ModelSettings::Vgpdm(gpdm),
+            ModelSettings::MapGpdm(point.clone()),
+            ModelSettings::MapCgpdm(point),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4) }),
+            ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
+            ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
+        ] {
+            let mut steps = 0;
+            let mut watch = |progress: &LearningProgress| {
+                steps += 1;
+                progress.best.is_finite() || steps < 3
+            };
+            let outcome = fold.evaluate(&candidate, 1, &|| 0.0, &mut watch).unwrap().unwrap();
+            let score = outcome.score;
+            assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
+            assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
+            let text = serde_json::to_string(&candidate).unwrap();
+            assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
+        }
+    }
+
+    #[test]
+    fn a_stopped_training_has_no_outcome() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
+        assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
+    }
+
+    #[test]
+    fn what_cannot_be_held_out_is_refused() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
+        );
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0).unwrap_err().to_string();
+        assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
+    }
+
+    /// Predicts that all columns fly away.
+    struct Astray {
+        columns: Vec<usize>,
+        to: f64,
+    }
+
+    impl MovementModel for Astray {
+        fn kind(&self) -> ModelKind {
+            ModelKind::DmpRhythmic
+        }
+
+        fn rollout(&self, _: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+            let flight = |t: usize| if t.is_multiple_of(2) { self.to } else { -self.to };
+            Ok(self.columns.iter().map(|&d| DMatrix::from_fn(frames, d, |t, _| flight(t))).collect())
+        }
+
+        fn stored_numbers(&self) -> usize {
+            0
+        }
+
+        fn bound(&self) -> Option<f64> {
+            None
+        }
+    }
+
+    #[test]
+    fn no_outcome_holds_what_is_no_number() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let of = |to: f64, best: f64, seconds: f64| {
+            let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();
+            let training = LearningProgress {
+                iteration: 1,
+                max_iterations: 1,
+                objective: best,
+                best,
+                done: true,
+                reason: None,
+                fraction: 1.0,
+            };
+            fold.outcome(&Astray { columns, to }, &training, seconds).map_err(|error| error.to_string())
+        };
+        assert!(of(1.0, 0.0, 1.0).is_ok());
+        let far = of(1e200, 0.0, 1.0).unwrap_err();
+        assert_eq!(far, "the prediction is not finite: its mean squared error after time warping is inf");
+        assert!(of(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
+        let unbegun = of(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
+        assert_eq!(unbegun, "the prediction is not finite: what the training maximised is -inf");
+        for seconds in [-1.0, f64::NAN] {
+            let error = of(1.0, 0.0, seconds).unwrap_err();
+            assert_eq!(error, format!("expected the seconds of the training, from 0, found {seconds}"));
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! The collapsed sparse bound of one Gaussian process, with its adjoints. Knows no kernel.
+//!
+//! Titsias 2009 and Titsias & Lawrence 2010; equation (A27) of Velychko et al. 2018 with its trace term for every column:
+//!
+//! F = - R C/2 log(2 pi n) - c2 / (2n) + C/2 ( log|K| - log|A| ) + tr( b^T A^-1 b ) / (2 n^2) - C gap / (2n)
+//!
+//! with A = K + Psi2 / n and gap = psi0 - tr(K^-1 Psi2). Everything is computed in the coordinates in which K = L L^T is the
+//! identity: A = L ( I + B / n ) L^T with B = L^-1 Psi2 L^-T, which is well conditioned whatever K is.
+
+use crate::gp::linalg::{Factor, NumericsError, symmetric};
+use crate::gp::tall::add_tr_product;
+use nalgebra::DMatrix;
+use std::f64::consts::TAU;
+
+/// What the bound of one Gaussian process depends on: M inducing points, R rows, C target columns.
+pub struct SparseGp<'a> {
+    /// Covariance of the inducing outputs, K [M x M].
+    pub k: &'a DMatrix<f64>,
+    /// Sum over rows of psi2 [M x M].
+    pub psi2: &'a DMatrix<f64>,
+    /// b = sum over rows of psi1^T E[target] [M x C].
+    pub b: &'a DMatrix<f64>,
+    /// Sum over rows of psi0.
+    pub psi0: f64,
+    /// Sum over rows and columns of E[target^2].
+    pub second_moment: f64,
+    /// R.
+    pub rows: usize,
+    /// Observation variance n.
+    pub noise: f64,
+}
+
+/// dF with respect to the arguments of the bound.
+#[derive(Debug)]
+pub struct BoundAdjoint {
+    /// dF/dK [M x M].
+    pub k: DMatrix<f64>,
+    /// dF/dPsi2 [M x M].
+    pub psi2: DMatrix<f64>,
+    /// dF/db [M x C].
+    pub b: DMatrix<f64>,
+    /// dF/dpsi0.
+    pub psi0: f64,
+    /// dF/dc2.
+    pub second_moment: f64,
+    /// dF/dn.
+    pub noise: f64,
+}
+
+/// The optimal q(v) of the inducing outputs; every column has the same covariance.
+#[derive(Clone, Debug)]
+pub struct InducingPosterior {
+    /// K A^-1 b / n [M x C].
+    pub mean: DMatrix<f64>,
+    /// K A^-1 K [M x M].
+    pub covariance: DMatrix<f64>,
+}
+
+/// Room for the bound of one GP and its adjoint, to be used again and again.
+#[derive(Debug)]
+pub struct BoundRoom {
+    k: Factor,
+    /// B = L^-1 Psi2 L^-T.
+    whitened: DMatrix<f64>,
+    inner_matrix: DMatrix<f64>,
+    /// Of I + B / n.
+    inner: Factor,
+    /// L^-1 b.
+    b: DMatrix<f64>,
+    /// (I + B / n)^-1 L^-1 b.
+    c: DMatrix<f64>,
+    c_transposed: DMatrix<f64>,
+    cct: DMatrix<f64>,
+    /// (I + B / n)^-1.
+    inverse: DMatrix<f64>,
+    adjoint: BoundAdjoint,
+}
+
+impl BoundRoom {
+    /// For M inducing points and C target columns.
+    pub fn new(inducing: usize, columns: usize) -> Self {
+        let square = || DMatrix::zeros(inducing, inducing);
+        let wide = || DMatrix::zeros(inducing, columns);
+        let adjoint = BoundAdjoint {
+            k: square(),
+            psi2: square(),
+            b: wide(),
+            psi0: 0.0,
+            second_moment: 0.0,
+            noise: 0.0,
+        };
+        Self {
+            k: Factor::default(),
+            whitened: square(),
+            inner_matrix: square(),
+            inner: Factor::default(),
+            b: wide(),
+            c: wide(),
+            c_transposed: DMatrix::zeros(columns, inducing),
+            cct: square(),
+            inverse: square(),
+            adjoint,
+        }
+    }
+
+    /// What [`SparseGp::bound_and_adjoint`] left.
+    pub fn adjoint(&self) -> &BoundAdjoint {
+        &self.adjoint
+    }
+}
+
+impl SparseGp<'_> {
+    /// The bound, in nats; the room then holds what the adjoint needs.
+    pub fn bound(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
+        let BoundRoom { k, whitened, inner_matrix, inner, b, c, .. } = room;
+        let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
+        k.refactor(self.k, "covariance of the inducing points")?;
+        whitened.copy_from(self.psi2);
+        k.whiten_mut(whitened);
+        inner_matrix.copy_from(whitened);
+        *inner_matrix /= n;
+        for a in 0..inner_matrix.nrows() {
+            inner_matrix[(a, a)] += 1.0;
+        }
+        inner.refactor(inner_matrix, "covariance of the data at the inducing points")?;
+        b.copy_from(self.b);
+        k.solve_lower_mut(b);
+        c.copy_from(b);
+        inner.solve_mut(c);
+        let gap = self.psi0 - whitened.trace();
+        let bound = -0.5 * rows * columns * (TAU * n).ln()
+            - 0.5 * self.second_moment / n
+            - 0.5 * columns * inner.log_determinant()
+            + 0.5 * b.dot(c) / (n * n)
+            - 0.5 * columns * gap / n;
+        Ok(bound)
+    }
+
+    /// The bound, in nats; its adjoint stays in the room.
+    pub fn bound_and_adjoint(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
+        let bound = self.bound(room)?;
+        let BoundRoom { k: k_factor, whitened, inner, b, c, c_transposed, cct, inverse, adjoint, .. } = room;
+        let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
+        inner.inverse_into(inverse);
+        c.transpose_to(c_transposed);
+        cct.fill(0.0);
+        add_tr_product(c_transposed, c_transposed, cct);
+        for k in 0..whitened.len() {
+            let identity = if k % (whitened.nrows() + 1) == 0 { 1.0 } else { 0.0 };
+            let shrunk = identity - inverse[k];
+            adjoint.psi2[k] = 0.5 * columns / n * shrunk - 0.5 / (n * n * n) * cct[k];
+            adjoint.k[k] = 0.5 * columns * shrunk - 0.5 / (n * n) * cct[k] - 0.5 * columns / n * whitened[k];
+        }
+        k_factor.unwhiten_mut(&mut adjoint.psi2);
+        k_factor.unwhiten_mut(&mut adjoint.k);
+        adjoint.b.copy_from(c);
+        k_factor.solve_upper_mut(&mut adjoint.b);
+        adjoint.b /= n * n;
+        adjoint.psi0 = -0.5 * columns / n;
+        adjoint.second_moment = -0.5 / n;
+        let gap = self.psi0 - whitened.trace();
+        adjoint.noise = -0.5 * rows * columns / n
+            + 0.5 * self.second_moment / (n * n)
+            + 0.5 * columns * inverse.dot(whitened) / (n * n)
+            - b.dot(c) / (n * n * n)
+            + 0.5 * cct.dot(whitened) / (n * n * n * n)
+            + 0.5 * columns * gap / (n * n);
+        Ok(bound)
+    }
+
+    /// The optimal posterior of the inducing outputs (Velychko et al. 2018, A26), without ever forming K^-1.
+    pub fn posterior(&self) -> Result<InducingPosterior, NumericsError> {
+        let a =
+            Factor::new(&(self.k + self.psi2 / self.noise), "covariance of the data at the inducing points")?;
+        let mean = self.k * a.solve(self.b) / self.noise;
+        let covariance = symmetric(self.k * a.solve(self.k));
+        Ok(InducingPosterior { mean, covariance })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gp::linalg::symmetric;
+    use approx::assert_relative_eq;
+
+    struct Example {
+        k: DMatrix<f64>,
+        psi2: DMatrix<f64>,
+        b: DMatrix<f64>,
+        scalars: [f64; 3],
+    }
+
+    impl Example {
+        fn new() -> Self {
+            let root = DMatrix::from_fn(4, 4, |i, j| ((3 * i + 5 * j) as f64).sin());
+            let phi = DMatrix::from_fn(9, 4, |i, j| ((2 * i + 3 * j) as f64).cos());
+            Self {
+                k: &root * root.transpose() + DMatrix::identity(4, 4) * 0.4,
+                psi2: phi.tr_mul(&phi) + DMatrix::identity(4, 4) * 0.1,
+                b: DMatrix::from_fn(4, 3, |i, j| ((i + 4 * j) as f64).sin()),
+                scalars: [40.0, 7.0, 0.3],
+            }
+        }
+
+        fn gp(&self) -> SparseGp<'_> {
+            let [psi0, second_moment, noise] = self.scalars;
+            SparseGp { k: &self.k, psi2: &self.psi2, b: &self.b, psi0, second_moment, rows: 9, noise }
+        }
+    }
+
+    #[test]
+    fn value_is_the_formula_as_written() {
+        let e = Example::new();
+        let gp = e.gp();
+        let a = &e.k + &e.psi2 / gp.noise;
+        let inverse = a.clone().try_inverse().unwrap();
+        let gap = gp.psi0 - (e.k.clone().try_inverse().unwrap() * &e.psi2).trace();
+        let n = gp.noise;
+        let expected = -9.0 * 3.0 / 2.0 * (TAU * n).ln() - gp.second_moment / (2.0 * n)
+            + 1.5 * (e.k.determinant().ln() - a.determinant().ln())
+            + (e.b.transpose() * inverse * &e.b).trace() / (2.0 * n * n)
+            - 1.5 * gap / n;
+        let mut room = BoundRoom::new(4, 3);
+        assert_relative_eq!(gp.bound(&mut room).unwrap(), expected, max_relative = 1e-11);
+        assert_relative_eq!(gp.bound_and_adjoint(&mut room).unwrap(), expected, max_relative = 1e-11);
+    }
+
+    #[test]
+    fn adjoint_agrees_with_differences() {
+        let e = Example::new();
+        let mut room = BoundRoom::new(4, 3);
+        e.gp().bound_and_adjoint(&mut room).unwrap();
+        let adjoint = room.adjoint();
+        let h = 1e-6;
+        let difference = |change: &dyn Fn(&mut Example, f64)| {
+            let (mut up, mut down) = (Example::new(), Example::new());
+            change(&mut up, h);
+            change(&mut down, -h);
+            let bound = |e: &Example| e.gp().bound(&mut BoundRoom::new(4, 3)).unwrap();
+            (bound(&up) - bound(&down)) / (2.0 * h)
+        };
+        for i in 0..4 {
+            for j in 0..=i {
+                let bump = |m: &mut DMatrix<f64>, h: f64| {
+                    m[(i, j)] += h;
+                    if i != j {
+                        m[(j, i)] += h;
+                    }
+                };
+                let twice = if i == j { 1.0 } else { 2.0 };
+                let dk = difference(&|e, h| bump(&mut e.k, h));
+                assert_relative_eq!(twice * adjoint.k[(i, j)], dk, epsilon = 1e-6, max_relative = 1e-6);
+                let dpsi2 = difference(&|e, h| bump(&mut e.psi2, h));
+                assert_relative_eq!(twice * adjoint.psi2[(i, j)], dpsi2, epsilon = 1e-6, max_relative = 1e-6);
+            }
+            for c in 0..3 {
+                let db = difference(&|e, h| e.b[(i, c)] += h);
+                assert_relative_eq!(adjoint.b[(i, c)], db, epsilon = 1e-6, max_relative = 1e-6);
+            }
+        }
+        let scalars = [adjoint.psi0, adjoint.second_moment, adjoint.noise];
+        for (k, analytic) in scalars.into_iter().enumerate() {
+            let d = difference(&|e, h| e.scalars[k] += h);
+            assert_relative_eq!(analytic, d, epsilon = 1e-6, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
+    fn posterior_is_the_formula_as_written() {
+        let e = Example::new();
+        let posterior = e.gp().posterior().unwrap();
+        let inverse = (&e.k + &e.psi2 / 0.3).try_inverse().unwrap();
+        assert_relative_eq!(posterior.mean, &e.k * &inverse * &e.b / 0.3, epsilon = 1e-10);
+        assert_relative_eq!(posterior.covariance, symmetric(&e.k * inverse * &e.k), epsilon = 1e-10);
+    }
+}

@@ -1,0 +1,13 @@
+//! Gaussian processes with inducing points: linear algebra, the kernel, psi statistics, the collapsed bound. Knows no motion.
+
+pub(crate) mod bound;
+pub(crate) mod exp;
+pub(crate) mod kernel;
+pub(crate) mod lanes;
+pub(crate) mod linalg;
+pub(crate) mod psi;
+pub(crate) mod tall;
+
+pub use kernel::Kernel;
+pub use linalg::NumericsError;
+pub use psi::Gaussians;

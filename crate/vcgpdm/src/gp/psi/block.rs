@@ -1,0 +1,397 @@
+//! The sums over rows, block by block: what a block of rows brings to the exponents, and what comes back from them.
+//!
+//! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into one term for each
+//! of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
+
+use crate::gp::kernel::{Kernel, KernelAdjoint};
+use crate::gp::lanes::{LANES, Lanes};
+use crate::gp::psi::Gaussians;
+use nalgebra::DMatrix;
+use wide::f64x2;
+
+/// Rows a block.
+pub(super) const BLOCK: usize = 64;
+/// Chunks of lanes a block.
+const CHUNKS: usize = BLOCK / LANES;
+
+/// The lanes `c` of rows `start` to `start + len` of a column; zero past the end.
+#[inline(always)]
+fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usize) -> Lanes {
+    let rows = &matrix.as_slice()[column * matrix.nrows() + start..][..len];
+    Lanes::load(&rows[c * LANES..])
+}
+
+/// What one block of rows brings to the exponents. Rows past the end have scale 0, so they count for nothing.
+///
+/// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`, what depends on the
+/// inducing input a at `[a * CHUNKS + chunk]`.
+pub(super) struct Block {
+    dims: usize,
+    ips: usize,
+    chunks: usize,
+    /// n in lambda_q + n s_q: 1 for psi1, 2 for psi2.
+    n: f64,
+    /// Inducing inputs, row after row.
+    z: Vec<f64>,
+    /// 1 / (lambda_q + n s_q).
+    inverse: Vec<Lanes>,
+    mean: Vec<Lanes>,
+    /// m_q / (lambda_q + n s_q).
+    pull: Vec<Lanes>,
+    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) [chunks].
+    base: Vec<Lanes>,
+    /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 [chunks].
+    scale: Vec<Lanes>,
+    /// psi2's exponent of each a alone.
+    own: Vec<Lanes>,
+    /// -1/2 z_aq z_bq of every pair b <= a [pairs x P].
+    products: Vec<f64x2>,
+    /// (z_aq + z_bq) / 2, a after a, b after b [K x K x P].
+    centres: Vec<f64x2>,
+    /// Sums over the rows of psi2 of every pair so far.
+    sums: Vec<Lanes>,
+}
+
+impl Block {
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
+        Self {
+            dims,
+            ips,
+            chunks: CHUNKS,
+            n: 1.0,
+            z: vec![0.0; ips * dims],
+            inverse: vec![Lanes::ZERO; CHUNKS * dims],
+            mean: vec![Lanes::ZERO; CHUNKS * dims],
+            pull: vec![Lanes::ZERO; CHUNKS * dims],
+            base: vec![Lanes::ZERO; CHUNKS],
+            scale: vec![Lanes::ZERO; CHUNKS],
+            own: vec![Lanes::ZERO; ips * CHUNKS],
+            products: vec![f64x2::ZERO; ips * (ips + 1) / 2 * dims],
+            centres: vec![f64x2::ZERO; ips * ips * dims],
+            sums: vec![Lanes::ZERO; ips * (ips + 1) / 2],
+        }
+    }
+
+    #[inline(always)]
+    fn z(&self, a: usize) -> &[f64] {
+        &self.z[a * self.dims..(a + 1) * self.dims]
+    }
+
+    /// Takes the inducing inputs [K x P] and starts the sums anew.
+    pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
+        self.sums.fill(Lanes::ZERO);
+        let mut products = self.products.iter_mut();
+        let mut centres = self.centres.iter_mut();
+        for a in 0..self.ips {
+            for b in 0..self.ips {
+                for (q, centre) in (0..self.dims).zip(&mut centres) {
+                    *centre = f64x2::splat(0.5 * (z[(a, q)] + z[(b, q)]));
+                }
+            }
+            for b in 0..=a {
+                for (q, product) in (0..self.dims).zip(&mut products) {
+                    *product = f64x2::splat(-0.5 * z[(a, q)] * z[(b, q)]);
+                }
+            }
+        }
+        for a in 0..self.ips {
+            for q in 0..self.dims {
+                self.z[a * self.dims + q] = z[(a, q)];
+            }
+        }
+    }
+
+    pub(super) fn load(&mut self, x: &Gaussians, start: usize, len: usize, kernel: &Kernel, n: f64) {
+        self.n = n;
+        self.chunks = len.div_ceil(LANES);
+        let amplitude = if n == 1.0 { kernel.variance } else { kernel.variance * kernel.variance };
+        let (one, n) = (Lanes::splat(1.0), Lanes::splat(n));
+        for c in 0..self.chunks {
+            let (mut base, mut ratio) = (Lanes::ZERO, one);
+            for q in 0..self.dims {
+                let lambda = Lanes::splat(kernel.lambda[q]);
+                let mean = lanes(&x.mean, q, start, len, c);
+                let inverse = one / (lambda + n * lanes(&x.variance, q, start, len, c));
+                let pull = mean * inverse;
+                base = base - mean * pull;
+                ratio = ratio * (lambda * inverse);
+                let at = c * self.dims + q;
+                (self.inverse[at], self.pull[at], self.mean[at]) = (inverse, pull, mean);
+            }
+            self.base[c] = base * Lanes::splat(0.5);
+            let mut inside = [0.0; LANES];
+            inside[..LANES.min(len - c * LANES)].fill(amplitude);
+            self.scale[c] = ratio.map(f64x2::sqrt) * Lanes::load(&inside);
+        }
+    }
+
+    /// base + sum_q ( z_aq m_q - share z_aq^2 ) / (lambda_q + n s_q).
+    #[inline(always)]
+    fn exponent(&self, a: usize, c: usize, share: f64) -> Lanes {
+        let mut e = self.base[c];
+        let at = c * self.dims..(c + 1) * self.dims;
+        for ((z, pull), inverse) in self.z(a).iter().zip(&self.pull[at.clone()]).zip(&self.inverse[at]) {
+            e.add_product(Lanes::splat(*z), *pull);
+            e.add_product(Lanes::splat(-share * z * z), *inverse);
+        }
+        e
+    }
+
+    /// psi1 of every row of the block at inducing input `a`.
+    pub(super) fn psi1(&self, a: usize, out: &mut [f64]) {
+        for (c, out) in out.chunks_mut(LANES).enumerate() {
+            (self.exponent(a, c, 0.5).exp() * self.scale[c]).store(out);
+        }
+    }
+
+    /// The terms of psi2's exponent that belong to a or b alone; their sum is the exponent but for the pairs' products.
+    pub(super) fn split_exponent(&mut self) {
+        for a in 0..self.ips {
+            for c in 0..self.chunks {
+                self.own[a * CHUNKS + c] = self.exponent(a, c, 0.25);
+            }
+        }
+    }
+
+    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs], and into the sums
+    /// if `count`. `spread` are the pairs' own terms of the exponent.
+    pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Lanes], count: bool) {
+        let pairs = spread.len();
+        for (c, values) in values.chunks_exact_mut(pairs).enumerate().take(self.chunks) {
+            let inverse = &self.inverse[c * self.dims..(c + 1) * self.dims];
+            let scale = self.scale[c];
+            let mut terms =
+                spread.iter().zip(self.products.chunks_exact(self.dims)).zip(values).zip(&mut self.sums);
+            for a in 0..self.ips {
+                let own_a = self.own[a * CHUNKS + c];
+                let own = self.own.chunks_exact(CHUNKS);
+                for (own_b, (((spread, products), value), sum)) in own.take(a + 1).zip(&mut terms) {
+                    let mut e = own_a + own_b[c] + Lanes::splat(*spread);
+                    for (product, inverse) in products.iter().zip(inverse) {
+                        e.add_product(Lanes([*product; LANES / 2]), *inverse);
+                    }
+                    *value = e.exp() * scale;
+                    if count {
+                        *sum = *sum + *value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The sums over all rows of psi2 [K x K].
+    pub(super) fn psi2_sums(&self, psi2: &mut DMatrix<f64>) {
+        let mut sums = self.sums.iter();
+        for a in 0..self.ips {
+            for (b, sum) in (0..=a).zip(&mut sums) {
+                psi2[(a, b)] = sum.sum();
+                psi2[(b, a)] = psi2[(a, b)];
+            }
+        }
+    }
+}
+
+/// Sums of h = (dF/dpsi) psi over the inducing inputs, or ordered pairs of them, of one block. With c the centre of an
+/// inducing input (z_a) or of a pair ((z_a + z_b) / 2): `total` = sum h, `first` = sum h c_q, `second` = sum h c_q^2.
+pub(super) struct PullBack {
+    total: Vec<Lanes>,
+    first: Vec<Lanes>,
+    second: Vec<Lanes>,
+    /// h of every pair, for the chunk at hand.
+    pairs: Vec<Lanes>,
+    /// Sum over b of h c_q, for the a and chunk at hand [P].
+    centred: Vec<Lanes>,
+    /// dF/dz_aq / n of the block so far [K x P].
+    d_z: Vec<Lanes>,
+}
+
+impl PullBack {
+    pub(super) fn new(ips: usize, dims: usize) -> Self {
+        Self {
+            total: vec![Lanes::ZERO; CHUNKS],
+            first: vec![Lanes::ZERO; CHUNKS * dims],
+            second: vec![Lanes::ZERO; CHUNKS * dims],
+            pairs: vec![Lanes::ZERO; ips * (ips + 1) / 2],
+            centred: vec![Lanes::ZERO; dims],
+            d_z: vec![Lanes::ZERO; ips * dims],
+        }
+    }
+
+    fn clear(&mut self) {
+        self.total.fill(Lanes::ZERO);
+        self.first.fill(Lanes::ZERO);
+        self.second.fill(Lanes::ZERO);
+        self.d_z.fill(Lanes::ZERO);
+    }
+
+    pub(super) fn psi1(
+        &mut self,
+        block: &Block,
+        psi1: &DMatrix<f64>,
+        df_dpsi1: &DMatrix<f64>,
+        start: usize,
+        len: usize,
+    ) {
+        self.clear();
+        for c in 0..block.chunks {
+            for a in 0..block.ips {
+                let h = lanes(psi1, a, start, len, c) * lanes(df_dpsi1, a, start, len, c);
+                for (centred, z) in self.centred.iter_mut().zip(block.z(a)) {
+                    *centred = h * Lanes::splat(*z);
+                }
+                self.collect(block, a, c, h);
+            }
+        }
+    }
+
+    /// `values` are the block's psi2, as [`Block::psi2`] leaves them.
+    pub(super) fn psi2(&mut self, block: &Block, df_dpsi2: &DMatrix<f64>, values: &[Lanes]) {
+        self.clear();
+        let pairs = self.pairs.len();
+        for (c, values) in values.chunks_exact(pairs).enumerate().take(block.chunks) {
+            // In the order of the memory, which fetches ahead then.
+            let mut both = self.pairs.iter_mut().zip(values);
+            for a in 0..block.ips {
+                let column = &df_dpsi2.as_slice()[a * block.ips..];
+                for (df, (h, value)) in column[..=a].iter().zip(&mut both) {
+                    *h = Lanes::splat(*df) * *value;
+                }
+            }
+            for (a, centres) in block.centres.chunks_exact(block.ips * block.dims).enumerate() {
+                let h = self.fold(block.dims, a, centres);
+                self.collect(block, a, c, h);
+            }
+        }
+    }
+
+    /// Sums over b: gives that of h, and leaves those of h c_q.
+    #[inline(always)]
+    fn fold(&mut self, dims: usize, a: usize, centres: &[f64x2]) -> Lanes {
+        let mut total = Lanes::ZERO;
+        let mut q = 0;
+        while q < dims {
+            let (out, centres) = (&mut self.centred[q..], &centres[q..]);
+            total = match dims - q {
+                1 => fold::<1>(&self.pairs, a, centres, dims, out),
+                2 | 4 => fold::<2>(&self.pairs, a, centres, dims, out),
+                _ => fold::<3>(&self.pairs, a, centres, dims, out),
+            };
+            q += match dims - q {
+                1 => 1,
+                2 | 4 => 2,
+                _ => 3,
+            };
+        }
+        total
+    }
+
+    /// Adds what belongs to inducing input `a` and chunk `c` to the sums.
+    #[inline(always)]
+    fn collect(&mut self, block: &Block, a: usize, c: usize, h: Lanes) {
+        self.total[c] = self.total[c] + h;
+        let at = c * block.dims..(c + 1) * block.dims;
+        let d_z = &mut self.d_z[a * block.dims..(a + 1) * block.dims];
+        let sums = self.first[at.clone()].iter_mut().zip(&mut self.second[at.clone()]).zip(d_z);
+        let rows = block.pull[at.clone()].iter().zip(&block.inverse[at]);
+        let own = self.centred.iter().zip(block.z(a));
+        for ((((first, second), d_z), (pull, inverse)), (centred, z)) in sums.zip(rows).zip(own) {
+            *first = *first + *centred;
+            second.add_product(Lanes::splat(*z), *centred);
+            d_z.add_product(*pull, h);
+            *d_z = *d_z - *inverse * *centred;
+        }
+    }
+
+    /// From the sums to the adjoints. The exponent is -n/2 sum_q (m_q - c_q)^2 / (lambda_q + n s_q).
+    pub(super) fn scatter(
+        &self,
+        block: &Block,
+        start: usize,
+        len: usize,
+        into_x: &mut Gaussians,
+        into: &mut KernelAdjoint,
+    ) {
+        let n = Lanes::splat(block.n);
+        let half_n = Lanes::splat(0.5 * block.n);
+        let rows = into_x.mean.nrows();
+        for q in 0..block.dims {
+            let mut lambda = Lanes::ZERO;
+            for c in 0..block.chunks {
+                let at = c * block.dims + q;
+                let (inverse, mean, total) = (block.inverse[at], block.mean[at], self.total[c]);
+                let (first, second) = (self.first[at], self.second[at]);
+                let pulled = mean * total - first;
+                let square = mean * (pulled - first) + second;
+                let d_mean = n * inverse * pulled;
+                let d_variance = half_n * inverse * (n * inverse * square - total);
+                lambda = lambda + d_variance;
+                let part = q * rows + start + c * LANES..q * rows + start + len;
+                let out = &mut into_x.mean.as_mut_slice()[part.clone()];
+                (Lanes::load(out) - d_mean).store(out);
+                let out = &mut into_x.variance.as_mut_slice()[part];
+                (Lanes::load(out) + d_variance).store(out);
+            }
+            into.lambda[q] += lambda.sum() / block.n;
+            for a in 0..block.ips {
+                into.z[(a, q)] += block.n * self.d_z[a * block.dims + q].sum();
+            }
+        }
+    }
+}
+
+/// For one a: the sum over b of h, and of h c_q for `N` dimensions q into `out`. `pairs` are h of all pairs b <= a; the `centres`
+/// of b and the next are `dims` apart.
+#[inline(always)]
+fn fold<const N: usize>(
+    pairs: &[Lanes],
+    a: usize,
+    centres: &[f64x2],
+    dims: usize,
+    out: &mut [Lanes],
+) -> Lanes {
+    // Half of the lanes at a time: the sums then fit the registers.
+    let (low, [h0, h1]) = fold_half::<N, 0>(pairs, a, centres, dims);
+    let (high, [h2, h3]) = fold_half::<N, 2>(pairs, a, centres, dims);
+    for ((out, [b, c]), [d, e]) in out.iter_mut().zip(low).zip(high) {
+        *out = Lanes([b, c, d, e]);
+    }
+    Lanes([h0, h1, h2, h3])
+}
+
+#[inline(always)]
+fn fold_half<const N: usize, const HALF: usize>(
+    pairs: &[Lanes],
+    a: usize,
+    centres: &[f64x2],
+    dims: usize,
+) -> ([[f64x2; 2]; N], [f64x2; 2]) {
+    let mut sums = ([[f64x2::ZERO; 2]; N], [f64x2::ZERO; 2]);
+    let mut rows = centres.chunks(dims);
+    let first = a * (a + 1) / 2;
+    for (h, row) in pairs[first..=first + a].iter().zip(&mut rows) {
+        add_row::<N, HALF>(&mut sums, h, row);
+    }
+    let mut pair = first + 2 * a + 1;
+    for (b, row) in (a + 1..).zip(rows) {
+        add_row::<N, HALF>(&mut sums, &pairs[pair], row);
+        pair += b + 1;
+    }
+    sums
+}
+
+#[inline(always)]
+fn add_row<const N: usize, const HALF: usize>(
+    (sums, total): &mut ([[f64x2; 2]; N], [f64x2; 2]),
+    h: &Lanes,
+    row: &[f64x2],
+) {
+    let (low, high) = (h.0[HALF], h.0[HALF + 1]);
+    total[0] += low;
+    total[1] += high;
+    if let Some(row) = row.first_chunk::<N>() {
+        for (sum, centre) in sums.iter_mut().zip(row) {
+            sum[0] += *centre * low;
+            sum[1] += *centre * high;
+        }
+    }
+}

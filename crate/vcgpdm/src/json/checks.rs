@@ -1,0 +1,63 @@
+//! What a field must hold beyond its type: ranges, shapes, signs. A refusal says what was expected and found.
+
+use crate::json::field::{Field, FieldError};
+use nalgebra::DMatrix;
+use std::ops::RangeInclusive;
+
+/// Beyond this no sum of products stays finite for sure.
+const LARGEST: f64 = 1e12;
+
+/// A number in a range that `expected` puts into words.
+pub fn within(field: Field, range: RangeInclusive<f64>, expected: &str) -> Result<f64, FieldError> {
+    let number = field.number()?;
+    if range.contains(&number) { Ok(number) } else { Err(field.wrong(expected)) }
+}
+
+/// `found` of a field: its value or its length.
+pub fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
+    if range.contains(&found) {
+        return Ok(found);
+    }
+    let (lowest, highest) = range.into_inner();
+    let expected = if lowest == highest { lowest.to_string() } else { format!("from {lowest} to {highest}") };
+    Err(field.error(format!("expected {expected}, found {found}")))
+}
+
+/// A matrix [rows x columns].
+pub fn shape(field: &Field, matrix: &DMatrix<f64>, rows: usize, columns: usize) -> Result<(), FieldError> {
+    let (r, c) = matrix.shape();
+    if (r, c) == (rows, columns) {
+        return Ok(());
+    }
+    Err(field.error(format!("expected {rows} x {columns} numbers, found {r} x {c}")))
+}
+
+/// One positive number.
+pub fn positive_number(field: Field) -> Result<f64, FieldError> {
+    let number = field.number()?;
+    positive(&field, &[number])?;
+    Ok(number)
+}
+
+/// Variances or squared lengthscales.
+pub fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
+    match values.iter().find(|v| !(1e-12..=LARGEST).contains(*v)) {
+        None => Ok(()),
+        Some(v) => Err(field.error(format!("expected positive numbers up to 1e12, found {v}"))),
+    }
+}
+
+/// Numbers that can be computed with.
+pub fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
+    match values.iter().find(|v| v.abs() > LARGEST) {
+        None => Ok(()),
+        Some(v) => Err(field.error(format!("expected numbers up to 1e12 in size, found {v}"))),
+    }
+}
+
+/// A matrix of such numbers.
+pub fn tame_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
+    let matrix = field.matrix()?;
+    tame(field, matrix.as_slice())?;
+    Ok(matrix)
+}

@@ -1,0 +1,78 @@
+//! Tree to text, on one line.
+
+use crate::json::Value;
+use thiserror::Error;
+
+/// JSON has no word for NaN and the infinities.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("expected finite numbers, found {0}")]
+pub struct NotFinite(pub f64);
+
+/// The text of a value. Numbers get the fewest digits that read back to the bit.
+pub fn write(value: &Value) -> Result<String, NotFinite> {
+    let mut out = String::new();
+    append(value, &mut out)?;
+    Ok(out)
+}
+
+fn append(value: &Value, out: &mut String) -> Result<(), NotFinite> {
+    match value {
+        Value::Null => out.push_str("null"),
+        Value::Bool(true) => out.push_str("true"),
+        Value::Bool(false) => out.push_str("false"),
+        Value::Number(number) if number.is_finite() => {
+            out.push_str(&digits(*number));
+        }
+        Value::Number(number) => return Err(NotFinite(*number)),
+        Value::Text(text) => quote(text, out),
+        Value::List(items) => {
+            out.push('[');
+            for (k, item) in items.iter().enumerate() {
+                if k > 0 {
+                    out.push(',');
+                }
+                append(item, out)?;
+            }
+            out.push(']');
+        }
+        Value::Object(fields) => {
+            out.push('{');
+            for (k, (name, field)) in fields.iter().enumerate() {
+                if k > 0 {
+                    out.push(',');
+                }
+                quote(name, out);
+                out.push(':');
+                append(field, out)?;
+            }
+            out.push('}');
+        }
+    }
+    Ok(())
+}
+
+/// The fewest digits of a finite number that read back to the bit.
+pub(super) fn digits(number: f64) -> String {
+    // Rust's `{:?}` is JSON already, with an exponent where plain digits would be many.
+    let mut text = format!("{number:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
+    }
+    text
+}
+
+fn quote(text: &str, out: &mut String) {
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\r' => out.push_str("\\r"),
+            '\t' => out.push_str("\\t"),
+            c if c < ' ' => out.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+}

@@ -1,0 +1,71 @@
+//! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips; and what it was
+//! trained on.
+
+use crate::models::dataset::{Dataset, SequenceInfo};
+use crate::models::rollout::{MOST_FRAMES, RolloutError};
+use crate::motion::Clip;
+use crate::motion::MAX_VALUES;
+use crate::motion::parts::PartsLayout;
+use crate::motion::pose::{PoseError, PoseMapping, RootStart};
+use nalgebra::DMatrix;
+
+/// The body that a model moves, whatever the model.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// From columns to joint rotations.
+    pub mapping: PoseMapping,
+    /// Which columns belong to which part.
+    pub layout: PartsLayout,
+    /// The mean of every column [D].
+    pub column_means: Vec<f64>,
+    /// Seconds from one frame to the next.
+    pub frame_time: f64,
+    /// The training sequences one can start from.
+    pub sequences: Vec<SequenceInfo>,
+}
+
+impl Body {
+    /// The body of a data set.
+    pub fn of(dataset: &Dataset) -> Self {
+        Self {
+            mapping: dataset.mapping.clone(),
+            layout: dataset.layout.clone(),
+            column_means: dataset.column_means.clone(),
+            frame_time: dataset.frame_time,
+            sequences: dataset.sequences.clone(),
+        }
+    }
+
+    /// Checks that a rollout of so many frames, of `width` latents in all, can be written as BVH, read again and held in memory.
+    pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
+        let widest = width.max(self.column_means.len()).max(self.mapping.skeleton().channel_count());
+        let most = MOST_FRAMES.min(MAX_VALUES / widest);
+        if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }
+    }
+
+    /// All columns, means included [frames x D], from the centred columns of each part [frames x D_i]; a part without rows stays
+    /// at its mean pose.
+    pub fn columns(&self, parts: &[DMatrix<f64>]) -> DMatrix<f64> {
+        let frames = parts.iter().map(|y| y.nrows()).max().unwrap_or(0);
+        let mut all = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
+        for (part, y) in parts.iter().enumerate().filter(|(_, y)| y.nrows() > 0) {
+            for (c, column) in self.layout.columns(part).iter().enumerate() {
+                let mut out = all.column_mut(*column);
+                out += y.column(c);
+            }
+        }
+        all
+    }
+
+    /// All columns [frames x D] as a clip, starting at the origin.
+    pub fn clip(&self, y: &DMatrix<f64>, name: &str) -> Result<Clip, PoseError> {
+        let mut clip = self.mapping.decode(y, &RootStart::default(), self.frame_time)?;
+        clip.name = name.to_owned();
+        Ok(clip)
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3] at all columns [frames x D], y up, for a body 1.7 m tall.
+    pub fn positions(&self, y: &DMatrix<f64>) -> Result<Vec<f32>, PoseError> {
+        self.mapping.decode_positions(y, &RootStart::default())
+    }
+}

@@ -1,0 +1,188 @@
+//! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
+
+use crate::models::training_error::TrainingError;
+use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
+use crate::motion::pose::{PoseError, PoseMapping};
+use crate::motion::{BodyMismatch, Clip, ClipError};
+use crate::words::counted;
+use nalgebra::DMatrix;
+use serde::Serialize;
+use thiserror::Error;
+
+/// A clip that becomes a sequence of the training set.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// The clip, at any frame rate.
+    pub clip: &'a Clip,
+    /// Use only so many frames of it, counted at the frame rate of the data set; `None`: all.
+    pub first_frames: Option<usize>,
+}
+
+/// Where a sequence came from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SequenceInfo {
+    /// The clip's name.
+    pub name: String,
+    /// The clip's content hash.
+    pub sha256: String,
+    /// Frames of the sequence.
+    pub frames: usize,
+}
+
+/// Why clips cannot be trained on together.
+#[derive(Debug, Error)]
+pub enum DatasetError {
+    /// There is nothing to train on.
+    #[error("expected at least one clip to train on, found none")]
+    Empty,
+    /// The bodies differ.
+    #[error("{clip} cannot be trained together with {first}: {reason}")]
+    Body {
+        /// The clip that differs.
+        clip: String,
+        /// The clip it was compared with.
+        first: String,
+        /// How.
+        reason: Box<BodyMismatch>,
+    },
+    /// The clip is shorter than what is asked of it.
+    #[error("{clip} has {}, but the first {expected} were asked for", counted(*found, "frame"))]
+    Short {
+        /// The clip.
+        clip: String,
+        /// Frames asked for.
+        expected: usize,
+        /// Frames found.
+        found: usize,
+    },
+    /// The clip cannot be brought to the frame rate.
+    #[error(transparent)]
+    Clip(#[from] ClipError),
+    /// The clip's poses cannot be turned into rows.
+    #[error("{clip}: {reason}")]
+    Pose {
+        /// The clip.
+        clip: String,
+        /// Why.
+        reason: Box<PoseError>,
+    },
+    /// The parts do not fit the body.
+    #[error(transparent)]
+    Parts(#[from] PartsError),
+    /// A clip cannot be trained on as asked.
+    #[error("{clip}: {reason}")]
+    Sequence {
+        /// The clip.
+        clip: String,
+        /// Why.
+        reason: Box<TrainingError>,
+    },
+    /// Training cannot start, for a reason that is not in a single clip.
+    #[error(transparent)]
+    Training(TrainingError),
+}
+
+impl DatasetError {
+    /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
+    pub(crate) fn about(reason: TrainingError, sequences: &[SequenceInfo]) -> Self {
+        match reason.sequence().and_then(|sequence| sequences.get(sequence)) {
+            Some(info) => DatasetError::Sequence { clip: info.name.clone(), reason: Box::new(reason) },
+            None => DatasetError::Training(reason),
+        }
+    }
+}
+
+/// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
+#[derive(Clone, Debug)]
+pub struct Dataset {
+    /// From joint rotations to columns and back.
+    pub mapping: PoseMapping,
+    /// Which columns belong to which part.
+    pub layout: PartsLayout,
+    /// Centred observations of each part [N x D_i].
+    pub y: Vec<DMatrix<f64>>,
+    /// The mean of every column of the mapping [D].
+    pub column_means: Vec<f64>,
+    /// The sequences, in the order given.
+    pub sequences: Vec<SequenceInfo>,
+    /// Seconds from one frame to the next.
+    pub frame_time: f64,
+    /// What was odd about the clips, such as a T-pose that was left out; each names its clip.
+    pub warnings: Vec<String>,
+}
+
+/// Rates that differ by less than this are one rate.
+const SAME_RATE: f64 = 0.02;
+
+impl Dataset {
+    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all training frames. The body and the frame time are those of the first clip.
+    pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
+        let first = sources.first().ok_or(DatasetError::Empty)?;
+        for source in &sources[1..] {
+            first.clip.skeleton.same_body(&source.clip.skeleton).map_err(|reason| DatasetError::Body {
+                clip: source.clip.name.clone(),
+                first: first.clip.name.clone(),
+                reason: Box::new(reason),
+            })?;
+        }
+        let mut clips: Vec<Clip> = Vec::new();
+        for source in sources {
+            let mut clip = source.clip.resample(frames_per_second)?;
+            // A clip of another rate that also came near the one asked for is brought to the first clip's exactly.
+            if let Some(first) = clips.first()
+                && (clip.frame_time / first.frame_time - 1.0).abs() > SAME_RATE
+            {
+                clip = clip.resample(1.0 / first.frame_time)?;
+            }
+            if let Some(count) = source.first_frames {
+                if clip.frames() < count {
+                    let (name, found) = (clip.name.clone(), clip.frames());
+                    return Err(DatasetError::Short { clip: name, expected: count, found });
+                }
+                clip = clip.cut(0, count)?;
+            }
+            clips.push(clip);
+        }
+        let mapping = PoseMapping::new(&clips[0]);
+        let layout = PartsLayout::new(parts, &mapping)?;
+        let (mut rows, mut warnings) = (Vec::new(), Vec::new());
+        for clip in &clips {
+            let encoded = mapping
+                .encode(clip)
+                .map_err(|reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) })?;
+            rows.push(encoded.y);
+            let odd = clip.warnings.iter().chain(&encoded.warnings);
+            warnings.extend(odd.map(|warning| format!("{}: {warning}", clip.name)));
+        }
+        let total: usize = rows.iter().map(|y| y.nrows()).sum();
+        let mut all = DMatrix::zeros(total, rows[0].ncols());
+        let mut at = 0;
+        for y in &rows {
+            all.rows_mut(at, y.nrows()).copy_from(y);
+            at += y.nrows();
+        }
+        let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
+        for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
+            column.add_scalar_mut(-mean);
+        }
+        let y = layout.split(&all);
+        let info = |(clip, y): (&Clip, &DMatrix<f64>)| SequenceInfo {
+            name: clip.name.clone(),
+            sha256: clip.sha256.clone(),
+            frames: y.nrows(),
+        };
+        let sequences = clips.iter().zip(&rows).map(info).collect();
+        let frame_time = clips[0].frame_time;
+        Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
+    }
+
+    /// Why this data set cannot be trained on, with the clip's name where the reason is in one sequence.
+    pub fn refusal(&self, reason: TrainingError) -> DatasetError {
+        DatasetError::about(reason, &self.sequences)
+    }
+
+    /// T_s.
+    pub fn lengths(&self) -> Vec<usize> {
+        self.sequences.iter().map(|s| s.frames).collect()
+    }
+}

@@ -1,0 +1,192 @@
+//! Dynamic movement primitives towards a goal.
+
+use crate::gp::NumericsError;
+use crate::json::Value;
+use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
+use crate::models::dmp::{OVERLAP, SpringStart};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
+use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::rollout::{RolloutError, check_frames};
+use crate::models::trials::split;
+use nalgebra::{DMatrix, DVector};
+
+/// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial, one way in all.
+const CLEAR_WAY: f64 = 0.25;
+/// How fast x fades: alpha_z / 3, as Ijspeert et al. choose it.
+const ALPHA_X: f64 = ALPHA_Z / 3.0;
+
+/// Where a sequence begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiscreteStart {
+    /// t / tau of the first frame, and how much of it passes from frame to frame.
+    pub map: PhaseMap,
+    /// The springs at the first frame.
+    pub spring: SpringStart,
+}
+
+/// Fitted discrete dynamic movement primitives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DmpDiscrete {
+    /// g [D]: the mean of the last frames of the whole trials.
+    pub goal: DVector<f64>,
+    /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
+    pub alpha_x: f64,
+    /// Centres of the bases, in x [B].
+    pub centres: Vec<f64>,
+    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) [B].
+    pub widths: Vec<f64>,
+    /// w [B x D].
+    pub weights: DMatrix<f64>,
+    /// Whether the column's force is scaled by g - y(0) [D].
+    pub scaled: Vec<bool>,
+    /// One for each training sequence.
+    pub starts: Vec<DiscreteStart>,
+    /// D_i of each part, in order.
+    pub columns: Vec<usize>,
+}
+
+impl DmpDiscrete {
+    /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
+    /// begin at the same place in it, and forces of different places must not be averaged.
+    pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
+        let alpha_x = ALPHA_X;
+        // Equal distances in time; in x they shrink with it.
+        let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exp();
+        let centres: Vec<f64> = (0..bases).map(centre).collect();
+        let width = |b: usize| {
+            let distance = if b + 1 < bases {
+                centre(b) - centre(b + 1)
+            } else {
+                centre(b.saturating_sub(1)) - centre(b)
+            };
+            0.5 / (OVERLAP * if distance > 0.0 { distance } else { 1.0 }).powi(2)
+        };
+        let widths: Vec<f64> = (0..bases).map(width).collect();
+        let alignment = Alignment::new(trials, Some(PhaseAxis::Trial));
+        let start = |(trial, map): (&Trial, &PhaseMap)| DiscreteStart {
+            map: *map,
+            spring: SpringStart::of(&trial.y),
+        };
+        let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
+        let d = trials.first().map_or(0, |t| t.y.ncols());
+        let count = whole.len().max(1) as f64;
+        let end = |y: &DMatrix<f64>| y.row(y.nrows() - 1).transpose();
+        let mut model = Self {
+            goal: whole.iter().map(|y| end(y)).fold(DVector::zeros(d), |sum, g| sum + g) / count,
+            alpha_x,
+            centres,
+            widths,
+            weights: DMatrix::zeros(bases, d),
+            scaled: (0..d).map(|k| clear_way(&whole, k)).collect(),
+            starts: trials.iter().zip(&alignment.maps).map(start).collect(),
+            columns: columns.to_vec(),
+        };
+
+        let mut plain = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
+        let mut scaled: Vec<_> =
+            (0..d).map(|_| (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, 1))).collect();
+        for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
+            let y = &trial.y;
+            // Where the way scales the force its own goal counts, elsewhere the one that the rollout will have.
+            let own = end(y);
+            let goal = DVector::from_fn(d, |k, _| if model.scaled[k] { own[k] } else { model.goal[k] });
+            let curve = Curve::new(y);
+            let target = curve.forces(&goal, 1.0 / map.rate);
+            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
+            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
+            let features = DMatrix::from_rows(&rows);
+            let (gram, moment) = (features.tr_mul(&features), features.tr_mul(&target));
+            for k in (0..d).filter(|&k| model.scaled[k]) {
+                let s = goal[k] - y[(0, k)];
+                scaled[k].0 += &gram * (s * s);
+                scaled[k].1 += moment.column(k) * s;
+            }
+            plain.0 += gram;
+            plain.1 += moment;
+        }
+        model.weights = regress(&plain.0, &plain.1)?;
+        for k in (0..d).filter(|&k| model.scaled[k]) {
+            model.weights.set_column(k, &regress(&scaled[k].0, &scaled[k].1)?.column(0));
+        }
+        Ok(model)
+    }
+
+    /// x psi_b(x) / sum psi at `phase` = t / tau [B].
+    fn features(&self, phase: f64) -> DVector<f64> {
+        let x = (-self.alpha_x * phase).exp();
+        let exponents =
+            DVector::from_fn(self.centres.len(), |b, _| -self.widths[b] * (x - self.centres[b]).powi(2));
+        // The largest is taken out first: far from all centres the ratio still means the nearest one.
+        let largest = exponents.max();
+        let psi = exponents.map(|e| (e - largest).exp());
+        let sum = psi.sum();
+        psi * (x / sum)
+    }
+
+    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is out of its range.
+    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        check_frames(frames)?;
+        let count = self.starts.len();
+        let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
+        let goal = &self.goal;
+        let rate = start.map.rate;
+        let spring = &start.spring;
+        let way = goal - &spring.position;
+        let scale = DVector::from_fn(goal.len(), |k, _| if self.scaled[k] { way[k] } else { 1.0 });
+        Ok(integrate(&spring.position, &spring.velocity, goal, 1.0 / rate, frames, |t, out| {
+            let phase = start.map.start + rate * t;
+            if phase > 1.0 {
+                // No trial tells what the force is behind the end of all of them; the spring alone leads to the goal.
+                return out.fill(0.0);
+            }
+            out.copy_from(&self.weights.tr_mul(&self.features(phase)));
+            out.component_mul_assign(&scale);
+        }))
+    }
+}
+
+/// Whether column `k` clearly goes one way in all trials.
+fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
+    let way = |y: &DMatrix<f64>| y[(y.nrows() - 1, k)] - y[(0, k)];
+    let clear = |y: &DMatrix<f64>| {
+        let range = y.column(k).max() - y.column(k).min();
+        range > 0.0 && way(y).abs() >= CLEAR_WAY * range
+    };
+    trials.iter().all(|y| clear(y) && (way(y) > 0.0) == (way(trials[0]) > 0.0))
+}
+
+impl SpringStart {
+    /// At the first frame of `y` [T x D].
+    pub(super) fn of(y: &DMatrix<f64>) -> Self {
+        Self { position: y.row(0).transpose(), velocity: Curve::new(y).first_velocity() }
+    }
+}
+
+impl MovementModel for DmpDiscrete {
+    fn kind(&self) -> ModelKind {
+        ModelKind::DmpDiscrete
+    }
+
+    /// As fast as the training trials were in the mean; behind their end it stands at the goal.
+    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        Ok(split(&self.path(sequence, frames)?, &self.columns))
+    }
+
+    /// Weights, goal, y(0), y'(0), start and rate of one sequence, which columns are scaled, and alpha_x.
+    fn stored_numbers(&self) -> usize {
+        self.weights.len() + 4 * self.goal.len() + 3
+    }
+
+    fn bound(&self) -> Option<f64> {
+        None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}

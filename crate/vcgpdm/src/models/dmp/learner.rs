@@ -1,0 +1,131 @@
+//! Learning dynamic movement primitives: one regression.
+
+use crate::gp::NumericsError;
+use crate::models::dmp::Canonical;
+use crate::models::dmp::discrete::DmpDiscrete;
+use crate::models::dmp::rhythmic::DmpRhythmic;
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::movements::Movements;
+use crate::models::phase::Trial;
+use crate::models::settings::DmpSettings;
+use crate::models::training_error::{TrainingError, in_range};
+use crate::models::trials::trials_of;
+use nalgebra::DMatrix;
+
+const MOST_BASES: usize = 200;
+
+enum Fitted {
+    Discrete(DmpDiscrete),
+    Rhythmic(DmpRhythmic),
+}
+
+impl Fitted {
+    fn model(&self) -> &dyn MovementModel {
+        match self {
+            Fitted::Discrete(model) => model,
+            Fitted::Rhythmic(model) => model,
+        }
+    }
+}
+
+/// A training of dynamic movement primitives: a single step does it all.
+pub struct DmpLearner {
+    trials: Vec<Trial>,
+    columns: Vec<usize>,
+    canonical: Canonical,
+    bases: usize,
+    fitted: Option<Fitted>,
+    error: f64,
+    reason: Option<String>,
+}
+
+impl DmpLearner {
+    /// Ready to learn.
+    ///
+    /// # Errors
+    ///
+    /// When the number of bases is out of its range, or the movements cannot be learned from.
+    pub fn new(
+        movements: &Movements,
+        canonical: Canonical,
+        settings: &DmpSettings,
+    ) -> Result<Self, TrainingError> {
+        in_range("the number of bases", settings.bases, MOST_BASES)?;
+        let (trials, columns) = trials_of(movements)?;
+        let (bases, error) = (settings.bases, f64::INFINITY);
+        Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
+    }
+
+    fn fit(&self) -> Result<Fitted, NumericsError> {
+        Ok(match self.canonical {
+            Canonical::Discrete => {
+                Fitted::Discrete(DmpDiscrete::fit(&self.trials, &self.columns, self.bases)?)
+            }
+            Canonical::Rhythmic => {
+                Fitted::Rhythmic(DmpRhythmic::fit(&self.trials, &self.columns, self.bases)?)
+            }
+        })
+    }
+
+    /// Mean squared difference of the whole training trials from what the model makes of their starts.
+    fn training_error(&self, model: &dyn MovementModel) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
+            let Ok(parts) = model.rollout(s, trial.y.nrows()) else { return f64::INFINITY };
+            let mut at = 0;
+            for part in parts {
+                let actual: DMatrix<f64> = trial.y.columns(at, part.ncols()).into_owned();
+                at += part.ncols();
+                sum += (part - actual).norm_squared();
+            }
+            count += trial.y.len() as f64;
+        }
+        sum / count
+    }
+}
+
+impl Learner for DmpLearner {
+    fn step(&mut self) -> LearningProgress {
+        if self.reason.is_none() {
+            match self.fit() {
+                Ok(fitted) => {
+                    self.error = self.training_error(fitted.model());
+                    self.reason = Some("the regression is done".into());
+                    self.fitted = Some(fitted);
+                }
+                Err(error) => self.reason = Some(format!("stopped: {error}")),
+            }
+        }
+        self.progress()
+    }
+
+    /// The objective is minus the mean squared error of the training trials.
+    fn progress(&self) -> LearningProgress {
+        let done = self.reason.is_some();
+        LearningProgress {
+            iteration: usize::from(done),
+            max_iterations: 1,
+            objective: -self.error,
+            best: -self.error,
+            done,
+            reason: self.reason.clone(),
+            fraction: if done { 1.0 } else { 0.0 },
+        }
+    }
+
+    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
+        // Before the first step, or after one that failed: learned now, to say why it fails.
+        let fresh;
+        let fitted = match &self.fitted {
+            Some(fitted) => fitted,
+            None => {
+                fresh = self.fit()?;
+                &fresh
+            }
+        };
+        Ok(match fitted {
+            Fitted::Discrete(model) => Box::new(model.clone()),
+            Fitted::Rhythmic(model) => Box::new(model.clone()),
+        })
+    }
+}

@@ -1,0 +1,172 @@
+//! Dynamic movement primitives around a centre.
+
+use crate::gp::NumericsError;
+use crate::json::Value;
+use crate::models::dmp::spring::{Curve, integrate, regress};
+use crate::models::dmp::{OVERLAP, SpringStart};
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
+use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::rollout::{RolloutError, check_frames};
+use crate::models::trials::split;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// Amplitudes that a few frames may suggest.
+const AMPLITUDES: (f64, f64) = (0.5, 2.0);
+/// Places around the cycle where the start of a sequence is looked for.
+const PLACES: usize = 256;
+
+/// Where and how large a sequence moves on the limit cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RhythmicStart {
+    /// Phase of the first frame and phase from frame to frame, in cycles.
+    pub map: PhaseMap,
+    /// r.
+    pub amplitude: f64,
+    /// The springs at the first frame.
+    pub spring: SpringStart,
+}
+
+/// Fitted rhythmic dynamic movement primitives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DmpRhythmic {
+    /// g [D]: the mean of the cycle.
+    pub centre: DVector<f64>,
+    /// psi_b(phi) = exp(concentration (cos(phi - 2 pi b / B) - 1)).
+    pub concentration: f64,
+    /// w [B x D].
+    pub weights: DMatrix<f64>,
+    /// One for each training sequence.
+    pub starts: Vec<RhythmicStart>,
+    /// D_i of each part, in order.
+    pub columns: Vec<usize>,
+}
+
+impl DmpRhythmic {
+    /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns; starts and rates of the
+    /// trials are aligned to their mean cycle. A movement without a period is one cycle, as long as the longest trial.
+    pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
+        let alignment = Alignment::new(trials, Some(PhaseAxis::Cycle));
+        let d = trials.first().map_or(0, |t| t.y.ncols());
+        let start = |(trial, map): (&Trial, &PhaseMap)| RhythmicStart {
+            map: *map,
+            amplitude: 1.0,
+            spring: SpringStart::of(&trial.y),
+        };
+        let mut model = Self {
+            centre: alignment.template(trials).row_mean().transpose(),
+            concentration: (bases as f64 / (TAU * OVERLAP)).powi(2),
+            weights: DMatrix::zeros(bases, d),
+            starts: trials.iter().zip(&alignment.maps).map(start).collect(),
+            columns: columns.to_vec(),
+        };
+        let (mut gram, mut moment) = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
+        for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
+            let curve = Curve::new(&trial.y);
+            let target = curve.forces(&model.centre, 1.0 / (TAU * map.rate));
+            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
+            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
+            let features = DMatrix::from_rows(&rows);
+            gram += features.tr_mul(&features);
+            moment += features.tr_mul(&target);
+        }
+        model.weights = regress(&gram, &moment)?;
+        let cycle = model.limit_cycle();
+        for (start, trial) in model.starts.iter_mut().zip(trials) {
+            start.place(&cycle, &model.centre, trial);
+        }
+        Ok(model)
+    }
+
+    /// psi_b / sum psi at a phase in cycles [B].
+    fn features(&self, phase: f64) -> DVector<f64> {
+        let bases = self.weights.nrows();
+        let value =
+            |b: usize| (self.concentration * ((TAU * (phase - b as f64 / bases as f64)).cos() - 1.0)).exp();
+        let psi = DVector::from_fn(bases, |b, _| value(b));
+        let sum = psi.sum();
+        psi / sum
+    }
+
+    /// The limit cycle of amplitude 1 around 0, at [`PLACES`] phases from 0 on [PLACES x D]; all rates have the same.
+    fn limit_cycle(&self) -> DMatrix<f64> {
+        // Time in places instead of frames; whatever the start was is forgotten after one cycle.
+        let tau = PLACES as f64 / TAU;
+        let zero = DVector::zeros(self.centre.len());
+        let y = integrate(&zero, &zero, &zero, tau, 2 * PLACES, |t, out| {
+            out.copy_from(&self.weights.tr_mul(&self.features(t / PLACES as f64)));
+        });
+        y.rows(PLACES, PLACES).into_owned()
+    }
+
+    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is out of its range.
+    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        check_frames(frames)?;
+        let count = self.starts.len();
+        let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
+        let rate = start.map.rate;
+        let (tau, amplitude) = (1.0 / (TAU * rate), start.amplitude);
+        let spring = &start.spring;
+        Ok(integrate(&spring.position, &spring.velocity, &self.centre, tau, frames, |t, out| {
+            out.copy_from(&self.weights.tr_mul(&self.features(start.map.start + rate * t)));
+            *out *= amplitude;
+        }))
+    }
+}
+
+impl RhythmicStart {
+    /// The phase (of a sequence that is not whole) and the amplitude at which `cycle` is nearest to the frames.
+    fn place(&mut self, cycle: &DMatrix<f64>, centre: &DVector<f64>, trial: &Trial) {
+        let places = cycle.nrows();
+        let away: Vec<DVector<f64>> = trial.y.row_iter().map(|row| row.transpose() - centre).collect();
+        let cycle = cycle.transpose();
+        let mut least = f64::INFINITY;
+        let from = if trial.whole { 1 } else { places };
+        for place in 0..from {
+            let start = if trial.whole { self.map.start } else { place as f64 / places as f64 };
+            let (mut product, mut energy, mut all) = (0.0, 0.0, 0.0);
+            for (t, away) in away.iter().enumerate() {
+                let phase = start + self.map.rate * t as f64;
+                let at = ((phase - phase.floor()) * places as f64).round() as usize % places;
+                product += cycle.column(at).dot(away);
+                energy += cycle.column(at).norm_squared();
+                all += away.norm_squared();
+            }
+            let free = if energy > 0.0 { product / energy } else { 1.0 };
+            let amplitude = free.clamp(AMPLITUDES.0, AMPLITUDES.1);
+            let error = all - 2.0 * amplitude * product + amplitude * amplitude * energy;
+            if error < least {
+                least = error;
+                (self.map.start, self.amplitude) = (start, amplitude);
+            }
+        }
+    }
+}
+
+impl MovementModel for DmpRhythmic {
+    fn kind(&self) -> ModelKind {
+        ModelKind::DmpRhythmic
+    }
+
+    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        Ok(split(&self.path(sequence, frames)?, &self.columns))
+    }
+
+    /// Weights, centre, y(0) and y'(0) of one sequence, its start, rate and amplitude, and the concentration.
+    fn stored_numbers(&self) -> usize {
+        self.weights.len() + 3 * self.centre.len() + 4
+    }
+
+    fn bound(&self) -> Option<f64> {
+        None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}

@@ -1,0 +1,162 @@
+//! What dynamic movement primitives promise: reproduction, other goals, other tempi, stable cycles.
+
+use super::*;
+use crate::models::kind::ModelKind;
+use crate::models::learner::Learner;
+use crate::models::movements::{Movements, Sequence};
+use crate::models::phase::Trial;
+use crate::models::settings::DmpSettings;
+use nalgebra::DMatrix;
+use std::f64::consts::TAU;
+
+/// Two columns that go a clear way with a detour, and one that comes back to where it began.
+fn reach(frames: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(frames, 3, |t, k| {
+        let s = t as f64 / (frames - 1) as f64;
+        let minimum_jerk = s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s);
+        match k {
+            0 => 0.3 + 1.2 * minimum_jerk + 0.4 * (TAU * s).sin() * s * (1.0 - s),
+            1 => 1.0 - 2.0 * minimum_jerk,
+            _ => 0.5 * (std::f64::consts::PI * minimum_jerk).sin(),
+        }
+    })
+}
+
+fn walk(frames: usize, period: f64, start: f64) -> DMatrix<f64> {
+    DMatrix::from_fn(frames, 3, |t, d| {
+        let phase = TAU * (t as f64 / period + start);
+        0.2 + (phase + d as f64).sin() + 0.3 * (2.0 * phase + 0.5 * d as f64).cos()
+    })
+}
+
+fn whole(y: DMatrix<f64>) -> Trial {
+    Trial { y, whole: true }
+}
+
+fn root_mean_square(a: &DMatrix<f64>) -> f64 {
+    (a.norm_squared() / a.len() as f64).sqrt()
+}
+
+#[test]
+fn enough_bases_reproduce_a_movement() {
+    let trials = [whole(reach(90))];
+    let error = |bases| {
+        let model = DmpDiscrete::fit(&trials, &[3], bases).unwrap();
+        assert_eq!(model.scaled, [true, true, false]);
+        root_mean_square(&(model.path(0, 90).unwrap() - &trials[0].y))
+    };
+    let (few, some, many) = (error(3), error(12), error(40));
+    assert!(few > some && some > many, "{few} {some} {many}");
+    // Of movements of size 1 to 2.
+    assert!(many < 0.005, "{many}");
+
+    let trials = [whole(walk(110, 34.0, 0.1))];
+    let error = |bases| {
+        let model = DmpRhythmic::fit(&trials, &[3], bases).unwrap();
+        root_mean_square(&(model.path(0, 110).unwrap() - &trials[0].y))
+    };
+    let (few, many) = (error(3), error(25));
+    assert!(few > many && many < 0.02, "{few} {many}");
+}
+
+#[test]
+fn a_moved_goal_is_reached_and_scales_the_way() {
+    let trials = [whole(reach(90)), whole(reach(80))];
+    let mut model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
+    let (plain, learned) = (model.path(0, 160).unwrap(), model.goal.clone());
+    let goal = &learned + nalgebra::dvector![1.0, -0.5, 0.7];
+    model.goal.copy_from(&goal);
+    let moved = model.path(0, 160).unwrap();
+    let last = moved.row(159).transpose();
+    assert!((&last - &goal).amax() < 1e-3, "{last} {goal}");
+    // A column that is scaled keeps its shape exactly: (y - y0) / (g - y0) is the same, but for the initial velocity.
+    let way = (goal[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
+    for t in 0..160 {
+        let expected = plain[(0, 0)] + way * (plain[(t, 0)] - plain[(0, 0)]);
+        assert!((moved[(t, 0)] - expected).abs() < 0.02, "{t}");
+    }
+    // One that comes back is not blown up, although its goal is where it began.
+    assert!(plain.column(2).amax() < 0.6, "{}", plain.column(2));
+}
+
+#[test]
+fn half_the_rate_takes_twice_as_long_on_the_same_path() {
+    let mut discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
+    let mut rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
+    let fast = [discrete.path(0, 60).unwrap(), rhythmic.path(0, 60).unwrap()];
+    discrete.starts[0].map.rate *= 0.5;
+    discrete.starts[0].spring.velocity *= 0.5;
+    rhythmic.starts[0].map.rate *= 0.5;
+    rhythmic.starts[0].spring.velocity *= 0.5;
+    let slow = [discrete.path(0, 119).unwrap(), rhythmic.path(0, 119).unwrap()];
+    for (fast, slow) in fast.iter().zip(&slow) {
+        for t in 0..60 {
+            let (a, b) = (fast.row(t), slow.row(2 * t));
+            assert!((a - b).amax() < 1e-3, "{t}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
+    let trials = [
+        whole(walk(110, 34.0, 0.1)),
+        whole(walk(97, 34.0, 0.7)),
+        Trial { y: walk(5, 34.0, 0.4), whole: false },
+    ];
+    let mut model = DmpRhythmic::fit(&trials, &[3], 25).unwrap();
+    let y = model.path(2, 1000).unwrap();
+    let difference = &y - walk(1000, 34.0, 0.4);
+    assert!(root_mean_square(&difference.rows(0, 100).into_owned()) < 0.08, "{difference}");
+    assert!((y.rows(34, 34) - y.rows(34 * 20, 34)).amax() < 0.3);
+    let found = crate::models::period::period(&[y.rows(500, 500).into_owned()]).unwrap();
+    assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
+
+    // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same centre.
+    model.starts[2].spring.position.add_scalar_mut(3.0);
+    let pushed = model.path(2, 200).unwrap();
+    assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);
+    model.starts[2].amplitude *= 2.0;
+    let larger = model.path(2, 200).unwrap();
+    for t in 34..134 {
+        let expected = 2.0 * (y.row(t).transpose() - &model.centre) + &model.centre;
+        assert!((larger.row(t).transpose() - expected).amax() < 1e-6);
+    }
+}
+
+#[test]
+fn learners_learn_in_one_step_and_refuse_in_words() {
+    let y =
+        vec![walk(60, 20.0, 0.0).columns(0, 2).into_owned(), walk(60, 20.0, 0.0).columns(2, 1).into_owned()];
+    let movements = Movements {
+        y,
+        sequences: vec![Sequence { frames: 55, whole: true }, Sequence { frames: 5, whole: false }],
+    };
+    for (canonical, kind, numbers) in [
+        (Canonical::Discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
+        (Canonical::Rhythmic, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
+    ] {
+        let mut learner = DmpLearner::new(&movements, canonical, &DmpSettings { bases: 10 }).unwrap();
+        let progress = learner.step();
+        assert!(progress.done && progress.best.is_finite() && progress.best <= 0.0, "{progress:?}");
+        let model = learner.model().unwrap();
+        assert_eq!((model.kind(), model.stored_numbers(), model.bound()), (kind, numbers, None));
+        let y = model.rollout(1, 80).unwrap();
+        assert_eq!((y[0].shape(), y[1].shape()), ((80, 2), (80, 1)));
+        assert!(y[0].iter().all(|v| v.is_finite()));
+        assert!(model.rollout(2, 80).is_err() && model.rollout(0, 0).is_err());
+    }
+    let none = DmpLearner::new(&movements, Canonical::Rhythmic, &DmpSettings { bases: 0 });
+    let error = none.err().unwrap().to_string();
+    assert_eq!(error, "the number of bases must be from 1 to 200, found 0");
+    // What does not move at all stays where it is.
+    let still =
+        Movements { y: vec![DMatrix::zeros(20, 2)], sequences: vec![Sequence { frames: 20, whole: true }] };
+    for canonical in [Canonical::Discrete, Canonical::Rhythmic] {
+        for bases in [1, 30] {
+            let learner = DmpLearner::new(&still, canonical, &DmpSettings { bases }).unwrap();
+            let model = learner.model().unwrap();
+            assert!(model.rollout(0, 30).unwrap()[0].amax() < 1e-9);
+        }
+    }
+}

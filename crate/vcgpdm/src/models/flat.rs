@@ -1,0 +1,106 @@
+//! The flat vector that an optimiser sees of named parameters, and the boxes in which they are held.
+
+use crate::gp::exp::exp;
+
+/// The blocks of parameters that a schedule can free or hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// mu and S, or point latents.
+    Latents,
+    /// Couplings, lengthscales, signal and noise variances.
+    Kernels,
+    /// r and z.
+    InducingInputs,
+}
+
+/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm) and the box it is held in.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// Its block.
+    pub group: Group,
+    positive: bool,
+    lowest: f64,
+    highest: f64,
+}
+
+const fn free(group: Group, limit: f64) -> Kind {
+    Kind { group, positive: false, lowest: -limit, highest: limit }
+}
+
+const fn positive(group: Group, lowest: f64, highest: f64) -> Kind {
+    Kind { group, positive: true, lowest, highest }
+}
+
+/// The largest coupling variance that training can reach.
+pub const LARGEST_ALPHA: f64 = 10.0;
+
+// The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
+pub(crate) const MU: Kind = free(Group::Latents, 10.0);
+pub(crate) const S: Kind = positive(Group::Latents, 1e-3, 2.0);
+pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
+pub(crate) const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
+pub(crate) const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
+pub(crate) const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2);
+pub(crate) const ALPHA: Kind = positive(Group::Kernels, 1e-3, LARGEST_ALPHA);
+
+/// Named parameters that an optimiser can see as one flat vector.
+pub trait Parameters: Clone {
+    /// Calls `f` with every block of values and its kind, in the order of the flat vector.
+    fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64]));
+
+    /// The same, to change the values.
+    fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64]));
+
+    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes.
+    fn to_flat(&self) -> Vec<f64> {
+        let mut flat = Vec::new();
+        self.visit(&mut |kind, values| {
+            flat.extend(values.iter().map(|v| {
+                let held = v.clamp(kind.lowest, kind.highest);
+                if kind.positive { held.ln() } else { held }
+            }));
+        });
+        flat
+    }
+
+    /// Takes the values of a flat vector of the same shape.
+    fn set_flat(&mut self, flat: &[f64]) {
+        let mut rest = flat.iter();
+        self.visit_mut(&mut |kind, values| {
+            for (value, flat) in values.iter_mut().zip(&mut rest) {
+                // Through the box once more, because the exponential of a logarithm can round past its end.
+                *value = if kind.positive { exp(*flat) } else { *flat }.clamp(kind.lowest, kind.highest);
+            }
+        });
+    }
+
+    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural parameters `at`.
+    fn to_flat_gradient(&self, at: &Self) -> Vec<f64> {
+        let mut flat = Vec::new();
+        self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));
+        let mut k = 0;
+        at.visit(&mut |kind, values| {
+            for (g, value) in flat[k..k + values.len()].iter_mut().zip(values) {
+                if kind.positive {
+                    *g *= value;
+                }
+            }
+            k += values.len();
+        });
+        flat
+    }
+
+    /// The kind of every entry of the flat vector.
+    fn flat_kinds(&self) -> Vec<Kind> {
+        let mut kinds = Vec::new();
+        self.visit(&mut |kind, values| kinds.extend(std::iter::repeat_n(kind, values.len())));
+        kinds
+    }
+}
+
+impl Kind {
+    /// The box of a flat entry of this kind.
+    pub fn flat_box(&self) -> (f64, f64) {
+        if self.positive { (self.lowest.ln(), self.highest.ln()) } else { (self.lowest, self.highest) }
+    }
+}

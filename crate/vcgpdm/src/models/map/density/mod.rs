@@ -1,0 +1,231 @@
+//! The log posterior density of point latents and hyperparameters, up to a constant, and its gradient.
+//!
+//! log p = sum_i log N(Y^i; 0, K^i + beta^i I) + sum_i log N(x^i_t, t >= p; 0, sum_j w_ji^2 K^{ji} + alpha^i I)
+//!       + sum over t < p of log N(x^i_t; 0, I)
+//!
+//! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, 1 to 3): the functions f^{ji} are
+//! marginalised, so the experts into a part add up to one covariance over all frames with a history. The prior of the
+//! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
+//!
+//! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
+//! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
+
+use crate::gp::{Kernel, NumericsError};
+use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
+use crate::models::map::params::MapParams;
+use crate::models::sequences::Sequences;
+use crate::models::variational::coupling_weights;
+use nalgebra::DMatrix;
+use std::f64::consts::TAU;
+
+const POSES: &str = "covariance of the poses";
+const DYNAMICS: &str = "covariance of the dynamics";
+
+/// The terms of the log density, in nats.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapTerms {
+    /// The pose map of each part [M].
+    pub kinematics: Vec<f64>,
+    /// The dynamics into each part, balanced where that was asked for [M].
+    pub dynamics: Vec<f64>,
+    /// The prior of the first p frames of every sequence.
+    pub initial: f64,
+}
+
+impl MapTerms {
+    /// The log density.
+    pub fn total(&self) -> f64 {
+        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial
+    }
+}
+
+/// What the density is computed on: centred observations and how they divide into sequences.
+#[derive(Clone, Debug)]
+pub struct LogDensity {
+    y: Vec<DMatrix<f64>>,
+    sequences: Sequences,
+    balanced: bool,
+}
+
+/// The covariance of the dynamics into one part.
+struct Into {
+    /// w_ji.
+    weights: Vec<f64>,
+    /// alpha^i.
+    noise: f64,
+    /// K^{ji} by source [R x R].
+    kernels: Vec<DMatrix<f64>>,
+    /// sum_j w_ji^2 K^{ji} + alpha^i I [R x R].
+    covariance: DMatrix<f64>,
+}
+
+impl LogDensity {
+    /// `y[i]` are the centred observations of part i [N x D_i], with as many rows as the sequences have frames.
+    /// `balanced`: the dynamics into each part weigh D_i / Q_i times as much.
+    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, balanced: bool) -> Self {
+        Self { y, sequences, balanced }
+    }
+
+    /// What the log density of the dynamics into part i is multiplied with.
+    fn balance(&self, params: &MapParams, i: usize) -> f64 {
+        if self.balanced { self.y[i].ncols() as f64 / params.parts[i].latents.ncols() as f64 } else { 1.0 }
+    }
+
+    /// The sequences.
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// The centred observations of each part [N x D_i].
+    pub fn observations(&self) -> &[DMatrix<f64>] {
+        &self.y
+    }
+
+    /// The terms of the log density at `params`.
+    pub fn terms(&self, params: &MapParams) -> Result<MapTerms, NumericsError> {
+        let histories = self.histories(params);
+        let (mut kinematics, mut dynamics) = (Vec::new(), Vec::new());
+        for (i, part) in params.parts.iter().enumerate() {
+            kinematics.push(log_density(&self.poses(params, i), &self.y[i], POSES)?);
+            let targets = self.sequences.lagged(&part.latents, 0);
+            let covariance = self.into(params, &histories, i).covariance;
+            dynamics.push(self.balance(params, i) * log_density(&covariance, &targets, DYNAMICS)?);
+        }
+        finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })
+    }
+
+    /// The terms at `params` and the gradient of their sum with respect to the natural parameters.
+    pub fn terms_and_gradient(&self, params: &MapParams) -> Result<(MapTerms, MapParams), NumericsError> {
+        let mut gradient = params.zeros_like();
+        let histories = self.histories(params);
+        let (mut kinematics, mut dynamics) = (Vec::new(), Vec::new());
+        for i in 0..params.part_count() {
+            kinematics.push(self.poses_gradient(params, i, &mut gradient)?);
+            dynamics.push(self.dynamics_gradient(params, &histories, i, &mut gradient)?);
+        }
+        for (into, part) in gradient.parts.iter_mut().zip(&params.parts) {
+            for t in self.sequences.initial_frames() {
+                let mut row = into.latents.row_mut(t);
+                row -= part.latents.row(t);
+            }
+        }
+        Ok((finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })?, gradient))
+    }
+
+    /// (K^i + beta^i I)^-1 Y^i of every part [N x D_i]: what a pose is a weighted sum of.
+    pub(super) fn pose_coefficients(&self, params: &MapParams) -> Result<Vec<DMatrix<f64>>, NumericsError> {
+        let solve = |i| {
+            crate::gp::linalg::Factor::of_large(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]))
+        };
+        (0..params.part_count()).map(solve).collect()
+    }
+
+    /// C_i^-1 x^i of every part [R x Q_i], C_i the covariance of the dynamics into it.
+    pub(super) fn dynamics_coefficients(
+        &self,
+        params: &MapParams,
+    ) -> Result<Vec<DMatrix<f64>>, NumericsError> {
+        let histories = self.histories(params);
+        let solve = |i: usize| {
+            let targets = self.sequences.lagged(&params.parts[i].latents, 0);
+            let covariance = self.into(params, &histories, i).covariance;
+            Ok(crate::gp::linalg::Factor::of_large(&covariance, DYNAMICS)?.solve(&targets))
+        };
+        (0..params.part_count()).map(solve).collect()
+    }
+
+    fn histories(&self, params: &MapParams) -> Vec<DMatrix<f64>> {
+        params.parts.iter().map(|part| self.sequences.windows(&part.latents)).collect()
+    }
+
+    fn initial(&self, params: &MapParams) -> f64 {
+        let rows =
+            params.parts.iter().flat_map(|part| self.sequences.initial_frames().map(|t| part.latents.row(t)));
+        rows.map(|row| -0.5 * (row.len() as f64 * TAU.ln() + row.norm_squared())).sum()
+    }
+
+    fn poses(&self, params: &MapParams, i: usize) -> DMatrix<f64> {
+        let part = &params.parts[i];
+        let mut covariance = part.kernel.inducing_covariance(&part.latents, 0.0);
+        add_to_diagonal(&mut covariance, part.beta);
+        covariance
+    }
+
+    fn poses_gradient(
+        &self,
+        params: &MapParams,
+        i: usize,
+        gradient: &mut MapParams,
+    ) -> Result<f64, NumericsError> {
+        let part = &params.parts[i];
+        let mut covariance = self.poses(params, i);
+        let (value, mut adjoint) = log_density_and_adjoint(&covariance, &self.y[i], POSES)?;
+        add_to_diagonal(&mut covariance, -part.beta);
+        let into = &mut gradient.parts[i];
+        into.beta += adjoint.covariance.trace();
+        let kernel = part.kernel.covariance_adjoint(&part.latents, &covariance, &mut adjoint.covariance);
+        into.latents += kernel.z;
+        into.kernel.lambda += kernel.lambda;
+        into.kernel.variance += kernel.variance;
+        Ok(value)
+    }
+
+    fn into(&self, params: &MapParams, histories: &[DMatrix<f64>], i: usize) -> Into {
+        let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
+        let rows = self.sequences.transitions();
+        let mut covariance = DMatrix::zeros(rows, rows);
+        add_to_diagonal(&mut covariance, noise);
+        let kernels: Vec<DMatrix<f64>> =
+            histories.iter().zip(&params.dynamics).map(|(h, k)| k[i].inducing_covariance(h, 0.0)).collect();
+        for (k, w) in kernels.iter().zip(&weights) {
+            covariance.zip_apply(k, |c, k| *c += w * w * k);
+        }
+        Into { weights, noise, kernels, covariance }
+    }
+
+    fn dynamics_gradient(
+        &self,
+        params: &MapParams,
+        histories: &[DMatrix<f64>],
+        i: usize,
+        gradient: &mut MapParams,
+    ) -> Result<f64, NumericsError> {
+        let Into { weights, noise, kernels, covariance } = self.into(params, histories, i);
+        let targets = self.sequences.lagged(&params.parts[i].latents, 0);
+        let (value, mut adjoint) = log_density_and_adjoint(&covariance, &targets, DYNAMICS)?;
+        let balance = self.balance(params, i);
+        adjoint.covariance *= balance;
+        adjoint.targets *= balance;
+        self.sequences.add_targets_adjoint(&adjoint.targets, &mut gradient.parts[i].latents);
+        let mut weights_adjoint = Vec::new();
+        for (j, w) in weights.iter().enumerate() {
+            let kernel: &Kernel = &params.dynamics[j][i];
+            let mut df_dk = &adjoint.covariance * (w * w);
+            let from = kernel.covariance_adjoint(&histories[j], &kernels[j], &mut df_dk);
+            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance, and w^2 is one more.
+            weights_adjoint.push(2.0 * from.variance * kernel.variance / w);
+            self.sequences.add_windows_adjoint(&from.z, &mut gradient.parts[j].latents);
+            gradient.dynamics[j][i].lambda += from.lambda;
+        }
+        let noise_adjoint = adjoint.covariance.trace();
+        // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j / alpha^{ji}.
+        let shared: f64 = weights_adjoint.iter().zip(&weights).map(|(g, w)| g * w).sum();
+        for (j, (w, g)) in weights.iter().zip(&weights_adjoint).enumerate() {
+            gradient.alpha[(j, i)] += w * w * (noise_adjoint + shared / noise) - g * w / params.alpha[(j, i)];
+        }
+        Ok(balance * value)
+    }
+}
+
+fn add_to_diagonal(matrix: &mut DMatrix<f64>, value: f64) {
+    for k in 0..matrix.nrows() {
+        matrix[(k, k)] += value;
+    }
+}
+
+fn finite(terms: MapTerms) -> Result<MapTerms, NumericsError> {
+    if terms.total().is_finite() { Ok(terms) } else { Err(NumericsError::NotFinite { what: "log density" }) }
+}
+
+#[cfg(test)]
+pub(super) mod tests;

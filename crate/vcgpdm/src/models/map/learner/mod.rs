@@ -1,0 +1,144 @@
+//! Training of MAP models.
+
+use crate::gp::NumericsError;
+use crate::models::flat::Group;
+use crate::models::latents::{
+    check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
+};
+use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::map::density::{LogDensity, MapTerms};
+use crate::models::map::model::MapModel;
+use crate::models::map::params::{MapParams, MapPart};
+use crate::models::movements::Movements;
+use crate::models::search::ascent::{Ascent, Phase, Target};
+use crate::models::sequences::Sequences;
+use crate::models::settings::MapSettings;
+use crate::models::training_error::TrainingError;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Iterations before everything is optimised together, at most.
+const BLOCK_ITERATIONS: usize = 50;
+/// Standard deviation of what the seed adds to the latents at the start, which have unit variance.
+const SPREAD: f64 = 0.01;
+
+/// The density with its last value.
+struct Evaluated {
+    density: LogDensity,
+    terms: MapTerms,
+    gradient: MapParams,
+}
+
+impl Target for Evaluated {
+    type Parameters = MapParams;
+    type Terms = MapTerms;
+
+    fn compute(&mut self, at: &MapParams) -> Result<f64, NumericsError> {
+        (self.terms, self.gradient) = self.density.terms_and_gradient(at)?;
+        Ok(self.terms.total())
+    }
+
+    fn terms(&self) -> &MapTerms {
+        &self.terms
+    }
+
+    fn gradient(&self) -> &MapParams {
+        &self.gradient
+    }
+}
+
+/// A training of a MAP GPDM (one part) or a MAP CGPDM under way.
+pub struct MapLearner {
+    ascent: Ascent<Evaluated>,
+}
+
+impl MapLearner {
+    /// Ready to train. A sequence that is not whole is a short one like any other.
+    pub fn new(movements: Movements, settings: &MapSettings, seed: u32) -> Result<Self, TrainingError> {
+        let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
+        let params = starting_point(&movements, &sequences, settings, seed);
+        let density = LogDensity::new(movements.y, sequences, settings.balanced);
+        let terms = density.terms(&params)?;
+        let start = (terms.total(), terms.clone());
+        let target = Evaluated { density, terms, gradient: params.zeros_like() };
+        let phases = vec![
+            Phase {
+                groups: &[Group::Kernels],
+                iterations: BLOCK_ITERATIONS.min(settings.max_iterations / 8),
+            },
+            Phase { groups: &[Group::Latents, Group::Kernels], iterations: settings.max_iterations },
+        ];
+        let ascent = Ascent::new(target, params, start, phases, settings.max_iterations);
+        Ok(Self { ascent })
+    }
+
+    /// The parameters of the best density so far.
+    pub fn best(&self) -> MapParams {
+        self.ascent.search().best_parameters()
+    }
+
+    /// The terms of the best density so far.
+    pub fn terms(&self) -> MapTerms {
+        self.ascent.search().best_terms.clone()
+    }
+
+    /// Evaluations of the density with its gradient so far.
+    pub fn evaluations(&self) -> usize {
+        self.ascent.search().evaluations
+    }
+
+    /// The model of the best density so far.
+    pub fn fitted(&self) -> Result<MapModel, NumericsError> {
+        let search = self.ascent.search();
+        MapModel::fit(&search.target.density, &search.best_parameters())
+    }
+}
+
+/// Latents, kernels and couplings as those of a variational model start, with a little noise on the latents: it is all that the
+/// seed decides where the data have as many dimensions as asked for.
+fn starting_point(
+    movements: &Movements,
+    sequences: &Sequences,
+    settings: &MapSettings,
+    seed: u32,
+) -> MapParams {
+    let random = || ChaCha8Rng::seed_from_u64(u64::from(seed));
+    let mut rng = random();
+    let mut latents = Vec::with_capacity(movements.y.len());
+    for y in &movements.y {
+        latents.push(principal_components(y, settings.latent, &mut rng));
+    }
+    // Begun anew, so that the noise does not depend on what the components drew.
+    let mut rng = random();
+    let mut parts = Vec::with_capacity(movements.y.len());
+    for (mut latents, y) in latents.into_iter().zip(&movements.y) {
+        for x in latents.iter_mut() {
+            let noise: f64 = StandardNormal.sample(&mut rng);
+            *x += SPREAD * noise;
+        }
+        let (kernel, beta) = starting_pose(y, settings.latent);
+        parts.push(MapPart { latents, kernel, beta });
+    }
+    let m = parts.len();
+    let dynamics = vec![vec![starting_dynamics(settings.latent, sequences.order()); m]; m];
+    MapParams { parts, dynamics, alpha: starting_couplings(m) }
+}
+
+impl Learner for MapLearner {
+    fn step(&mut self) -> LearningProgress {
+        self.ascent.step();
+        self.progress()
+    }
+
+    fn progress(&self) -> LearningProgress {
+        self.ascent.progress("density")
+    }
+
+    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
+        Ok(Box::new(self.fitted()?))
+    }
+}
+
+#[cfg(test)]
+mod tests;

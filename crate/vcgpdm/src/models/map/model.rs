@@ -1,0 +1,193 @@
+//! A fitted MAP model: predictions by the exact conditional means.
+//!
+//! E[x^i_t] = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and E[y^i_t] = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
+//! over all training frames, whose coefficients are solved for once.
+
+use crate::gp::{Kernel, NumericsError};
+use crate::json::Value;
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
+use crate::models::map::density::LogDensity;
+use crate::models::map::params::MapParams;
+use crate::models::rollout::{KernelSum, Poser, Roller, RolloutError, check_frames};
+use crate::models::sequences::Sequences;
+use crate::models::variational::coupling_weights;
+use nalgebra::DMatrix;
+
+/// The pose map of one part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapPoseMap {
+    /// The latents of all training frames [N x Q].
+    pub latents: DMatrix<f64>,
+    /// Its kernel.
+    pub kernel: Kernel,
+    /// (K + beta I)^-1 Y [N x D].
+    pub coefficients: DMatrix<f64>,
+}
+
+/// A trained MAP GPDM (one part) or MAP CGPDM.
+#[derive(Clone, Debug)]
+pub struct MapModel {
+    sequences: Sequences,
+    parts: Vec<MapPoseMap>,
+    dynamics: Vec<Vec<Kernel>>,
+    coefficients: Vec<DMatrix<f64>>,
+    alpha: DMatrix<f64>,
+    roller: Roller,
+    poser: Poser,
+}
+
+impl MapModel {
+    /// The model at `params`.
+    pub fn fit(density: &LogDensity, params: &MapParams) -> Result<Self, NumericsError> {
+        let poses = density.pose_coefficients(params)?;
+        let parts = params.parts.iter().zip(poses).map(|(part, coefficients)| MapPoseMap {
+            latents: part.latents.clone(),
+            kernel: part.kernel.clone(),
+            coefficients,
+        });
+        Ok(Self::new(
+            density.sequences().clone(),
+            parts.collect(),
+            params.dynamics.clone(),
+            density.dynamics_coefficients(params)?,
+            params.alpha.clone(),
+        ))
+    }
+
+    /// Puts a model together: `dynamics[source][target]`, `coefficients[target]` C_i^-1 X^i [R x Q_i], `alpha[source][target]`.
+    pub fn new(
+        sequences: Sequences,
+        parts: Vec<MapPoseMap>,
+        dynamics: Vec<Vec<Kernel>>,
+        coefficients: Vec<DMatrix<f64>>,
+        alpha: DMatrix<f64>,
+    ) -> Self {
+        let histories: Vec<DMatrix<f64>> = parts.iter().map(|p| sequences.windows(&p.latents)).collect();
+        let sums = coefficients.iter().enumerate().map(|(i, c)| {
+            let weights = coupling_weights(alpha.column(i).as_slice()).1;
+            let sources = histories.iter().zip(&dynamics).zip(&weights);
+            sources.map(|((h, row), w)| KernelSum::new(h, &row[i], &(c * (w * w)))).collect()
+        });
+        let latent = parts.iter().map(|part| part.latents.ncols()).collect();
+        let roller = Roller::of_sums(sequences.order(), latent, sums.collect());
+        let maps = parts.iter().map(|part| KernelSum::new(&part.latents, &part.kernel, &part.coefficients));
+        let poser = Poser::of_sums(maps.collect());
+        Self { sequences, parts, dynamics, coefficients, alpha, roller, poser }
+    }
+
+    /// Where the training sequences lie in the latents.
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// The pose map of each part [M].
+    pub fn parts(&self) -> &[MapPoseMap] {
+        &self.parts
+    }
+
+    /// Kernels of the dynamics, `dynamics[source][target]`.
+    pub fn dynamics(&self) -> &[Vec<Kernel>] {
+        &self.dynamics
+    }
+
+    /// C_i^-1 X^i of the dynamics into each part [R x Q_i].
+    pub fn coefficients(&self) -> &[DMatrix<f64>] {
+        &self.coefficients
+    }
+
+    /// Learned coupling variances [M x M], row the source, column the target.
+    pub fn alpha(&self) -> &DMatrix<f64> {
+        &self.alpha
+    }
+
+    /// The latent path of every part [frames x Q_i] from the first latents of a training sequence.
+    pub fn latents(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        check_frames(frames)?;
+        let count = self.sequences.lengths().len();
+        let range = self.sequences.ranges().nth(sequence);
+        let first = range.ok_or(RolloutError::Sequence { count, found: sequence })?.start;
+        let order = self.sequences.order();
+        let start = self.parts.iter().map(|part| part.latents.rows(first, order).into_owned());
+        self.roller.latents(&start.collect::<Vec<_>>(), frames)
+    }
+}
+
+impl MovementModel for MapModel {
+    fn kind(&self) -> ModelKind {
+        if self.parts.len() == 1 { ModelKind::MapGpdm } else { ModelKind::MapCgpdm }
+    }
+
+    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let latents = self.latents(sequence, frames)?;
+        let parts = latents.iter().enumerate();
+        Ok(parts.map(|(part, x)| self.poser.observations(part, x)).collect())
+    }
+
+    /// All training latents, the coefficients of all maps, kernels and couplings.
+    fn stored_numbers(&self) -> usize {
+        let poses =
+            self.parts.iter().map(|p| p.latents.len() + p.coefficients.len() + p.kernel.lambda.len() + 1);
+        let kernels = self.dynamics.iter().flatten().map(|kernel| kernel.lambda.len());
+        let coefficients = self.coefficients.iter().map(|c| c.len());
+        poses.chain(kernels).chain(coefficients).sum::<usize>() + self.alpha.len()
+    }
+
+    fn bound(&self) -> Option<f64> {
+        None
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::map::density::tests::random_map_case;
+    use approx::assert_relative_eq;
+
+    /// E[new | training] = c^T C^-1 targets, from the joint covariance of training rows and one new row.
+    fn conditional_mean(joint: &DMatrix<f64>, targets: &DMatrix<f64>) -> DMatrix<f64> {
+        let n = targets.nrows();
+        let inverse = joint.view((0, 0), (n, n)).into_owned().try_inverse().unwrap();
+        joint.view((n, 0), (1, n)) * inverse * targets
+    }
+
+    fn with_row(x: &DMatrix<f64>, row: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut all = x.clone().insert_row(x.nrows(), 0.0);
+        all.row_mut(x.nrows()).copy_from(&row.row(0));
+        all
+    }
+
+    #[test]
+    fn one_step_is_the_mean_of_the_joint_gaussian_given_the_training_frames() {
+        for seed in 0..4 {
+            let (params, density) = random_map_case(seed);
+            let (model, sequences) = (MapModel::fit(&density, &params).unwrap(), density.sequences());
+            let order = sequences.order();
+            let path = model.latents(0, order + 1).unwrap();
+            let y = model.rollout(0, order + 1).unwrap();
+            for (i, part) in params.parts.iter().enumerate() {
+                let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
+                let rows = sequences.transitions();
+                let mut joint = DMatrix::identity(rows + 1, rows + 1) * noise;
+                for (j, source) in params.parts.iter().enumerate() {
+                    // The new row's history is the first training row's: the start of the first sequence.
+                    let histories = sequences.windows(&source.latents);
+                    let all = with_row(&histories, &histories.rows(0, 1).into_owned());
+                    joint += params.dynamics[j][i].cross_covariance(&all, &all) * weights[j].powi(2);
+                }
+                let expected = conditional_mean(&joint, &sequences.lagged(&part.latents, 0));
+                assert_relative_eq!(path[i].rows(order, 1).into_owned(), expected, epsilon = 1e-8);
+
+                let all = with_row(&part.latents, &path[i].rows(order, 1).into_owned());
+                let noise = DMatrix::identity(all.nrows(), all.nrows()) * part.beta;
+                let joint = part.kernel.cross_covariance(&all, &all) + noise;
+                let expected = conditional_mean(&joint, &density.observations()[i]);
+                assert_relative_eq!(y[i].rows(order, 1).into_owned(), expected, epsilon = 1e-8);
+            }
+        }
+    }
+}

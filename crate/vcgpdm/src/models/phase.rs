@@ -1,0 +1,353 @@
+//! Trials on a common phase: recordings start anywhere in a gait cycle and walk at their own pace.
+//!
+//! The phase of frame t of a trial is start + rate t. Each trial is fitted to the mean of all (the template), the template is
+//! formed anew, and so on. A straight line, not a free warp of time: it is what can be known about a trial of which only the
+//! first frames are there, and it cannot explain differences of shape away.
+
+use crate::models::period::RHYTHMIC;
+use crate::models::period::period;
+use nalgebra::DMatrix;
+
+/// Places of the template along the axis.
+const TEMPLATE: usize = 64;
+/// Times that all trials are fitted and the template is formed anew.
+const ROUNDS: usize = 4;
+/// A cycle that was asked for has the period that is found, unless the movement hardly repeats at all.
+const FAINT: f64 = 0.3;
+/// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut roughly alike.
+const MOST_SHIFT: f64 = 0.25;
+const MOST_STRETCH: f64 = 1.25;
+/// A trial of which only the first frames are known begins where trials begin: by at most this part of a movement later than
+/// all the others, and not before them, where no trial tells how it goes on.
+const START_MARGIN: f64 = 0.1;
+/// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which one is best.
+const STRETCHES: i32 = 6;
+/// Steps of the search for a start are halved so often.
+const HALVINGS: usize = 6;
+
+/// What phase 0 to 1 means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PhaseAxis {
+    /// One cycle of a movement that repeats: phases are modulo 1.
+    Cycle,
+    /// A whole movement, from its start to its end.
+    Trial,
+}
+
+/// Where a trial lies on the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseMap {
+    /// Phase of its first frame.
+    pub start: f64,
+    /// Phase that passes from one frame to the next, positive.
+    pub rate: f64,
+}
+
+impl PhaseMap {
+    /// The phase of frame `t`; on a cycle, whole turns are not taken off.
+    pub fn at(&self, t: usize) -> f64 {
+        self.start + self.rate * t as f64
+    }
+
+    /// Start and rate changed so that the phase in the middle of `frames` frames moves by `shift`, and the phase that
+    /// passes over all of them grows by `stretch`.
+    pub fn moved(&self, frames: usize, shift: f64, stretch: f64) -> Self {
+        let length = frames.saturating_sub(1).max(1) as f64;
+        Self { start: self.start + shift - 0.5 * stretch, rate: self.rate + stretch / length }
+    }
+}
+
+/// A trial to be aligned.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// All columns [T x D].
+    pub y: DMatrix<f64>,
+    /// False: only the first frames; then its rate is the mean one.
+    pub whole: bool,
+}
+
+/// All trials on one axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alignment {
+    /// What the phase means.
+    pub axis: PhaseAxis,
+    /// One for each trial.
+    pub maps: Vec<PhaseMap>,
+}
+
+impl Alignment {
+    /// The mean rate of the whole `trials`.
+    pub fn mean_rate(trials: &[Trial], maps: &[PhaseMap]) -> f64 {
+        let whole = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole);
+        whole().map(|(_, map)| map.rate).sum::<f64>() / whole().count().max(1) as f64
+    }
+
+    /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits every trial to it.
+    /// At least one trial has to be whole.
+    pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
+        let whole: Vec<DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| t.y.clone()).collect();
+        let longest = whole.iter().map(|y| y.nrows()).max().unwrap_or(1);
+        let found = period(&whole);
+        let axis = axis.unwrap_or(match found {
+            Some(p) if p.correlation >= RHYTHMIC => PhaseAxis::Cycle,
+            _ => PhaseAxis::Trial,
+        });
+        // Without a period, a cycle is as long as the longest trial.
+        let common = found.filter(|p| p.correlation >= FAINT).map_or(longest as f64, |p| p.frames);
+        let frames: Vec<DMatrix<f64>> = trials.iter().map(|t| t.y.transpose()).collect();
+        let mut maps: Vec<PhaseMap> = trials
+            .iter()
+            .map(|trial| match axis {
+                PhaseAxis::Cycle => PhaseMap { start: 0.0, rate: 1.0 / own_period(&trial.y, common) },
+                PhaseAxis::Trial => {
+                    let frames = if trial.whole { trial.y.nrows() } else { longest };
+                    PhaseMap { start: 0.0, rate: 1.0 / frames.saturating_sub(1).max(1) as f64 }
+                }
+            })
+            .collect();
+        let reference = trials.iter().position(|t| t.whole && t.y.nrows() == longest).unwrap_or(0);
+        let mut template = Template::new(axis, [(&frames[reference], maps[reference])]);
+        let whole = || (0..trials.len()).filter(|&s| trials[s].whole);
+        for round in 0..ROUNDS {
+            for s in whole().filter(|&s| round > 0 || s != reference) {
+                maps[s] = template.fit(&frames[s], maps[s], MOST_SHIFT, round == 0, true);
+            }
+            if axis == PhaseAxis::Trial {
+                span(trials, &mut maps);
+            }
+            template = Template::new(axis, whole().map(|s| (&frames[s], maps[s])));
+        }
+        let rate = Self::mean_rate(trials, &maps);
+        for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
+            let (first, last) = beginnings(axis, trials, &maps);
+            let middle = PhaseMap { start: 0.5 * (first + last), rate };
+            maps[s] = template.fit(&frames[s], middle, 0.5 * (last - first), true, false);
+        }
+        if axis == PhaseAxis::Cycle {
+            for map in &mut maps {
+                map.start -= map.start.floor();
+            }
+        }
+        Self { axis, maps }
+    }
+
+    /// The mean of the whole trials at the phases 0, 1/G, ... (a cycle) or 0, 1/(G-1), ..., 1 (a movement): [G x D].
+    pub fn template(&self, trials: &[Trial]) -> DMatrix<f64> {
+        let frames: Vec<(DMatrix<f64>, PhaseMap)> = (trials.iter().zip(&self.maps))
+            .filter(|(trial, _)| trial.whole)
+            .map(|(trial, map)| (trial.y.transpose(), *map))
+            .collect();
+        Template::new(self.axis, frames.iter().map(|(y, map)| (y, *map))).mean.transpose()
+    }
+}
+
+/// Makes the whole trials reach from 0 to 1 together.
+fn span(trials: &[Trial], maps: &mut [PhaseMap]) {
+    let (first, last) = covered(trials, maps);
+    for map in maps {
+        *map = PhaseMap { start: (map.start - first) / (last - first), rate: map.rate / (last - first) };
+    }
+}
+
+/// The phases between which the whole trials lie.
+pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+    let whole = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole);
+    let first = whole().map(|(_, map)| map.start).fold(f64::INFINITY, f64::min);
+    let last =
+        whole().map(|(t, map)| map.at(t.y.nrows().saturating_sub(1))).fold(f64::NEG_INFINITY, f64::max);
+    (first, last)
+}
+
+/// Between which phases a trial may begin.
+pub fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+    if axis == PhaseAxis::Cycle {
+        return (0.0, 1.0);
+    }
+    let starts = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole).map(|(_, map)| map.start);
+    (starts().fold(f64::INFINITY, f64::min), starts().fold(f64::NEG_INFINITY, f64::max) + START_MARGIN)
+}
+
+/// The period of one trial where it is clear and near the `common` one.
+fn own_period(y: &DMatrix<f64>, common: f64) -> f64 {
+    match period(std::slice::from_ref(y)) {
+        Some(p) if (p.frames / common - 1.0).abs() < 0.25 => p.frames,
+        _ => common,
+    }
+}
+
+struct Template {
+    axis: PhaseAxis,
+    /// [D x G].
+    mean: DMatrix<f64>,
+}
+
+impl Template {
+    fn new<'a>(axis: PhaseAxis, trials: impl IntoIterator<Item = (&'a DMatrix<f64>, PhaseMap)>) -> Self {
+        let mut mean = DMatrix::zeros(0, TEMPLATE);
+        let mut weights = [0.0; TEMPLATE];
+        for (frames, map) in trials {
+            if mean.nrows() == 0 {
+                mean = DMatrix::zeros(frames.nrows(), TEMPLATE);
+            }
+            for (t, frame) in frames.column_iter().enumerate() {
+                for (place, weight) in places(axis, map.at(t)) {
+                    mean.column_mut(place).axpy(weight, &frame, 1.0);
+                    weights[place] += weight;
+                }
+            }
+        }
+        // A place that no frame came near takes over its nearest neighbour's mean.
+        let filled: Vec<usize> = (0..TEMPLATE).filter(|&g| weights[g] > 1e-6).collect();
+        for &g in &filled {
+            mean.column_mut(g).scale_mut(1.0 / weights[g]);
+        }
+        let distance = |a: usize, b: usize| match axis {
+            PhaseAxis::Cycle => a.abs_diff(b).min(TEMPLATE - a.abs_diff(b)),
+            PhaseAxis::Trial => a.abs_diff(b),
+        };
+        for g in (0..TEMPLATE).filter(|g| weights[*g] <= 1e-6) {
+            if let Some(&near) = filled.iter().min_by_key(|&&f| distance(f, g)) {
+                let column = mean.column(near).into_owned();
+                mean.set_column(g, &column);
+            }
+        }
+        Self { axis, mean }
+    }
+
+    /// Mean squared distance of the frames [D x T] from the template.
+    fn error(&self, frames: &DMatrix<f64>, map: PhaseMap) -> f64 {
+        let mut sum = 0.0;
+        for (t, frame) in frames.column_iter().enumerate() {
+            let [(a, wa), (b, wb)] = places(self.axis, map.at(t));
+            let (a, b) = (self.mean.column(a), self.mean.column(b));
+            sum += (frame.iter().zip(a.iter()).zip(b.iter()))
+                .map(|((y, a), b)| (y - wa * a - wb * b).powi(2))
+                .sum::<f64>();
+        }
+        sum / frames.ncols().max(1) as f64
+    }
+
+    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first. A start on a movement
+    /// that is no cycle moves by at most `reach`.
+    fn fit(
+        &self,
+        frames: &DMatrix<f64>,
+        map: PhaseMap,
+        reach: f64,
+        anywhere: bool,
+        stretch: bool,
+    ) -> PhaseMap {
+        let count = frames.ncols();
+        let allowed = |m: &PhaseMap| match self.axis {
+            PhaseAxis::Cycle => m.rate > 0.5 * map.rate && m.rate < 2.0 * map.rate,
+            PhaseAxis::Trial => {
+                let ratio = m.rate / map.rate;
+                (m.start - map.start).abs() <= reach && ratio <= MOST_STRETCH && ratio * MOST_STRETCH >= 1.0
+            }
+        };
+        let mut best = map;
+        let mut least = self.error(frames, best);
+        let mut consider = |m: PhaseMap, best: &mut PhaseMap| {
+            let error = if allowed(&m) { self.error(frames, m) } else { f64::INFINITY };
+            let better = error < least;
+            if better {
+                (*best, least) = (m, error);
+            }
+            better
+        };
+        let step = 1.0 / TEMPLATE as f64;
+        if anywhere {
+            let half = TEMPLATE as i32 / 2;
+            let looks = if stretch && self.axis == PhaseAxis::Trial { STRETCHES } else { 0 };
+            for stretch in -looks..=looks {
+                let rate = map.rate * MOST_STRETCH.powf(f64::from(stretch) / f64::from(STRETCHES));
+                for k in -half..half {
+                    consider(PhaseMap { start: map.start + step * f64::from(k), rate }, &mut best);
+                }
+            }
+        }
+        let mut step = step;
+        for _ in 0..HALVINGS {
+            let mut moves = 0;
+            loop {
+                let mut better = consider(best.moved(count, step, 0.0), &mut best);
+                better |= consider(best.moved(count, -step, 0.0), &mut best);
+                if stretch {
+                    better |= consider(best.moved(count, 0.0, 2.0 * step), &mut best);
+                    better |= consider(best.moved(count, 0.0, -2.0 * step), &mut best);
+                }
+                moves += 1;
+                if !better || moves > TEMPLATE {
+                    break;
+                }
+            }
+            step *= 0.5;
+        }
+        best
+    }
+}
+
+/// The two places of the template beside a phase, with their weights.
+fn places(axis: PhaseAxis, phase: f64) -> [(usize, f64); 2] {
+    match axis {
+        PhaseAxis::Cycle => {
+            let x = (phase - phase.floor()) * TEMPLATE as f64;
+            let (low, part) = (x as usize % TEMPLATE, x - x.floor());
+            [(low, 1.0 - part), ((low + 1) % TEMPLATE, part)]
+        }
+        PhaseAxis::Trial => {
+            let x = phase.clamp(0.0, 1.0) * (TEMPLATE - 1) as f64;
+            let low = (x as usize).min(TEMPLATE - 2);
+            [(low, 1.0 - (x - low as f64)), (low + 1, x - low as f64)]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn walk(frames: usize, period: f64, start: f64) -> DMatrix<f64> {
+        DMatrix::from_fn(frames, 3, |t, d| {
+            let phase = TAU * (t as f64 / period + start);
+            (phase + d as f64).sin() + 0.3 * (2.0 * phase + 0.5 * d as f64).cos()
+        })
+    }
+
+    #[test]
+    fn starts_and_rates_of_walks_are_found() {
+        let truth = [(110, 34.0, 0.1), (95, 36.0, 0.85), (101, 35.0, 0.4)];
+        let mut trials: Vec<Trial> =
+            truth.map(|(t, p, s)| Trial { y: walk(t, p, s), whole: true }).into_iter().collect();
+        trials.push(Trial { y: walk(5, 35.0, 0.6), whole: false });
+        let found = Alignment::new(&trials, None);
+        assert_eq!(found.axis, PhaseAxis::Cycle);
+        let origin = found.maps[0].start - 0.1;
+        for (map, (_, period, start)) in found.maps.iter().zip(truth) {
+            let off = map.start - start - origin;
+            assert!((off - off.round()).abs() < 0.01, "{found:?}");
+            assert!((map.rate * period - 1.0).abs() < 0.005, "{found:?}");
+        }
+        let off = found.maps[3].start - 0.6 - origin;
+        assert!((off - off.round()).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn reaches_of_different_lengths_lie_on_each_other() {
+        let reach = |frames: usize, early: f64| {
+            DMatrix::from_fn(frames, 2, |t, d| {
+                let phase = early + t as f64 / (frames - 1) as f64;
+                (8.0 * (phase - 0.5 + 0.1 * d as f64)).tanh()
+            })
+        };
+        let trials: Vec<Trial> = [(60, 0.0), (90, 0.05), (75, -0.04)]
+            .map(|(frames, early)| Trial { y: reach(frames, early), whole: true })
+            .into();
+        let found = Alignment::new(&trials, None);
+        assert_eq!(found.axis, PhaseAxis::Trial);
+        let middle = |s: usize| found.maps[s].at(trials[s].y.nrows() / 2);
+        assert!((middle(1) - middle(0) - 0.05).abs() < 0.02, "{found:?}");
+        assert!((middle(2) - middle(0) + 0.04).abs() < 0.02, "{found:?}");
+    }
+}

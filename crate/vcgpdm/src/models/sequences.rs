@@ -1,0 +1,208 @@
+//! Where the sequences lie in the stacked frames, and the histories that never cross from one into another.
+
+use crate::gp::Gaussians;
+use crate::words::counted;
+use nalgebra::DMatrix;
+use std::ops::Range;
+use thiserror::Error;
+
+/// Lengths that cannot be trained on.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum SequencesError {
+    /// There is nothing to train on.
+    #[error("expected at least one sequence, found none")]
+    Empty,
+    /// The order of the dynamics is zero.
+    #[error("expected dynamics of order 1 or more, found 0")]
+    Order,
+    /// A sequence holds no transition.
+    #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
+    TooShort {
+        /// Counted from 0.
+        index: usize,
+        /// Its length.
+        frames: usize,
+        /// Order of the dynamics.
+        order: usize,
+    },
+}
+
+/// The lengths T_s of the sequences, stacked to N frames, and the order p of the dynamics.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sequences {
+    lengths: Vec<usize>,
+    order: usize,
+}
+
+impl Sequences {
+    /// Every sequence needs more than `order` frames.
+    pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
+        if lengths.is_empty() {
+            return Err(SequencesError::Empty);
+        }
+        if order == 0 {
+            return Err(SequencesError::Order);
+        }
+        match lengths.iter().position(|&frames| frames <= order) {
+            Some(index) => Err(SequencesError::TooShort { index, frames: lengths[index], order }),
+            None => Ok(Self { lengths, order }),
+        }
+    }
+
+    /// T_s.
+    pub fn lengths(&self) -> &[usize] {
+        &self.lengths
+    }
+
+    /// p.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// N.
+    pub fn frames(&self) -> usize {
+        self.lengths.iter().sum()
+    }
+
+    /// R, the number of frames with a whole history before them: N - p times the number of sequences.
+    pub fn transitions(&self) -> usize {
+        self.frames() - self.order * self.lengths.len()
+    }
+
+    /// The frames of each sequence.
+    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        self.lengths.iter().scan(0, |start, length| {
+            let range = *start..*start + length;
+            *start += length;
+            Some(range)
+        })
+    }
+
+    /// The first p frames of every sequence.
+    pub fn initial_frames(&self) -> impl Iterator<Item = usize> + '_ {
+        self.ranges().flat_map(|r| r.start..r.start + self.order)
+    }
+
+    /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves) [R x Q].
+    pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
+        let mut out = DMatrix::zeros(self.transitions(), x.ncols());
+        self.lagged_into(x, lag, &mut out);
+        out
+    }
+
+    /// As [`lagged`](Self::lagged), into a matrix that is there.
+    pub fn lagged_into(&self, x: &DMatrix<f64>, lag: usize, out: &mut DMatrix<f64>) {
+        for (rows, frames) in self.blocks(lag) {
+            out.rows_mut(rows.start, rows.len()).copy_from(&x.rows(frames.start, frames.len()));
+        }
+    }
+
+    /// The histories (x_{t-p}, ..., x_{t-1}), oldest first, of the latents `x` [N x Q]: [R x pQ].
+    pub fn histories(&self, x: &Gaussians) -> Gaussians {
+        let mut out = Gaussians::zeros(self.transitions(), self.order * x.mean.ncols());
+        self.histories_into(x, &mut out);
+        out
+    }
+
+    /// As [`histories`](Self::histories), into matrices that are there.
+    pub fn histories_into(&self, x: &Gaussians, out: &mut Gaussians) {
+        self.windows_into(&x.mean, &mut out.mean);
+        self.windows_into(&x.variance, &mut out.variance);
+    }
+
+    /// Adds the adjoint of [`histories`](Self::histories) to `into` [N x Q].
+    pub fn add_histories_adjoint(&self, adjoint: &Gaussians, into: &mut Gaussians) {
+        self.add_windows_adjoint(&adjoint.mean, &mut into.mean);
+        self.add_windows_adjoint(&adjoint.variance, &mut into.variance);
+    }
+
+    /// The p rows of `x` [N x Q] before each frame that has a history, side by side, oldest first: [R x pQ].
+    pub fn windows(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut out = DMatrix::zeros(self.transitions(), self.order * x.ncols());
+        self.windows_into(x, &mut out);
+        out
+    }
+
+    fn windows_into(&self, x: &DMatrix<f64>, out: &mut DMatrix<f64>) {
+        let dims = x.ncols();
+        for k in 0..self.order {
+            for (rows, frames) in self.blocks(self.order - k) {
+                let shape = (rows.len(), dims);
+                out.view_mut((rows.start, k * dims), shape).copy_from(&x.rows(frames.start, shape.0));
+            }
+        }
+    }
+
+    /// Adds the adjoint of [`windows`](Self::windows) to `into` [N x Q].
+    pub fn add_windows_adjoint(&self, adjoint: &DMatrix<f64>, into: &mut DMatrix<f64>) {
+        let dims = into.ncols();
+        for k in 0..self.order {
+            for (rows, frames) in self.blocks(self.order - k) {
+                let shape = (rows.len(), dims);
+                let mut out = into.rows_mut(frames.start, shape.0);
+                out += adjoint.view((rows.start, k * dims), shape);
+            }
+        }
+    }
+
+    /// Adds the adjoint of [`lagged`](Self::lagged) with lag 0 to `into` [N x Q].
+    pub fn add_targets_adjoint(&self, adjoint: &DMatrix<f64>, into: &mut DMatrix<f64>) {
+        for (rows, frames) in self.blocks(0) {
+            let mut out = into.rows_mut(frames.start, rows.len());
+            out += adjoint.rows(rows.start, rows.len());
+        }
+    }
+
+    /// For each sequence, its transition rows and the frames `lag` before them.
+    fn blocks(&self, lag: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
+        self.ranges().enumerate().map(move |(s, r)| {
+            let first_row = r.start - s * self.order;
+            let count = r.len() - self.order;
+            let first_frame = r.start + self.order - lag;
+            (first_row..first_row + count, first_frame..first_frame + count)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn histories_stay_inside_their_sequence() {
+        let sequences = Sequences::new(vec![4, 3], 2).unwrap();
+        let x = Gaussians {
+            mean: DMatrix::from_fn(7, 1, |t, _| t as f64),
+            variance: DMatrix::from_fn(7, 1, |t, _| 10.0 + t as f64),
+        };
+        let h = sequences.histories(&x);
+        assert_eq!(h.mean, DMatrix::from_row_slice(3, 2, &[0.0, 1.0, 1.0, 2.0, 4.0, 5.0]));
+        assert_eq!(h.variance.column(1).as_slice(), &[11.0, 12.0, 15.0]);
+        assert_eq!(sequences.lagged(&x.mean, 0).as_slice(), &[2.0, 3.0, 6.0]);
+        assert_eq!(sequences.initial_frames().collect::<Vec<_>>(), [0, 1, 4, 5]);
+    }
+
+    #[test]
+    fn adjoints_are_transposes() {
+        let sequences = Sequences::new(vec![5, 4, 6], 2).unwrap();
+        let x = Gaussians {
+            mean: DMatrix::from_fn(15, 2, |t, q| ((t * 3 + q) as f64).sin()),
+            variance: DMatrix::from_fn(15, 2, |t, q| ((t + 5 * q) as f64).cos()),
+        };
+        let h = sequences.histories(&x);
+        let g = Gaussians {
+            mean: h.mean.map_with_location(|t, q, _| (t as f64 - q as f64).sin()),
+            variance: h.variance.map_with_location(|t, q, _| (t as f64 + q as f64).cos()),
+        };
+        let mut back = Gaussians::zeros(15, 2);
+        sequences.add_histories_adjoint(&g, &mut back);
+        let forth = h.mean.dot(&g.mean) + h.variance.dot(&g.variance);
+        assert!((forth - x.mean.dot(&back.mean) - x.variance.dot(&back.variance)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn short_sequences_are_refused() {
+        let error = Sequences::new(vec![8, 2], 2).unwrap_err();
+        assert_eq!(error.to_string(), "sequence 1 has 2 frames; dynamics of order 2 need at least 3");
+    }
+}

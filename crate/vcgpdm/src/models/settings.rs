@@ -1,0 +1,165 @@
+//! What a training is asked for: one type of settings for each model, without the seed, and the enum of all of them.
+
+use crate::models::kind::ModelKind;
+use serde::{Deserialize, Serialize};
+
+/// Settings of the variational models, vCGPDM and vGPDM.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VariationalSettings {
+    /// Latent dimensions Q of every part, 1 to 100.
+    pub latent: usize,
+    /// Order p of the dynamics: how many earlier frames predict the next one, 1 to 100.
+    pub order: usize,
+    /// Dynamics inducing points K of every expert, 1 to 1000.
+    pub dynamics_ips: usize,
+    /// Pose inducing points L of every part, 1 to 1000.
+    pub pose_ips: usize,
+    /// Most iterations of the optimiser, all phases together.
+    pub max_iterations: usize,
+}
+
+impl Default for VariationalSettings {
+    fn default() -> Self {
+        Self { latent: 3, order: 2, dynamics_ips: 12, pose_ips: 12, max_iterations: 800 }
+    }
+}
+
+/// Settings of the models with point estimates of their latents, MAP GPDM and MAP CGPDM.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MapSettings {
+    /// Latent dimensions Q of every part, 1 to 100.
+    pub latent: usize,
+    /// Order p of the dynamics: how many earlier frames predict the next one, 1 to 100.
+    pub order: usize,
+    /// Most iterations of the optimiser.
+    pub max_iterations: usize,
+    /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise the latents are
+    /// at the maximum of their posterior density itself.
+    pub balanced: bool,
+}
+
+impl Default for MapSettings {
+    fn default() -> Self {
+        Self { latent: 3, order: 2, max_iterations: 800, balanced: false }
+    }
+}
+
+/// Settings of temporal movement primitives.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TmpSettings {
+    /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
+    pub primitives: Option<usize>,
+}
+
+/// Settings of dynamic movement primitives, discrete or rhythmic.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DmpSettings {
+    /// Basis functions B of every column, 1 to 200.
+    pub bases: usize,
+}
+
+impl Default for DmpSettings {
+    fn default() -> Self {
+        Self { bases: 20 }
+    }
+}
+
+/// A kind of model with its settings. In JSON its field "model" names the kind, and the settings stand beside it.
+///
+/// ```
+/// use vcgpdm::models::{DmpSettings, ModelKind, ModelSettings};
+///
+/// let settings = ModelSettings::DmpRhythmic(DmpSettings { bases: 25 });
+/// assert_eq!(settings.kind(), ModelKind::DmpRhythmic);
+/// assert_eq!(serde_json::to_string(&settings)?, r#"{"model":"dmp-rhythmic","bases":25}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum ModelSettings {
+    /// The variational coupled GPDM.
+    Vcgpdm(VariationalSettings),
+    /// The variational GPDM: all columns are one part.
+    Vgpdm(VariationalSettings),
+    /// The GPDM with point estimates of its latents: all columns are one part.
+    MapGpdm(MapSettings),
+    /// The coupled GPDM with point estimates of its latents.
+    MapCgpdm(MapSettings),
+    /// Temporal movement primitives.
+    Tmp(TmpSettings),
+    /// Dynamic movement primitives towards a goal.
+    DmpDiscrete(DmpSettings),
+    /// Dynamic movement primitives around a centre.
+    DmpRhythmic(DmpSettings),
+}
+
+impl ModelSettings {
+    /// The kind of model.
+    pub fn kind(&self) -> ModelKind {
+        match self {
+            ModelSettings::Vcgpdm(_) => ModelKind::Vcgpdm,
+            ModelSettings::Vgpdm(_) => ModelKind::Vgpdm,
+            ModelSettings::MapGpdm(_) => ModelKind::MapGpdm,
+            ModelSettings::MapCgpdm(_) => ModelKind::MapCgpdm,
+            ModelSettings::Tmp(_) => ModelKind::Tmp,
+            ModelSettings::DmpDiscrete(_) => ModelKind::DmpDiscrete,
+            ModelSettings::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+        }
+    }
+
+    /// The same without the size (inducing points, primitives, bases): equal for settings that differ in size alone.
+    pub(crate) fn without_size(&self) -> ModelSettings {
+        let mut settings = self.clone();
+        match &mut settings {
+            ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips) = (0, 0),
+            ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => {}
+            ModelSettings::Tmp(s) => s.primitives = None,
+            ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases = 0,
+        }
+        settings
+    }
+
+    /// Whether another seed gives another model.
+    pub fn is_random(&self) -> bool {
+        self.kind().is_random()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_read_back_and_name_their_kind() {
+        for (settings, text) in [
+            (
+                ModelSettings::Vcgpdm(VariationalSettings::default()),
+                r#"{"model":"vcgpdm","latent":3,"order":2,"dynamics_ips":12,"pose_ips":12,"max_iterations":800}"#,
+            ),
+            (
+                ModelSettings::MapGpdm(MapSettings::default()),
+                r#"{"model":"map-gpdm","latent":3,"order":2,"max_iterations":800,"balanced":false}"#,
+            ),
+            (ModelSettings::Tmp(TmpSettings::default()), r#"{"model":"tmp","primitives":null}"#),
+            (ModelSettings::DmpDiscrete(DmpSettings::default()), r#"{"model":"dmp-discrete","bases":20}"#),
+        ] {
+            assert_eq!(serde_json::to_string(&settings).unwrap(), text);
+            assert_eq!(serde_json::from_str::<ModelSettings>(text).unwrap(), settings);
+            assert!(text.contains(settings.kind().id()));
+        }
+        let absent = serde_json::from_str::<ModelSettings>(r#"{"model":"tmp"}"#).unwrap();
+        assert_eq!(absent, ModelSettings::Tmp(TmpSettings { primitives: None }));
+    }
+
+    #[test]
+    fn unknown_settings_are_refused() {
+        let error = |text| serde_json::from_str::<ModelSettings>(text).unwrap_err().to_string();
+        let unknown = error(r#"{"model":"dmp-rhythmic","bases":5,"primitives":2}"#);
+        assert_eq!(unknown, "unknown field `primitives`, expected `bases`");
+        assert!(error(r#"{"model":"gplvm"}"#).starts_with("unknown variant `gplvm`"));
+    }
+}

@@ -1,0 +1,34 @@
+//! What the documents of movement primitives have in common.
+
+use crate::json::checks::{count, positive_number, tame};
+use crate::json::{Field, FieldError, Value};
+use crate::models::phase::PhaseMap;
+use nalgebra::DVector;
+
+/// D, the columns of all parts.
+pub fn whole_columns(columns: &[usize]) -> usize {
+    columns.iter().sum()
+}
+
+/// So many numbers that can be computed with.
+pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> {
+    let numbers = field.numbers()?;
+    count(field, numbers.len(), length..=length)?;
+    tame(field, &numbers)?;
+    Ok(DVector::from_vec(numbers))
+}
+
+/// Where a trial lies on the axis of phase.
+pub fn map_value(map: &PhaseMap) -> Value {
+    Value::object([("start", Value::Number(map.start)), ("rate", Value::Number(map.rate))])
+}
+
+/// Reads it.
+pub fn phase_map(field: Field) -> Result<PhaseMap, FieldError> {
+    let mut object = field.object()?;
+    let start = object.get("start")?;
+    tame(&start, &[start.number()?])?;
+    let map = PhaseMap { start: start.number()?, rate: positive_number(object.get("rate")?)? };
+    object.end()?;
+    Ok(map)
+}

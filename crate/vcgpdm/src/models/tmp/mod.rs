@@ -1,0 +1,155 @@
+//! Temporal movement primitives (Clever et al. 2016; Endres et al. 2013), by variational Bayes.
+//!
+//! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
+//!
+//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part; Endres et al. have one for each column),
+//!
+//! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
+//!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
+//!   normalisation of their lengths would add up steps of the left and of the right leg. Start and rate begin with an alignment
+//!   to the mean of all trials ([`Alignment`]) and then follow the bound like everything else. The frames themselves are
+//!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
+//! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing phases, their number
+//!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
+//! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k diag(a)). c_k is the scale of
+//!   the column, a_q tells how much primitive q is used at all, and V [Q x Q] how the weights of a trial differ from the mean
+//!   movement: together, since all columns of all trials teach one V. A trial of which only the first frames are known is a
+//!   trial like the others; its weights' posterior is the prediction, near mu_k where those frames say nothing.
+//!
+//! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all w_sk of a column. Both
+//! updates, and those of sigma, c, V and a, are maxima of the bound in closed form; lengthscale, starts and rates move only
+//! where that raises it. So it never falls. The number of primitives is the one of the highest bound.
+
+mod kernel;
+mod learner;
+mod posterior;
+mod stored;
+#[cfg(test)]
+mod tests;
+mod weights;
+
+pub use learner::TmpLearner;
+
+use crate::gp::NumericsError;
+use crate::json::Value;
+use crate::models::kind::ModelKind;
+use crate::models::learner::MovementModel;
+use crate::models::phase::{PhaseAxis, PhaseMap, Trial};
+use crate::models::rollout::{RolloutError, check_frames};
+use crate::models::trials::split;
+use kernel::covariance;
+use nalgebra::{DMatrix, DVector};
+use posterior::Posterior;
+
+/// What is kept of a training sequence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrialWeights {
+    /// Where it lies.
+    pub map: PhaseMap,
+    /// E[w_sk] [D x Q].
+    pub weights: DMatrix<f64>,
+}
+
+/// Fitted temporal movement primitives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tmp {
+    /// What the phase means.
+    pub axis: PhaseAxis,
+    /// Of the primitives, in units of phase.
+    pub lengthscale: f64,
+    /// Between which phases the whole trials lie: 0 and 1 on a cycle.
+    pub range: (f64, f64),
+    /// Inducing phases z [R].
+    pub inducing: Vec<f64>,
+    /// K_zz^-1 E[m(z)] [R x Q]: primitive q at phase p is sum_r k(p, z_r) coefficients_rq.
+    pub coefficients: DMatrix<f64>,
+    /// One for each training sequence.
+    pub trials: Vec<TrialWeights>,
+    /// E[mu_k] [D x Q]: the mean movement.
+    pub centre: DMatrix<f64>,
+    /// c_k [D].
+    pub scale: DVector<f64>,
+    /// V [Q x Q].
+    pub spread: DMatrix<f64>,
+    /// sigma_k^2 [D].
+    pub noise: DVector<f64>,
+    /// D_i of each part, in order.
+    pub columns: Vec<usize>,
+    /// The bound on log p of all training frames, in nats.
+    pub bound: f64,
+    /// The bound that each number of primitives reached, in the order tried.
+    pub bounds: Vec<(usize, f64)>,
+}
+
+impl Tmp {
+    fn new(
+        posterior: &Posterior,
+        trials: &[Trial],
+        columns: &[usize],
+        bounds: &[(usize, f64)],
+    ) -> Result<Self, NumericsError> {
+        let (d, q) = (posterior.weights.len(), posterior.primitives());
+        let weights = |s: usize| DMatrix::from_fn(d, q, |k, q| posterior.weights[k].mean[s][q]);
+        Ok(Self {
+            axis: posterior.kernel.axis,
+            lengthscale: posterior.kernel.lengthscale,
+            range: posterior.range(trials),
+            inducing: posterior.kernel.inducing.clone(),
+            coefficients: posterior.kernel.coefficients(&posterior.v),
+            trials: (0..trials.len())
+                .map(|s| TrialWeights { map: posterior.maps[s], weights: weights(s) })
+                .collect(),
+            centre: DMatrix::from_fn(d, q, |k, q| posterior.weights[k].centre[q]),
+            scale: posterior.scale.clone(),
+            spread: posterior.spread.clone(),
+            noise: posterior.noise.clone(),
+            columns: columns.to_vec(),
+            bound: posterior.bound(trials)?,
+            bounds: bounds.to_vec(),
+        })
+    }
+
+    /// The primitives at `phases` [T]: [T x Q].
+    pub fn primitives(&self, phases: &[f64]) -> DMatrix<f64> {
+        let cross = DMatrix::from_fn(phases.len(), self.inducing.len(), |t, r| {
+            covariance(self.axis, self.lengthscale, phases[t] - self.inducing[r])
+        });
+        cross * &self.coefficients
+    }
+}
+
+impl MovementModel for Tmp {
+    fn kind(&self) -> ModelKind {
+        ModelKind::Tmp
+    }
+
+    /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do: more frames than
+    /// reach there are spread over the same phases, so that the movement is slower.
+    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        check_frames(frames)?;
+        let trial = self
+            .trials
+            .get(sequence)
+            .ok_or(RolloutError::Sequence { count: self.trials.len(), found: sequence })?;
+        let mut map = trial.map;
+        if self.axis == PhaseAxis::Trial && map.at(frames - 1) > self.range.1 {
+            map.rate = (self.range.1 - map.start).max(0.0) / (frames - 1) as f64;
+        }
+        let phases: Vec<f64> = (0..frames).map(|t| map.at(t)).collect();
+        Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
+    }
+
+    /// Primitives at the inducing phases, the weights of one trial, its start and rate, lengthscale and range.
+    fn stored_numbers(&self) -> usize {
+        let weights = self.centre.len();
+        self.coefficients.len() + weights + 2 + 1 + if self.axis == PhaseAxis::Trial { 2 } else { 0 }
+    }
+
+    fn bound(&self) -> Option<f64> {
+        Some(self.bound)
+    }
+
+    fn to_value(&self) -> Option<Value> {
+        Some(self.value())
+    }
+}

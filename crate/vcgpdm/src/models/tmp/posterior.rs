@@ -1,0 +1,389 @@
+//! The variational posterior of temporal movement primitives: its bound, and the updates that never lower it.
+
+use crate::gp::NumericsError;
+use crate::gp::linalg::{Factor, symmetric};
+use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial, beginnings, covered};
+use crate::models::tmp::kernel::PhaseKernel;
+use crate::models::tmp::weights::{ColumnWeights, infer};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::{E, PI};
+
+/// Noise variances and column scales stay above this times the mean variance of a column: some columns never move.
+const FLOOR: f64 = 1e-6;
+/// Starts: the share of a column's variance that is noise, and of the weights' variance that is between trials.
+const NOISE_SHARE: f64 = 0.1;
+const SPREAD_SHARE: f64 = 0.1;
+/// Starts: the lengthscale, in cycles or in lengths of a trial.
+const LENGTHSCALE: [f64; 2] = [0.12, 0.08];
+
+/// What a trial looks like from the inducing phases.
+#[derive(Clone, Debug)]
+struct View {
+    /// P [T x R].
+    features: DMatrix<f64>,
+    /// P^T P [R x R].
+    gram: DMatrix<f64>,
+    /// P^T Y [R x D].
+    projected: DMatrix<f64>,
+    /// sum_t (1 - p_t^T p_t): the variance that the inducing phases leave.
+    left: f64,
+}
+
+impl View {
+    fn new(kernel: &PhaseKernel, trial: &Trial, map: &PhaseMap) -> Self {
+        let phases: Vec<f64> = (0..trial.y.nrows()).map(|t| map.at(t)).collect();
+        let features = kernel.features(&phases);
+        let gram = features.tr_mul(&features);
+        let left = (trial.y.nrows() as f64 - gram.trace()).max(0.0);
+        Self { gram, projected: features.tr_mul(&trial.y), left, features }
+    }
+}
+
+/// q(m) q(mu, w) and the hyperparameters, of a fixed number of primitives.
+#[derive(Clone, Debug)]
+pub struct Posterior {
+    /// The process over phase.
+    pub kernel: PhaseKernel,
+    /// Where each trial lies.
+    pub maps: Vec<PhaseMap>,
+    /// E[v] [R x Q]: primitive q at phases p is P(p) v_q.
+    pub v: DMatrix<f64>,
+    /// The covariance of v, primitive after primitive [RQ x RQ].
+    pub v_covariance: DMatrix<f64>,
+    /// q(mu_k, w_k) of every column.
+    pub weights: Vec<ColumnWeights>,
+    /// sigma_k^2 [D].
+    pub noise: DVector<f64>,
+    /// c_k [D].
+    pub scale: DVector<f64>,
+    /// V [Q x Q].
+    pub spread: DMatrix<f64>,
+    /// a_q [Q].
+    pub relevance: DVector<f64>,
+    /// Columns that share their noise, one group after the other: the number of columns of each.
+    groups: Vec<usize>,
+    range: (f64, f64),
+    views: Vec<View>,
+    v_log_determinant: f64,
+    floor: f64,
+}
+
+impl Posterior {
+    /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are the numbers of
+    /// neighbouring columns that share their noise.
+    pub fn start(
+        trials: &[Trial],
+        alignment: &Alignment,
+        groups: &[usize],
+        count: usize,
+    ) -> Result<Self, NumericsError> {
+        let axis = alignment.axis;
+        let range = match axis {
+            PhaseAxis::Cycle => (0.0, 1.0),
+            PhaseAxis::Trial => covered(trials, &alignment.maps),
+        };
+        let preferred = LENGTHSCALE[usize::from(axis == PhaseAxis::Trial)];
+        let lengthscale = preferred.max(PhaseKernel::shortest(axis, range));
+        let kernel = PhaseKernel::new(axis, lengthscale, range)?;
+        let maps = alignment.maps.clone();
+        let views: Vec<View> = trials.iter().zip(&maps).map(|(t, m)| View::new(&kernel, t, m)).collect();
+        let columns = trials.first().map_or(0, |t| t.y.ncols());
+        let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>().max(1) as f64;
+        let variance = DVector::from_fn(columns, |k, _| {
+            trials.iter().map(|t| t.y.column(k).norm_squared()).sum::<f64>() / frames
+        });
+        let mean = variance.mean();
+        let floor = FLOOR * if mean > 0.0 { mean } else { 1.0 };
+        let variance = variance.map(|v| v.max(floor));
+        let r = kernel.inducing.len();
+        let v = principal_components(&views, &variance, count)?;
+        let mut posterior = Self {
+            kernel,
+            maps,
+            v,
+            weights: Vec::new(),
+            noise: shared(&variance, groups) * NOISE_SHARE,
+            scale: variance,
+            spread: DMatrix::identity(count, count) * SPREAD_SHARE,
+            relevance: DVector::from_element(count, 1.0),
+            groups: groups.to_vec(),
+            range,
+            views,
+            v_covariance: DMatrix::identity(r * count, r * count) * 1e-4,
+            v_log_determinant: (r * count) as f64 * 1e-4_f64.ln(),
+            floor,
+        };
+        posterior.noise.apply(|n| *n = n.max(floor));
+        posterior.update_weights()?;
+        Ok(posterior)
+    }
+
+    /// Q.
+    pub fn primitives(&self) -> usize {
+        self.v.ncols()
+    }
+
+    /// E[M^T M] over the frames of trial `s` [Q x Q], M the primitives at its phases.
+    fn energy(&self, s: usize) -> DMatrix<f64> {
+        let view = &self.views[s];
+        let r = self.v.nrows();
+        let mut energy = symmetric(self.v.tr_mul(&(&view.gram * &self.v)));
+        for a in 0..self.primitives() {
+            for b in 0..self.primitives() {
+                energy[(a, b)] += self.v_covariance.view((a * r, b * r), (r, r)).dot(&view.gram);
+            }
+            energy[(a, a)] += view.left;
+        }
+        energy
+    }
+
+    /// omega_s = sum_k E[w_sk w_sk^T] / sigma_k^2 [Q x Q].
+    fn demand(&self, s: usize) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(self.primitives(), self.primitives());
+        for (weights, noise) in self.weights.iter().zip(self.noise.iter()) {
+            sum += &weights.second[s] / *noise;
+        }
+        sum
+    }
+
+    /// E[w_sk] / sigma_k^2 of trial `s` [D x Q].
+    fn pull(&self, s: usize) -> DMatrix<f64> {
+        DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| {
+            self.weights[k].mean[s][q] / self.noise[k]
+        })
+    }
+
+    /// q(v) = N: precision I + sum_s omega_s (x) P_s^T P_s, all primitives together.
+    pub fn update_primitives(&mut self) -> Result<(), NumericsError> {
+        let (r, count) = (self.kernel.inducing.len(), self.primitives());
+        let mut precision = DMatrix::identity(r * count, r * count);
+        let mut information = DMatrix::zeros(r, count);
+        for s in 0..self.views.len() {
+            let (demand, view) = (self.demand(s), &self.views[s]);
+            for a in 0..count {
+                for b in 0..count {
+                    let mut block = precision.view_mut((a * r, b * r), (r, r));
+                    block += &view.gram * demand[(a, b)];
+                }
+            }
+            information += &view.projected * self.pull(s);
+        }
+        let factor = Factor::of_large(&precision, "precision of the primitives")?;
+        let stacked = DMatrix::from_column_slice(r * count, 1, information.as_slice());
+        self.v = DMatrix::from_column_slice(r, count, factor.solve(&stacked).as_slice());
+        self.v_covariance = factor.inverse();
+        self.v_log_determinant = -factor.log_determinant();
+        Ok(())
+    }
+
+    /// q(mu, w), column by column.
+    pub fn update_weights(&mut self) -> Result<(), NumericsError> {
+        let energies: Vec<DMatrix<f64>> = (0..self.views.len()).map(|s| self.energy(s)).collect();
+        let seen: Vec<DMatrix<f64>> = self.views.iter().map(|view| self.v.tr_mul(&view.projected)).collect();
+        let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
+        let column = |k: usize| {
+            let noise = self.noise[k];
+            let likelihood = |(e, h): (&DMatrix<f64>, &DMatrix<f64>)| (e / noise, h.column(k) / noise);
+            let likelihoods: Vec<_> = energies.iter().zip(&seen).map(likelihood).collect();
+            infer(&(&precision / self.scale[k]), &(&self.relevance * self.scale[k]), &likelihoods)
+        };
+        self.weights = (0..self.noise.len()).map(column).collect::<Result<_, _>>()?;
+        Ok(())
+    }
+
+    /// Expected squared error of column `k` over all trials, `energies` as of [`Self::energy`].
+    fn squared_error(&self, trials: &[Trial], energies: &[DMatrix<f64>], k: usize) -> f64 {
+        let weights = &self.weights[k];
+        let one = |(s, trial): (usize, &Trial)| {
+            let seen = self.v.tr_mul(&self.views[s].projected.column(k));
+            trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[s])
+                + weights.second[s].dot(&energies[s])
+        };
+        trials.iter().enumerate().map(one).sum()
+    }
+
+    /// sigma^2, c, V and a, one after the other, each at the bound's maximum.
+    pub fn update_hyperparameters(&mut self, trials: &[Trial]) -> Result<(), NumericsError> {
+        let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
+        let energies: Vec<DMatrix<f64>> = (0..trials.len()).map(|s| self.energy(s)).collect();
+        let (d, count, s) = (self.weights.len(), self.primitives(), trials.len());
+        let errors = DVector::from_fn(d, |k, _| self.squared_error(trials, &energies, k) / frames);
+        self.noise = shared(&errors, &self.groups).map(|n| n.max(self.floor));
+        let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
+        for k in 0..d {
+            let w = &self.weights[k];
+            let centre: f64 = (0..count).map(|q| w.centre_second[(q, q)] / self.relevance[q]).sum();
+            self.scale[k] =
+                ((precision.dot(&w.deviation) + centre) / (count * (s + 1)) as f64).max(self.floor);
+        }
+        let mut spread = DMatrix::zeros(count, count);
+        let mut relevance = DVector::zeros(count);
+        for (w, scale) in self.weights.iter().zip(self.scale.iter()) {
+            spread += &w.deviation / *scale;
+            relevance += w.centre_second.diagonal() / *scale;
+        }
+        self.spread = symmetric(spread / (d * s) as f64);
+        self.relevance = relevance.map(|a| (a / d as f64).max(f64::MIN_POSITIVE));
+        Ok(())
+    }
+
+    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v); keeps what raises the bound.
+    pub fn update_lengthscale(&mut self, trials: &[Trial], factor: f64) -> Result<bool, NumericsError> {
+        self.update_primitives()?;
+        let best = self.bound(trials)?;
+        let shortest = PhaseKernel::shortest(self.kernel.axis, self.range);
+        for factor in [factor, 1.0 / factor] {
+            let lengthscale = (self.kernel.lengthscale * factor).max(shortest);
+            let mut other = self.clone();
+            other.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
+            other.view_again(trials);
+            other.update_primitives()?;
+            let bound = other.bound(trials)?;
+            if bound > best {
+                *self = other;
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn view_again(&mut self, trials: &[Trial]) {
+        self.views = trials.iter().zip(&self.maps).map(|(t, m)| View::new(&self.kernel, t, m)).collect();
+    }
+
+    /// Moves the trials along the axis (whole ones also stretch) by `step` where that raises the bound.
+    pub fn update_phases(&mut self, trials: &[Trial], step: f64) {
+        let (r, count) = (self.kernel.inducing.len(), self.primitives());
+        for (s, trial) in trials.iter().enumerate() {
+            let demand = self.demand(s);
+            let mut quadratic = DMatrix::zeros(r, r);
+            for a in 0..count {
+                for b in 0..count {
+                    quadratic += self.v_covariance.view((a * r, b * r), (r, r)) * demand[(a, b)];
+                }
+            }
+            quadratic += &self.v * &demand * self.v.transpose();
+            // (1 - p^T p) tr(omega) has the same form.
+            for a in 0..r {
+                quadratic[(a, a)] -= demand.trace();
+            }
+            let linear = &trial.y * self.pull(s) * self.v.transpose();
+            let value = |view: &View| linear.dot(&view.features) - 0.5 * quadratic.dot(&view.gram);
+            let mut best = value(&self.views[s]);
+            let stretch = if trial.whole { 2.0 * step } else { 0.0 };
+            for (shift, stretch) in [(step, 0.0), (-step, 0.0), (0.0, stretch), (0.0, -stretch)] {
+                let map = self.maps[s].moved(trial.y.nrows(), shift, stretch);
+                if map == self.maps[s] || map.rate <= 0.0 {
+                    continue;
+                }
+                let view = View::new(&self.kernel, trial, &map);
+                let moved = value(&view);
+                if moved > best {
+                    best = moved;
+                    self.maps[s] = map;
+                    self.views[s] = view;
+                }
+            }
+        }
+    }
+
+    /// Looks for the start of every trial that is not whole wherever trials may begin, with weights that fit each place.
+    pub fn relocate(&mut self, trials: &[Trial], places: usize) -> Result<(), NumericsError> {
+        let rate = Alignment::mean_rate(trials, &self.maps);
+        let (first, last) = beginnings(self.kernel.axis, trials, &self.maps);
+        for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
+            self.update_weights()?;
+            let mut best = self.bound(trials)?;
+            for place in 0..places {
+                let part = place as f64 / places as f64;
+                let start = first + part * (last - first);
+                let mut other = self.clone();
+                other.maps[s] = PhaseMap { start, rate };
+                other.views[s] = View::new(&other.kernel, &trials[s], &other.maps[s]);
+                other.update_weights()?;
+                let bound = other.bound(trials)?;
+                if bound > best {
+                    best = bound;
+                    *self = other;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The bound on log p(Y), in nats: E[log p(Y | v, w)] + E[log p(w | mu)] + E[log p(mu)] + entropies - KL(q(v) || p(v)).
+    pub fn bound(&self, trials: &[Trial]) -> Result<f64, NumericsError> {
+        let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
+        let energies: Vec<DMatrix<f64>> = (0..trials.len()).map(|s| self.energy(s)).collect();
+        let (s, q) = (trials.len() as f64, self.primitives() as f64);
+        let spread = Factor::new(&self.spread, "covariance of the weights")?;
+        let (precision, log_spread) = (spread.inverse(), spread.log_determinant());
+        let log_relevance: f64 = self.relevance.iter().map(|a| a.ln()).sum();
+        let mut bound = 0.0;
+        for (k, w) in self.weights.iter().enumerate() {
+            let (noise, scale) = (self.noise[k], self.scale[k]);
+            bound -= 0.5 * frames * (2.0 * PI * noise).ln();
+            bound -= 0.5 * self.squared_error(trials, &energies, k) / noise;
+            bound -= 0.5 * s * (q * (2.0 * PI * scale).ln() + log_spread);
+            bound -= 0.5 * precision.dot(&w.deviation) / scale;
+            bound -= 0.5 * (q * (2.0 * PI * scale).ln() + log_relevance);
+            let centre: f64 = (0..w.centre.len()).map(|q| w.centre_second[(q, q)] / self.relevance[q]).sum();
+            bound -= 0.5 * centre / scale;
+            bound += 0.5 * ((s + 1.0) * q * (2.0 * PI * E).ln() + w.log_determinant);
+        }
+        Ok(bound - self.divergence())
+    }
+
+    /// KL(q(v) || N(0, I)), in nats.
+    pub fn divergence(&self) -> f64 {
+        let size = self.v.len() as f64;
+        0.5 * (self.v.norm_squared() + self.v_covariance.trace() - size - self.v_log_determinant)
+    }
+
+    /// The phases between which the whole trials lie.
+    pub fn range(&self, trials: &[Trial]) -> (f64, f64) {
+        if self.kernel.axis == PhaseAxis::Cycle { (0.0, 1.0) } else { covered(trials, &self.maps) }
+    }
+}
+
+/// The mean of each group in the place of every member.
+fn shared(values: &DVector<f64>, groups: &[usize]) -> DVector<f64> {
+    let mut out = values.clone();
+    let mut at = 0;
+    for &size in groups {
+        let mean = values.rows(at, size).mean();
+        out.rows_mut(at, size).fill(mean);
+        at += size;
+    }
+    out
+}
+
+/// v of the functions of phase that explain most of the trials' `variance`-scaled columns [R x count].
+///
+/// Every trial's every column is fitted by ridge regression on the features; the leading left singular vectors of all these
+/// coefficients side by side span the primitives.
+fn principal_components(
+    views: &[View],
+    variance: &DVector<f64>,
+    count: usize,
+) -> Result<DMatrix<f64>, NumericsError> {
+    let r = views.first().map_or(0, |view| view.gram.nrows());
+    let mut outer = DMatrix::zeros(r, r);
+    for view in views {
+        let ridge = &view.gram + DMatrix::identity(r, r);
+        let mut fit = Factor::new(&ridge, "phases of a trial")?.solve(&view.projected);
+        for (mut column, variance) in fit.column_iter_mut().zip(variance.iter()) {
+            column /= variance.sqrt();
+        }
+        outer += &fit * fit.transpose();
+    }
+    let eigen = nalgebra::SymmetricEigen::new(symmetric(outer));
+    let mut order: Vec<usize> = (0..r).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
+    // v ~ N(0, I): a primitive of prior size has a norm of sqrt(R).
+    Ok(DMatrix::from_fn(r, count, |i, q| {
+        let axis = eigen.eigenvectors.column(order[q % r]);
+        let sign = if axis[axis.iamax()] < 0.0 { -1.0 } else { 1.0 };
+        sign * (r as f64).sqrt() * axis[i]
+    }))
+}

@@ -1,0 +1,235 @@
+//! The bound against brute force, its rise, and what the primitives find.
+
+use super::*;
+use crate::models::learner::Learner;
+use crate::models::movements::{Movements, Sequence};
+use crate::models::phase::Alignment;
+use crate::models::settings::TmpSettings;
+use crate::models::tmp::learner::Limits;
+use crate::models::tmp::posterior::Posterior;
+use approx::assert_relative_eq;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use std::f64::consts::{PI, TAU};
+
+fn noise(rng: &mut ChaCha8Rng) -> f64 {
+    StandardNormal.sample(rng)
+}
+
+/// Trials that follow the model: two primitives, weights around a mean, noise; rhythmic or not; the last one only begun.
+fn problem(seed: u64, rhythmic: bool) -> Vec<Trial> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let columns = 4;
+    let mean = DMatrix::from_fn(columns, 2, |_, _| noise(&mut rng));
+    let mut trials = Vec::new();
+    for (s, frames) in [40, 47, 52, 5].into_iter().enumerate() {
+        let weights = mean.map(|w| w + 0.2 * noise(&mut rng));
+        let (period, start) = (16.0 + 0.3 * s as f64, 0.3 * s as f64);
+        let y = DMatrix::from_fn(frames, columns, |t, k| {
+            let phase = if rhythmic { t as f64 / period + start } else { t as f64 / 50.0 };
+            let m = if rhythmic {
+                [(TAU * phase).sin(), (2.0 * TAU * phase).cos()]
+            } else {
+                [(6.0 * (phase - 0.5)).tanh(), (-20.0 * (phase - 0.4).powi(2)).exp()]
+            };
+            m[0] * weights[(k, 0)] + m[1] * weights[(k, 1)] + 0.05 * noise(&mut rng)
+        });
+        trials.push(Trial { y, whole: s < 3 });
+    }
+    trials
+}
+
+fn movements(trials: &[Trial]) -> Movements {
+    let sequences = trials.iter().map(|t| Sequence { frames: t.y.nrows(), whole: t.whole }).collect();
+    let rows: Vec<_> = trials.iter().flat_map(|t| t.y.row_iter().map(|r| r.into_owned())).collect();
+    let all = DMatrix::from_rows(&rows);
+    Movements { y: vec![all.columns(0, 3).into_owned(), all.columns(3, 1).into_owned()], sequences }
+}
+
+#[test]
+fn no_update_ever_lowers_the_bound() {
+    for seed in 0..6 {
+        let trials = problem(seed, seed % 2 == 0);
+        let alignment = Alignment::new(&trials, None);
+        let groups: &[usize] = if seed < 3 { &[1, 1, 1, 1] } else { &[3, 1] };
+        let expected = if seed % 2 == 0 { PhaseAxis::Cycle } else { PhaseAxis::Trial };
+        assert_eq!(alignment.axis, expected);
+        for count in [1, 3] {
+            let mut posterior = Posterior::start(&trials, &alignment, groups, count).unwrap();
+            let mut bound = posterior.bound(&trials).unwrap();
+            let first = bound;
+            for sweep in 0..24 {
+                for update in 0..6 {
+                    match update {
+                        0 => posterior.update_primitives().unwrap(),
+                        1 => posterior.update_weights().unwrap(),
+                        2 => posterior.update_hyperparameters(&trials).unwrap(),
+                        3 if sweep % 4 == 3 => {
+                            posterior.update_lengthscale(&trials, 1.2).unwrap();
+                        }
+                        4 if sweep % 4 == 3 => posterior.update_phases(&trials, 0.01),
+                        5 if sweep == 10 => posterior.relocate(&trials, 8).unwrap(),
+                        _ => {}
+                    }
+                    let next = posterior.bound(&trials).unwrap();
+                    assert!(
+                        next >= bound - 1e-9 * bound.abs(),
+                        "seed {seed}, Q {count}, sweep {sweep}, update {update}: {bound} -> {next}"
+                    );
+                    bound = next;
+                }
+            }
+            assert!(bound > first + 10.0, "seed {seed}, Q {count}: {first} -> {bound}");
+        }
+    }
+}
+
+/// Gauss-Hermite nodes and weights for N(0, 1): exact for polynomials up to degree 7.
+const NODES: [(f64, f64); 4] = [
+    (-2.334_414_218_338_977_3, 0.045_875_854_768_068_49),
+    (-0.741_963_784_302_725_9, 0.454_124_145_231_931_5),
+    (0.741_963_784_302_725_9, 0.454_124_145_231_931_5),
+    (2.334_414_218_338_977_3, 0.045_875_854_768_068_49),
+];
+
+fn log_normal(x: f64, mean: f64, variance: f64) -> f64 {
+    -0.5 * ((2.0 * PI * variance).ln() + (x - mean).powi(2) / variance)
+}
+
+/// Means of the primitives at `phases` [T x Q] and the covariance of the first one there [T x T].
+fn primitive(posterior: &Posterior, phases: &[f64]) -> (DMatrix<f64>, DMatrix<f64>) {
+    let (p, r) = (posterior.kernel.features(phases), posterior.v.nrows());
+    let left = DMatrix::identity(phases.len(), phases.len())
+        - DMatrix::from_diagonal(&(&p * p.transpose()).diagonal());
+    let covariance = &p * posterior.v_covariance.view((0, 0), (r, r)) * p.transpose() + left;
+    (&p * &posterior.v, covariance)
+}
+
+#[test]
+fn the_bound_is_the_expectation_that_it_stands_for() {
+    // One column, one primitive, one trial of four frames: the expectation of the log joint is one of polynomials, which
+    // quadrature over every single Gaussian variable gives exactly.
+    let y = DMatrix::from_column_slice(4, 1, &[0.4, -0.3, 0.9, 0.2]);
+    let trials = [Trial { y, whole: true }];
+    let maps = vec![PhaseMap { start: 0.05, rate: 0.3 }];
+    let alignment = Alignment { axis: PhaseAxis::Trial, maps: maps.clone() };
+    let mut posterior = Posterior::start(&trials, &alignment, &[1], 1).unwrap();
+    for _ in 0..3 {
+        posterior.update_primitives().unwrap();
+        posterior.update_weights().unwrap();
+        posterior.update_hyperparameters(&trials).unwrap();
+    }
+    let phases: Vec<f64> = (0..4).map(|t| maps[0].at(t)).collect();
+    let (noise, scale) = (posterior.noise[0], posterior.scale[0]);
+    let (centre_variance, spread) = (scale * posterior.relevance[0], scale * posterior.spread[(0, 0)]);
+
+    // q(mu, w) written out from its own precision matrix, at the posterior's E[m^2] and E[m].
+    let (m, covariance) = primitive(&posterior, &phases);
+    posterior.update_weights().unwrap();
+    let precision = 1.0 / spread;
+    let energy: f64 = (0..4).map(|t| m[(t, 0)].powi(2) + covariance[(t, t)]).sum();
+    let joint = DMatrix::from_row_slice(
+        2,
+        2,
+        &[1.0 / centre_variance + precision, -precision, -precision, precision + energy / noise],
+    );
+    let cover = joint.try_inverse().unwrap();
+    let seen = m.column(0).dot(&trials[0].y.column(0)) / noise;
+    let mean = &cover * nalgebra::dvector![0.0, seen];
+    let root = nalgebra::Cholesky::new(cover.clone()).unwrap().l();
+
+    let mut expectation = 0.0;
+    for (a, wa) in NODES {
+        for (b, wb) in NODES {
+            let mu = mean[0] + root[(0, 0)] * a;
+            let w = mean[1] + root[(1, 0)] * a + root[(1, 1)] * b;
+            let mut log = log_normal(mu, 0.0, centre_variance) + log_normal(w, mu, spread);
+            for t in 0..4 {
+                let root = covariance[(t, t)].sqrt();
+                for (c, wc) in NODES {
+                    log += wc * log_normal(trials[0].y[t], w * (m[(t, 0)] + root * c), noise);
+                }
+            }
+            expectation += wa * wb * log;
+        }
+    }
+    expectation += 0.5 * (2.0 * (TAU * std::f64::consts::E).ln() + cover.determinant().ln());
+    expectation -= posterior.divergence();
+    let bound = posterior.bound(&trials).unwrap();
+    assert_relative_eq!(bound, expectation, epsilon = 1e-9);
+
+    // And it is one: below the log evidence, where w has been integrated out by many points and m in closed form.
+    let total = centre_variance + spread;
+    let k = DMatrix::from_fn(4, 4, |a, b| {
+        kernel::covariance(PhaseAxis::Trial, posterior.kernel.lengthscale, phases[a] - phases[b])
+    });
+    let (mut evidence, step) = (0.0, 0.01);
+    for i in -800..=800 {
+        let z = step * f64::from(i);
+        let cover = &k * (total * z * z) + DMatrix::identity(4, 4) * noise;
+        let quadratic = trials[0].y.dot(&(cover.clone().try_inverse().unwrap() * &trials[0].y));
+        let log = -0.5 * (4.0 * TAU.ln() + cover.determinant().ln() + quadratic);
+        evidence += step * (log - 0.5 * z * z).exp() / TAU.sqrt();
+    }
+    let evidence = evidence.ln();
+    assert!(bound < evidence && evidence - bound < 2.0, "bound {bound}, log evidence {evidence}");
+}
+
+#[test]
+fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
+    for rhythmic in [true, false] {
+        let trials = problem(8, rhythmic);
+        let limits = Limits { most_primitives: 5, max_sweeps: 150 };
+        let settings = TmpSettings::default();
+        let mut learner = TmpLearner::within(&movements(&trials), &settings, limits).unwrap();
+        let mut best = f64::NEG_INFINITY;
+        while !learner.progress().done {
+            let progress = learner.step();
+            assert!(progress.best >= best && progress.objective.is_finite() && progress.fraction <= 1.0);
+            best = progress.best;
+        }
+        let model = learner.fitted().unwrap();
+        assert_eq!(model.centre.ncols(), 2, "{:?}", model.bounds);
+        assert_eq!(model.bound(), Some(best));
+        assert!(model.noise.iter().all(|n| (0.03..0.08).contains(&n.sqrt())), "{}", model.noise);
+        // A training trial comes out as it was, up to its noise.
+        let y = model.rollout(0, 40).unwrap();
+        let difference = &y[0] - trials[0].y.columns(0, 3);
+        assert!((difference.norm_squared() / difference.len() as f64).sqrt() < 0.07, "{difference}");
+        let stored = model.inducing.len() * 2 + 4 * 2 + if rhythmic { 3 } else { 5 };
+        assert_eq!(model.stored_numbers(), stored);
+        // The trial of which five frames were known goes on as the primitives say, from the frames that were known.
+        let y = model.rollout(3, 60).unwrap();
+        let start = y[0].rows(0, 5) - trials[3].y.columns(0, 3);
+        assert!(start.amax() < 0.25, "{start}");
+        assert!(model.rollout(4, 60).is_err() && model.rollout(3, 0).is_err());
+    }
+}
+
+#[test]
+fn what_never_moves_and_single_trials_break_nothing() {
+    let still = vec![Trial { y: DMatrix::zeros(20, 3), whole: true }];
+    let mut moving = problem(2, true);
+    moving.truncate(1);
+    for trial in &mut moving {
+        trial.y.column_mut(1).fill(0.0);
+    }
+    for trials in [still, moving] {
+        let d = trials[0].y.ncols();
+        let sequences = vec![Sequence { frames: trials[0].y.nrows(), whole: true }];
+        let movements = Movements { y: vec![trials[0].y.clone()], sequences };
+        let limits = Limits { most_primitives: 3, max_sweeps: 20 };
+        let mut learner = TmpLearner::within(&movements, &TmpSettings::default(), limits).unwrap();
+        while !learner.step().done {}
+        let y = learner.model().unwrap().rollout(0, 30).unwrap();
+        assert!(y[0].shape() == (30, d) && y[0].iter().all(|v| v.is_finite()));
+        assert!(y[0].column(1).amax() < 1e-3);
+    }
+    let partial =
+        Movements { y: vec![DMatrix::zeros(5, 1)], sequences: vec![Sequence { frames: 5, whole: false }] };
+    let error = TmpLearner::new(&partial, &TmpSettings::default()).err().unwrap().to_string();
+    assert_eq!(error, "expected at least one whole movement to learn from, found none");
+    let error = TmpLearner::new(&partial, &TmpSettings { primitives: Some(0) }).err().unwrap().to_string();
+    assert_eq!(error, "the number of primitives must be from 1 to 40, found 0");
+}

@@ -1,0 +1,113 @@
+//! The kinematics of one part: the collapsed bound of its pose map.
+
+use crate::gp::NumericsError;
+use crate::gp::bound::{BoundRoom, InducingPosterior, SparseGp};
+use crate::gp::kernel::KernelAdjoint;
+use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
+use crate::gp::tall::{add_product, add_tr_product};
+use crate::models::variational::elbo::Objective;
+use crate::models::variational::params::Params;
+use nalgebra::DMatrix;
+
+/// What the bound of a part's pose map is made of, with the room for it and its adjoints.
+pub struct Kinematics {
+    k: DMatrix<f64>,
+    statistics: PsiStatistics,
+    /// psi1^T Y [L x D].
+    b: DMatrix<f64>,
+    room: BoundRoom,
+    /// dF/db^T [D x L].
+    b_adjoint: DMatrix<f64>,
+    /// dF/dpsi1 [N x L].
+    psi1_adjoint: DMatrix<f64>,
+    kernel_adjoint: KernelAdjoint,
+}
+
+impl Kinematics {
+    pub fn new(objective: &Objective, params: &Params, i: usize) -> Self {
+        let (frames, columns) = objective.y[i].shape();
+        let (ips, latent) = params.parts[i].r.shape();
+        Self {
+            k: DMatrix::zeros(ips, ips),
+            statistics: PsiStatistics::new(frames, ips, latent),
+            b: DMatrix::zeros(ips, columns),
+            room: BoundRoom::new(ips, columns),
+            b_adjoint: DMatrix::zeros(columns, ips),
+            psi1_adjoint: DMatrix::zeros(frames, ips),
+            kernel_adjoint: KernelAdjoint::zeros(ips, latent),
+        }
+    }
+
+    /// The statistics of part i.
+    pub fn compute(
+        &mut self,
+        objective: &Objective,
+        params: &Params,
+        i: usize,
+        purpose: Purpose,
+        room: &mut PairRoom,
+    ) {
+        let part = &params.parts[i];
+        part.kernel.inducing_covariance_into(&part.r, objective.jitter, &mut self.k);
+        self.statistics.compute(&part.latents, &part.r, &part.kernel, purpose, room);
+        self.b.fill(0.0);
+        add_tr_product(&self.statistics.psi1, &objective.y[i], &mut self.b);
+    }
+
+    /// The bound and the room to compute it in, apart.
+    fn gp(&mut self, objective: &Objective, params: &Params, i: usize) -> (SparseGp<'_>, &mut BoundRoom) {
+        let gp = SparseGp {
+            k: &self.k,
+            psi2: &self.statistics.psi2,
+            b: &self.b,
+            psi0: self.statistics.psi0,
+            second_moment: objective.second_moments[i],
+            rows: objective.y[i].nrows(),
+            noise: params.parts[i].beta,
+        };
+        (gp, &mut self.room)
+    }
+
+    /// The bound, in nats.
+    pub fn bound(&mut self, objective: &Objective, params: &Params, i: usize) -> Result<f64, NumericsError> {
+        let (gp, room) = self.gp(objective, params, i);
+        gp.bound(room)
+    }
+
+    /// q(v).
+    pub fn posterior(
+        &mut self,
+        objective: &Objective,
+        params: &Params,
+        i: usize,
+    ) -> Result<InducingPosterior, NumericsError> {
+        self.gp(objective, params, i).0.posterior()
+    }
+
+    /// The bound, in nats; its gradient is added to `gradient`.
+    pub fn gradient(
+        &mut self,
+        objective: &Objective,
+        params: &Params,
+        i: usize,
+        room: &mut PairRoom,
+        gradient: &mut Params,
+    ) -> Result<f64, NumericsError> {
+        let (gp, bound_room) = self.gp(objective, params, i);
+        let bound = gp.bound_and_adjoint(bound_room)?;
+        let adjoint = self.room.adjoint();
+        let (part, into) = (&params.parts[i], &mut gradient.parts[i]);
+        into.beta += adjoint.noise;
+        let kernel = &mut self.kernel_adjoint;
+        kernel.set_zero();
+        part.kernel.inducing_covariance_adjoint(&part.r, &self.k, objective.jitter, &adjoint.k, kernel);
+        adjoint.b.transpose_to(&mut self.b_adjoint);
+        self.psi1_adjoint.fill(0.0);
+        add_product(&objective.y[i], &self.b_adjoint, &mut self.psi1_adjoint);
+        let psi = PsiAdjoint { psi0: adjoint.psi0, psi1: &self.psi1_adjoint, psi2: &adjoint.psi2 };
+        let inputs = (&part.latents, &part.r, &part.kernel);
+        self.statistics.pull_back(inputs, &psi, room, &mut into.latents, kernel);
+        kernel.add_to(&mut into.r, &mut into.kernel);
+        Ok(bound)
+    }
+}

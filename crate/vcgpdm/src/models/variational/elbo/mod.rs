@@ -1,0 +1,247 @@
+//! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix A).
+//!
+//! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of [`crate::gp::bound`]
+//! fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked backwards.
+
+mod dynamics;
+mod kinematics;
+
+use crate::gp::bound::InducingPosterior;
+use crate::gp::psi::{PairRoom, Purpose};
+use crate::gp::{Gaussians, NumericsError};
+use crate::models::sequences::Sequences;
+use crate::models::variational::params::Params;
+use dynamics::Dynamics;
+pub use dynamics::{DynamicsSums, coupling_weight_matrix, coupling_weights, stack_offsets};
+use kinematics::Kinematics;
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
+
+/// The terms of the bound, in nats.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BoundTerms {
+    /// The pose map of each part [M].
+    pub kinematics: Vec<f64>,
+    /// The dynamics into each part [M].
+    pub dynamics: Vec<f64>,
+    /// The prior of the first p frames of every sequence.
+    pub initial: f64,
+    /// The entropy of q(x) over all frames.
+    pub entropy: f64,
+}
+
+impl BoundTerms {
+    /// The bound.
+    pub fn total(&self) -> f64 {
+        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
+    }
+}
+
+/// What the bound is computed on: centred observations and how they divide into sequences.
+#[derive(Clone, Debug)]
+pub struct Objective {
+    y: Vec<DMatrix<f64>>,
+    second_moments: Vec<f64>,
+    sequences: Sequences,
+    jitter: f64,
+}
+
+/// The optimal posteriors of all inducing outputs.
+#[derive(Clone, Debug)]
+pub struct Posteriors {
+    /// q(v^i) [M].
+    pub kinematics: Vec<InducingPosterior>,
+    /// q(u) into each target, its sources stacked in order [M].
+    pub dynamics: Vec<InducingPosterior>,
+    /// What q(u) was computed from [M].
+    pub sums: Vec<DynamicsSums>,
+}
+
+/// Room for the bound and its gradient, to be used again and again: an evaluation then allocates nothing.
+pub struct Workspace {
+    terms: BoundTerms,
+    gradient: Params,
+    histories: Vec<Gaussians>,
+    histories_adjoint: Vec<Gaussians>,
+    kinematics: Vec<Kinematics>,
+    dynamics: Vec<Dynamics>,
+    /// One for each source of a target at a time.
+    rooms: Vec<PairRoom>,
+}
+
+impl Workspace {
+    /// The terms of the bound that was computed last.
+    pub fn terms(&self) -> &BoundTerms {
+        &self.terms
+    }
+
+    /// The gradient that was computed last, with respect to the natural parameters. Entries for the signal variances of the
+    /// dynamics kernels are given, though those are held at 1.
+    pub fn gradient(&self) -> &Params {
+        &self.gradient
+    }
+}
+
+impl Objective {
+    /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added to the diagonal of
+    /// every inducing covariance. The matrices must have as many rows as the sequences have frames.
+    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, jitter: f64) -> Self {
+        let second_moments = y.iter().map(|y| y.norm_squared()).collect();
+        Self { y, second_moments, sequences, jitter }
+    }
+
+    /// The sequences.
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// The centred observations of each part [N x D_i].
+    pub fn observations(&self) -> &[DMatrix<f64>] {
+        &self.y
+    }
+
+    /// The factor of the signal variance on the diagonal of every inducing covariance.
+    pub fn jitter(&self) -> f64 {
+        self.jitter
+    }
+
+    /// Room to compute the bound for parameters of the shapes of `params`.
+    pub fn workspace(&self, params: &Params) -> Workspace {
+        let transitions = self.sequences.transitions();
+        let histories = || {
+            let dims = params.parts.iter().map(|part| self.sequences.order() * part.latents.mean.ncols());
+            dims.map(|dims| Gaussians::zeros(transitions, dims)).collect()
+        };
+        let m = params.part_count();
+        Workspace {
+            terms: BoundTerms {
+                kinematics: vec![0.0; m],
+                dynamics: vec![0.0; m],
+                initial: 0.0,
+                entropy: 0.0,
+            },
+            gradient: params.zeros_like(),
+            histories: histories(),
+            histories_adjoint: histories(),
+            kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
+            dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
+            rooms: (0..m).map(|_| PairRoom::default()).collect(),
+        }
+    }
+
+    /// Computes the terms of the bound at `params`; they stay in the workspace.
+    pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
+        let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
+        self.begin(params, histories, terms);
+        for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
+            kinematics.compute(self, params, i, Purpose::Value, &mut rooms[0]);
+            terms.kinematics[i] = kinematics.bound(self, params, i)?;
+            dynamics.compute(self, params, histories, Purpose::Value, rooms);
+            terms.dynamics[i] = dynamics.bound()?;
+        }
+        finite(terms)
+    }
+
+    /// Computes the terms of the bound at `params` and the gradient of their sum; they stay in the workspace.
+    pub fn compute_with_gradient(
+        &self,
+        params: &Params,
+        workspace: &mut Workspace,
+    ) -> Result<(), NumericsError> {
+        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms } =
+            workspace;
+        gradient.set_zero();
+        histories_adjoint.iter_mut().for_each(Gaussians::set_zero);
+        self.begin(params, histories, terms);
+        self.free_gradient(params, gradient);
+        for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
+            kinematics.compute(self, params, i, Purpose::Gradient, &mut rooms[0]);
+            terms.kinematics[i] = kinematics.gradient(self, params, i, &mut rooms[0], gradient)?;
+            dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
+            terms.dynamics[i] =
+                dynamics.gradient(self, params, histories, rooms, gradient, histories_adjoint)?;
+        }
+        for (part, adjoint) in gradient.parts.iter_mut().zip(histories_adjoint) {
+            self.sequences.add_histories_adjoint(adjoint, &mut part.latents);
+        }
+        finite(terms)
+    }
+
+    /// The terms of the bound at `params`.
+    pub fn terms(&self, params: &Params) -> Result<BoundTerms, NumericsError> {
+        let mut workspace = self.workspace(params);
+        self.compute(params, &mut workspace)?;
+        Ok(workspace.terms)
+    }
+
+    /// The terms of the bound at `params` and the gradient of their sum, as [`Workspace::gradient`].
+    pub fn terms_and_gradient(&self, params: &Params) -> Result<(BoundTerms, Params), NumericsError> {
+        let mut workspace = self.workspace(params);
+        self.compute_with_gradient(params, &mut workspace)?;
+        Ok((workspace.terms, workspace.gradient))
+    }
+
+    /// The optimal posteriors at `params`.
+    pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
+            self.workspace(params);
+        self.begin(params, &mut histories, &mut terms);
+        let mut out = Posteriors { kinematics: Vec::new(), dynamics: Vec::new(), sums: Vec::new() };
+        for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
+            kinematics.compute(self, params, i, Purpose::Value, &mut rooms[0]);
+            out.kinematics.push(kinematics.posterior(self, params, i)?);
+            dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
+            out.dynamics.push(dynamics.posterior()?);
+            out.sums.push(dynamics.into_sums());
+        }
+        Ok(out)
+    }
+
+    /// The histories, and the terms that need no GP: the prior of the initial states and the entropy.
+    fn begin(&self, params: &Params, histories: &mut [Gaussians], terms: &mut BoundTerms) {
+        (terms.initial, terms.entropy) = (0.0, 0.0);
+        for (part, histories) in params.parts.iter().zip(histories) {
+            let Gaussians { mean, variance } = &part.latents;
+            self.sequences.histories_into(&part.latents, histories);
+            terms.entropy += 0.5 * ((TAU.ln() + 1.0) * variance.len() as f64 + sum_of_logarithms(variance));
+            for t in self.sequences.initial_frames() {
+                for q in 0..mean.ncols() {
+                    terms.initial -= 0.5 * (TAU.ln() + mean[(t, q)].powi(2) + variance[(t, q)]);
+                }
+            }
+        }
+    }
+
+    /// Adds the gradient of the terms that need no GP.
+    fn free_gradient(&self, params: &Params, gradient: &mut Params) {
+        for (part, into) in params.parts.iter().zip(&mut gradient.parts) {
+            let Gaussians { mean, variance } = &part.latents;
+            let into = &mut into.latents;
+            into.variance.zip_apply(variance, |g, s| *g += 0.5 / s);
+            for t in self.sequences.initial_frames() {
+                for q in 0..mean.ncols() {
+                    into.mean[(t, q)] -= mean[(t, q)];
+                    into.variance[(t, q)] -= 0.5;
+                }
+            }
+        }
+    }
+}
+
+/// The sum of the logarithms of positive numbers: one logarithm for eight of them, where their product is a normal number.
+fn sum_of_logarithms(values: &DMatrix<f64>) -> f64 {
+    let logarithm = |chunk: &[f64]| {
+        let product: f64 = chunk.iter().product();
+        if product.is_normal() { product.ln() } else { chunk.iter().map(|v| v.ln()).sum() }
+    };
+    values.as_slice().chunks(8).map(logarithm).sum()
+}
+
+fn finite(terms: &BoundTerms) -> Result<(), NumericsError> {
+    if terms.total().is_finite() { Ok(()) } else { Err(NumericsError::NotFinite { what: "bound" }) }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,127 @@
+//! Where the training of a variational model starts: latents from principal components, inducing inputs from a random subset
+//! of the latents.
+
+use crate::gp::Gaussians;
+use crate::models::latents::{
+    STAND_IN, principal_components, starting_couplings, starting_dynamics, starting_pose,
+};
+use crate::models::sequences::Sequences;
+use crate::models::settings::VariationalSettings;
+use crate::models::variational::params::{Expert, Params, PartParams};
+use nalgebra::DMatrix;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal, StandardUniform};
+
+/// The variances S as a part of the mean absolute step of the latents.
+const STEP_SHARE: f64 = 0.1;
+const SMALLEST_S: f64 = 1e-3;
+
+/// The starting point on the centred observations `y` [N x D_i] of each part.
+///
+/// The order of the random draws is part of what a seed stands for: the latents of all parts, then the pose inducing inputs of
+/// all parts, then the dynamics inducing inputs, source by source and for each source target by target.
+pub fn starting_point(
+    y: &[DMatrix<f64>],
+    sequences: &Sequences,
+    settings: &VariationalSettings,
+    seed: u32,
+) -> Params {
+    let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
+    let mut latents = Vec::with_capacity(y.len());
+    for y in y {
+        let mean = principal_components(y, settings.latent, &mut rng);
+        let s = (STEP_SHARE * mean_absolute_step(&mean, sequences)).max(SMALLEST_S);
+        let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
+        latents.push(Gaussians { mean, variance });
+    }
+    let mut parts = Vec::with_capacity(y.len());
+    for (latents, y) in latents.iter().zip(y) {
+        let (kernel, beta) = starting_pose(y, settings.latent);
+        let r = random_subset(&latents.mean, settings.pose_ips, &mut rng);
+        parts.push(PartParams { latents: latents.clone(), r, kernel, beta });
+    }
+    let mut experts = Vec::with_capacity(y.len());
+    for source in &latents {
+        let histories = sequences.histories(source).mean;
+        let mut row = Vec::with_capacity(y.len());
+        for _target in 0..y.len() {
+            let z = random_subset(&histories, settings.dynamics_ips, &mut rng);
+            row.push(Expert { z, kernel: starting_dynamics(settings.latent, sequences.order()) });
+        }
+        experts.push(row);
+    }
+    Params { parts, experts, alpha: starting_couplings(y.len()) }
+}
+
+fn mean_absolute_step(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
+    let steps = sequences.lagged(x, 0) - sequences.lagged(x, 1);
+    steps.abs().sum() / steps.len().max(1) as f64
+}
+
+/// `count` different rows of `x` in random order; when it has fewer, rows repeat with a little noise, because two equal inducing
+/// inputs would make their covariance singular.
+fn random_subset(x: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
+    let n = x.nrows();
+    let mut rows: Vec<usize> = (0..n).collect();
+    for k in 0..count.min(n) {
+        let u: f64 = StandardUniform.sample(rng);
+        let other = k + (u * (n - k) as f64) as usize;
+        rows.swap(k, other.min(n - 1));
+    }
+    DMatrix::from_fn(count, x.ncols(), |k, q| {
+        let repeat: f64 = if k < n { 0.0 } else { STAND_IN };
+        let noise: f64 = if k < n { 0.0 } else { StandardNormal.sample(rng) };
+        x[(rows[k % n], q)] + repeat * noise
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn settings() -> VariationalSettings {
+        VariationalSettings { dynamics_ips: 6, pose_ips: 5, ..VariationalSettings::default() }
+    }
+
+    fn wave() -> (DMatrix<f64>, Sequences) {
+        let y = DMatrix::from_fn(40, 4, |t, d| ((t as f64) * 0.3 + d as f64).sin() * (1.0 + d as f64));
+        let mean = y.row_mean();
+        let y = DMatrix::from_fn(40, 4, |t, d| y[(t, d)] - mean[d]);
+        (y, Sequences::new(vec![25, 15], 2).unwrap())
+    }
+
+    #[test]
+    fn latents_have_unit_variance_and_start_is_seeded() {
+        let (y, sequences) = wave();
+        let start = starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4);
+        let x = &start.parts[0].latents.mean;
+        for q in 0..2 {
+            assert_relative_eq!(x.column(q).norm_squared() / 40.0, 1.0, epsilon = 1e-9);
+        }
+        assert_eq!(start, starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4));
+        assert_ne!(start, starting_point(&[y.clone(), y], &sequences, &settings(), 5));
+    }
+
+    #[test]
+    fn inducing_inputs_are_different_frames() {
+        let (y, sequences) = wave();
+        let start = starting_point(&[y], &sequences, &settings(), 1);
+        let r = &start.parts[0].r;
+        for a in 0..r.nrows() {
+            for b in 0..a {
+                assert!((r.row(a) - r.row(b)).norm() > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn motionless_and_thin_data_give_a_usable_start() {
+        let y = DMatrix::zeros(12, 1);
+        let sequences = Sequences::new(vec![12], 2).unwrap();
+        let start = starting_point(&[y], &sequences, &settings(), 1);
+        assert!(start.parts[0].latents.mean.iter().all(|v| v.is_finite()));
+        assert!(start.parts[0].beta > 0.0 && start.parts[0].kernel.variance > 0.0);
+    }
+}

@@ -1,0 +1,214 @@
+//! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best kept.
+
+use crate::gp::NumericsError;
+use crate::models::flat::Group;
+use crate::models::latents::{check_dimensions, check_training};
+use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
+use crate::models::settings::VariationalSettings;
+use crate::models::training_error::{TrainingError, in_range};
+use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
+use crate::models::variational::params::Params;
+use crate::models::variational::posterior::FittedModel;
+use crate::models::variational::start::starting_point;
+use nalgebra::DMatrix;
+use serde::Serialize;
+
+/// Added to the diagonal of every inducing covariance, times its signal variance.
+const JITTER: f64 = 1e-6;
+/// Iterations before everything is optimised together, at most.
+const BLOCK_ITERATIONS: usize = 50;
+/// More would not fit a browser's memory, or anybody's patience.
+const LARGEST: usize = 1000;
+
+/// What is being optimised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrainingPhase {
+    /// What the latents are explained with, while they are held.
+    CouplingsKernelsInducingPoints,
+    /// Everything together.
+    Everything,
+}
+
+impl TrainingPhase {
+    fn of(phase: &Phase) -> Self {
+        if phase.groups.contains(&Group::Latents) {
+            TrainingPhase::Everything
+        } else {
+            TrainingPhase::CouplingsKernelsInducingPoints
+        }
+    }
+
+    /// The phase in plain words.
+    pub fn words(self) -> &'static str {
+        match self {
+            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
+            TrainingPhase::Everything => "everything together",
+        }
+    }
+}
+
+/// How far training is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TrainingProgress {
+    /// Optimiser iterations so far.
+    pub iteration: usize,
+    /// Most iterations there can be.
+    pub max_iterations: usize,
+    /// Evaluations of the bound with its gradient so far.
+    pub evaluations: usize,
+    /// The bound at the point reached, in nats.
+    pub bound: f64,
+    /// The best bound so far.
+    pub best: f64,
+    /// The terms of the best bound.
+    pub terms: BoundTerms,
+    /// What is being optimised.
+    pub phase: TrainingPhase,
+    /// Whether training has ended.
+    pub done: bool,
+    /// Why it ended.
+    pub reason: Option<EndReason>,
+    /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
+    pub fraction: f64,
+}
+
+/// The bound and the room in which it is computed.
+struct Bound {
+    objective: Objective,
+    workspace: Workspace,
+}
+
+impl Target for Bound {
+    type Parameters = Params;
+    type Terms = BoundTerms;
+
+    fn compute(&mut self, at: &Params) -> Result<f64, NumericsError> {
+        self.objective.compute_with_gradient(at, &mut self.workspace)?;
+        Ok(self.workspace.terms().total())
+    }
+
+    fn terms(&self) -> &BoundTerms {
+        self.workspace.terms()
+    }
+
+    fn gradient(&self) -> &Params {
+        self.workspace.gradient()
+    }
+}
+
+/// A training under way.
+pub struct Trainer {
+    ascent: Ascent<Bound>,
+    settings: VariationalSettings,
+    seed: u32,
+}
+
+impl Trainer {
+    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say.
+    pub fn new(
+        y: Vec<DMatrix<f64>>,
+        lengths: Vec<usize>,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Self, TrainingError> {
+        check_settings(settings)?;
+        let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
+        let params = starting_point(&y, &sequences, settings, seed);
+        let phases = schedule(settings.max_iterations);
+        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings, seed)
+    }
+
+    /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
+    /// number of iterations and, with the seed, for the model's provenance.
+    pub fn from_start(
+        objective: Objective,
+        start: Params,
+        phases: Vec<Phase>,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Self, TrainingError> {
+        // Otherwise the document of the model could not be read again.
+        check_settings(settings)?;
+        if phases.is_empty() {
+            return Err(TrainingError::NoPhases);
+        }
+        let mut workspace = objective.workspace(&start);
+        objective.compute(&start, &mut workspace)?;
+        let terms = workspace.terms().clone();
+        let value = (terms.total(), terms);
+        let bound = Bound { objective, workspace };
+        let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
+        Ok(Self { ascent, settings: settings.clone(), seed })
+    }
+
+    /// One iteration of the optimiser. After the end it does nothing.
+    pub fn step(&mut self) -> TrainingProgress {
+        self.ascent.step();
+        self.progress()
+    }
+
+    /// How far training is.
+    pub fn progress(&self) -> TrainingProgress {
+        let (ascent, search) = (&self.ascent, self.ascent.search());
+        TrainingProgress {
+            iteration: ascent.iteration(),
+            max_iterations: ascent.max_iterations(),
+            evaluations: search.evaluations,
+            bound: ascent.value(),
+            best: search.best,
+            terms: search.best_terms.clone(),
+            phase: TrainingPhase::of(ascent.phase()),
+            done: ascent.reason().is_some(),
+            reason: ascent.reason(),
+            fraction: ascent.fraction(),
+        }
+    }
+
+    /// What training was asked to do.
+    pub fn settings(&self) -> &VariationalSettings {
+        &self.settings
+    }
+
+    /// The seed of everything random.
+    pub fn seed(&self) -> u32 {
+        self.seed
+    }
+
+    /// The parameters of the best bound so far; before the first step, the starting point.
+    pub fn best(&self) -> Params {
+        self.ascent.search().best_parameters()
+    }
+
+    /// What the bound is computed on.
+    pub fn objective(&self) -> Objective {
+        self.ascent.search().target.objective.clone()
+    }
+
+    /// The model of the best bound so far.
+    pub fn model(&self) -> Result<FittedModel, NumericsError> {
+        let search = self.ascent.search();
+        FittedModel::fit(&search.target.objective, &search.best_parameters())
+    }
+}
+
+fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
+    check_dimensions(settings.latent, settings.order)?;
+    in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
+    in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
+}
+
+/// First what the latents are explained with, while they stay at their principal components; then everything together.
+///
+/// Without the first block some seeds end in a model that stands still; with the authors' further blocks (latents alone, kernels
+/// alone, inducing points alone) more of them end in a worse bound.
+pub fn schedule(max_iterations: usize) -> Vec<Phase> {
+    use Group::{InducingInputs, Kernels, Latents};
+    let first =
+        Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
+    let all = &[Latents, Kernels, InducingInputs];
+    vec![first, Phase { groups: all, iterations: max_iterations }]
+}
+
+#[cfg(test)]
+mod tests;

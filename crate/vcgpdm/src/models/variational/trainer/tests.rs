@@ -1,0 +1,115 @@
+use super::*;
+use crate::models::rollout::Roller;
+use crate::models::variational::posterior::Reading;
+
+/// Two noisy loops, the second half a cycle behind the first.
+fn loops(frames: usize) -> Vec<DMatrix<f64>> {
+    let noise = |t: usize, d: usize| 0.01 * ((t * 37 + d * 101) as f64).sin();
+    let part = |lag: f64| {
+        let y = DMatrix::from_fn(frames, 4, |t, d| {
+            (0.35 * t as f64 + lag + d as f64).sin()
+                + 0.3 * (0.7 * t as f64 + 2.0 * d as f64).sin()
+                + noise(t, d)
+        });
+        let mean = y.row_mean();
+        DMatrix::from_fn(frames, 4, |t, d| y[(t, d)] - mean[d])
+    };
+    vec![part(0.0), part(std::f64::consts::PI)]
+}
+
+fn settings() -> VariationalSettings {
+    VariationalSettings { latent: 2, dynamics_ips: 8, pose_ips: 8, order: 2, max_iterations: 250 }
+}
+
+#[test]
+fn training_raises_the_bound_and_the_rollout_keeps_moving() {
+    let mut trainer = Trainer::new(loops(90), vec![50, 40], &settings(), 1).unwrap();
+    let start = trainer.progress();
+    let mut best = start.best;
+    while !trainer.progress().done {
+        let progress = trainer.step();
+        assert!(progress.best >= best && progress.best.is_finite());
+        assert!((progress.terms.total() - progress.best).abs() < 1e-9 * progress.best.abs());
+        best = progress.best;
+    }
+    assert!(best > start.best + 100.0, "{} to {best}", start.best);
+    let model = trainer.model().unwrap();
+    let roller = Roller::new(&model, &model.alpha, Reading::AsLearned).unwrap();
+    for (path, part) in
+        roller.latents(model.start(0).unwrap(), 300).unwrap().iter().zip(&trainer.best().parts)
+    {
+        let spread = |x: &DMatrix<f64>| x.row_variance().sum().sqrt();
+        let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));
+        assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_training() {
+    let run = |seed| {
+        let mut trainer = Trainer::new(loops(60), vec![60], &settings(), seed).unwrap();
+        for _ in 0..30 {
+            trainer.step();
+        }
+        trainer.progress()
+    };
+    assert_eq!(run(7), run(7));
+    assert_ne!(run(7).best, run(8).best);
+}
+
+#[test]
+fn stopping_early_keeps_the_best_so_far() {
+    let mut trainer = Trainer::new(loops(60), vec![60], &settings(), 1).unwrap();
+    for _ in 0..12 {
+        trainer.step();
+    }
+    let best = trainer.progress().best;
+    let again = trainer.objective().terms(&trainer.best()).unwrap().total();
+    assert!((again - best).abs() < 1e-9 * best.abs(), "{again} and {best}");
+    assert!(trainer.model().is_ok());
+}
+
+#[test]
+fn no_iterations_leave_the_starting_point() {
+    let none = VariationalSettings { max_iterations: 0, ..settings() };
+    let mut trainer = Trainer::new(loops(60), vec![60], &none, 1).unwrap();
+    let start = trainer.progress().best;
+    let progress = trainer.step();
+    assert!(progress.done && progress.best == start && progress.fraction == 1.0);
+    assert!(trainer.model().is_ok());
+}
+
+#[test]
+fn bad_settings_are_refused_in_words() {
+    let wrong = |settings, lengths: Vec<usize>| {
+        Trainer::new(loops(60), lengths, &settings, 1).err().unwrap().to_string()
+    };
+    let zero = VariationalSettings { latent: 0, ..settings() };
+    assert_eq!(wrong(zero, vec![60]), "the latent dimension must be from 1 to 100, found 0");
+    let trainer = Trainer::new(loops(60), vec![60], &settings(), 1).unwrap();
+    let none = VariationalSettings { pose_ips: 0, ..settings() };
+    let elsewhere = Trainer::from_start(trainer.objective(), trainer.best(), schedule(10), &none, 1);
+    assert_eq!(
+        elsewhere.err().unwrap().to_string(),
+        "the number of pose inducing points must be from 1 to 1000, found 0"
+    );
+    assert_eq!(
+        wrong(settings(), vec![58, 2]),
+        "sequence 1 has 2 frames; dynamics of order 2 need at least 3"
+    );
+    assert_eq!(
+        wrong(settings(), vec![50]),
+        "part 0 has 60 frames of observations, but the sequences have 50"
+    );
+}
+
+#[test]
+fn a_motionless_part_trains_without_nan() {
+    let mut y = loops(60);
+    y[1].fill(0.0);
+    let mut trainer =
+        Trainer::new(y, vec![60], &VariationalSettings { max_iterations: 40, ..settings() }, 1).unwrap();
+    for _ in 0..40 {
+        assert!(trainer.step().best.is_finite());
+    }
+}

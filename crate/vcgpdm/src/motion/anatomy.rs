@@ -1,0 +1,287 @@
+//! Which joints are legs, arms and trunk: from the joints' names, or else from the shape of the tree.
+
+use crate::motion::joint_names::{Limb, Side, limb_of, looks_like_head};
+use crate::motion::skeleton::Skeleton;
+use nalgebra::Vector3;
+
+/// A region of the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Region {
+    /// Hips, spine, neck and head.
+    Trunk,
+    /// From the collar bone or shoulder to the fingers.
+    Arm(Side),
+    /// From the hip to the toes.
+    Leg(Side),
+}
+
+/// Where the limbs are.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Anatomy {
+    /// The region of each joint.
+    pub(crate) regions: Vec<Region>,
+}
+
+impl Anatomy {
+    /// Finds two legs, and arms if there are any; `None` where neither names nor shape tell.
+    pub(crate) fn of(skeleton: &Skeleton) -> Option<Anatomy> {
+        let named = Anatomy { regions: by_names(skeleton) };
+        if named.has_both_legs() {
+            return Some(named);
+        }
+        by_shape(skeleton).map(|regions| Anatomy { regions }).filter(Anatomy::has_both_legs)
+    }
+
+    fn has(&self, region: Region) -> bool {
+        self.regions.contains(&region)
+    }
+
+    fn has_both_legs(&self) -> bool {
+        self.has(Region::Leg(Side::Left)) && self.has(Region::Leg(Side::Right))
+    }
+
+    /// Whether both arms were found.
+    pub(crate) fn has_both_arms(&self) -> bool {
+        self.has(Region::Arm(Side::Left)) && self.has(Region::Arm(Side::Right))
+    }
+
+    /// The joints of a region.
+    pub(crate) fn joints(&self, region: Region) -> Vec<usize> {
+        (0..self.regions.len()).filter(|&joint| self.regions[joint] == region).collect()
+    }
+
+    /// The places of all nodes but those of the arms, which may be raised above the head.
+    pub(crate) fn without_arms(&self, skeleton: &Skeleton, places: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+        let nodes = skeleton.figure();
+        let kept =
+            nodes.iter().zip(places).filter(|(node, _)| !matches!(self.regions[node.joint], Region::Arm(_)));
+        kept.map(|(_, place)| *place).collect()
+    }
+
+    /// The farthest node of a leg, along the bones: the tip of the toes as far as the file knows it.
+    pub(crate) fn foot(&self, skeleton: &Skeleton, side: Side) -> Option<usize> {
+        let paths = path_lengths(skeleton);
+        farthest(skeleton, &paths, |joint| self.regions[joint] == Region::Leg(side))
+    }
+
+    /// The top of the head: the farthest trunk node at or beyond a joint named so, else the farthest trunk node.
+    pub(crate) fn head(&self, skeleton: &Skeleton) -> Option<usize> {
+        let paths = path_lengths(skeleton);
+        let mut within_head = vec![false; skeleton.joints.len()];
+        for (place, joint) in skeleton.joints.iter().enumerate() {
+            within_head[place] = self.regions[place] == Region::Trunk
+                && (looks_like_head(&joint.name) || joint.parent.is_some_and(|parent| within_head[parent]));
+        }
+        farthest(skeleton, &paths, |joint| within_head[joint])
+            .or_else(|| farthest(skeleton, &paths, |joint| self.regions[joint] == Region::Trunk))
+    }
+}
+
+fn farthest(skeleton: &Skeleton, paths: &[f64], wanted: impl Fn(usize) -> bool) -> Option<usize> {
+    let nodes = skeleton.figure();
+    let wanted = (0..nodes.len()).filter(|&node| wanted(nodes[node].joint));
+    wanted.max_by(|&a, &b| paths[a].total_cmp(&paths[b]))
+}
+
+/// The way along the bones from the root to each node of the figure, in file units.
+pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
+    let mut paths: Vec<f64> = Vec::new();
+    for joint in &skeleton.joints {
+        let bone = Vector3::from(joint.offset).norm();
+        paths.push(joint.parent.map_or(0.0, |parent| paths[parent] + bone));
+    }
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        for end in &joint.end_sites {
+            paths.push(paths[place] + Vector3::from(*end).norm());
+        }
+    }
+    paths
+}
+
+fn by_names(skeleton: &Skeleton) -> Vec<Region> {
+    let mut regions: Vec<Region> = Vec::new();
+    // What hangs on a limb belongs to it, and what hangs on the head to the trunk, whatever it is called.
+    let mut within_head = vec![false; skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        let Some(parent) = joint.parent else {
+            regions.push(Region::Trunk);
+            continue;
+        };
+        within_head[place] = within_head[parent] || looks_like_head(&joint.name);
+        let region = match regions[parent] {
+            Region::Trunk if within_head[place] => Region::Trunk,
+            Region::Trunk => match limb_of(&joint.name) {
+                Some((Limb::Arm, side)) => Region::Arm(side),
+                Some((Limb::Leg, side)) => Region::Leg(side),
+                None => Region::Trunk,
+            },
+            limb => limb,
+        };
+        regions.push(region);
+    }
+    regions
+}
+
+/// Two subtrees that hang on one joint and mirror each other.
+struct Pair {
+    members: [usize; 2],
+    /// Joints above the one they hang on.
+    depth: usize,
+    /// Along the bones, from where they hang to their farthest node.
+    reach: f64,
+    /// Where their farthest nodes are in the rest pose.
+    ends: [Vector3<f64>; 2],
+}
+
+/// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest); arms are the
+/// longest such pair elsewhere.
+fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
+    let pairs = mirrored_pairs(skeleton);
+    let longest = pairs.iter().map(|pair| pair.reach).fold(0.0, f64::max);
+    let limbs: Vec<&Pair> = pairs.iter().filter(|pair| pair.reach > 0.4 * longest).collect();
+    let shallowest = limbs.iter().map(|pair| pair.depth).min()?;
+    let up = up_of_rest(skeleton);
+    let height = |pair: &Pair| pair.ends[0][up] + pair.ends[1][up];
+    let legs = (limbs.iter().filter(|pair| pair.depth == shallowest))
+        .min_by(|a, b| height(a).total_cmp(&height(b)))?;
+    let arms = (limbs.iter())
+        .filter(|pair| !pair.members.iter().any(|&m| legs.members.iter().any(|&l| is_within(skeleton, m, l))))
+        .filter(|pair| height(pair) > height(legs))
+        .max_by(|a, b| a.reach.total_cmp(&b.reach));
+    let mut regions = vec![Region::Trunk; skeleton.joints.len()];
+    // The toes tell where the front is, and left = up x front; without toes left is taken to be where x is larger.
+    let rest = skeleton.rest_pose().positions;
+    let mut front = 0.5 * (legs.ends[0] + legs.ends[1] - rest[legs.members[0]] - rest[legs.members[1]]);
+    front[up] = 0.0;
+    let left = Vector3::ith(up, 1.0).cross(&front);
+    let left = if front.norm() > 0.02 * legs.reach { left } else { Vector3::x() };
+    let mut paint = |pair: &Pair, region: fn(Side) -> Region| {
+        let first_is_left = (pair.ends[0] - pair.ends[1]).dot(&left) > 0.0;
+        for (member, left) in pair.members.into_iter().zip([first_is_left, !first_is_left]) {
+            let side = if left { Side::Left } else { Side::Right };
+            for (joint, painted) in regions.iter_mut().enumerate() {
+                if is_within(skeleton, joint, member) {
+                    *painted = region(side);
+                }
+            }
+        }
+    };
+    paint(legs, Region::Leg);
+    if let Some(arms) = arms {
+        paint(arms, Region::Arm);
+    }
+    Some(regions)
+}
+
+fn mirrored_pairs(skeleton: &Skeleton) -> Vec<Pair> {
+    let paths = path_lengths(skeleton);
+    let rest = skeleton.rest_pose().positions;
+    let joints = skeleton.joints.len();
+    // Of each joint: how deep it hangs, how many joints hang on it, and the farthest node beyond it.
+    let mut depths = vec![0; joints];
+    let mut children = vec![Vec::new(); joints];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        if let Some(parent) = joint.parent {
+            depths[place] = depths[parent] + 1;
+            children[parent].push(place);
+        }
+    }
+    let mut farthest: Vec<usize> = (0..joints).collect();
+    for (node, end) in skeleton.figure().iter().enumerate().skip(joints) {
+        if paths[node] > paths[farthest[end.joint]] {
+            farthest[end.joint] = node;
+        }
+    }
+    let mut sizes = vec![1; joints];
+    for place in (1..joints).rev() {
+        if let Some(parent) = skeleton.joints[place].parent {
+            sizes[parent] += sizes[place];
+            if paths[farthest[place]] > paths[farthest[parent]] {
+                farthest[parent] = farthest[place];
+            }
+        }
+    }
+    let mut pairs = Vec::new();
+    for parent in 0..joints {
+        let reach = |child: usize| paths[farthest[child]] - paths[parent];
+        for (i, &a) in children[parent].iter().enumerate() {
+            for &b in &children[parent][i + 1..] {
+                let (longer, shorter) = (reach(a).max(reach(b)), reach(a).min(reach(b)));
+                let ends = [rest[farthest[a]], rest[farthest[b]]];
+                let alike = sizes[a] == sizes[b] && shorter > 0.9 * longer;
+                if alike && (ends[0] - ends[1]).norm() > 0.02 * longer {
+                    pairs.push(Pair { members: [a, b], depth: depths[parent], reach: longer, ends });
+                }
+            }
+        }
+    }
+    pairs
+}
+
+fn ancestors(skeleton: &Skeleton, joint: usize) -> impl Iterator<Item = usize> + '_ {
+    std::iter::successors(skeleton.joints[joint].parent, |&joint| skeleton.joints[joint].parent)
+}
+
+fn is_within(skeleton: &Skeleton, joint: usize, top: usize) -> bool {
+    joint == top || ancestors(skeleton, joint).any(|ancestor| ancestor == top)
+}
+
+/// The axis along which a body at rest without names probably stands: y unless z is clearly longer. The span of the
+/// arms is usually along x.
+fn up_of_rest(skeleton: &Skeleton) -> usize {
+    let extent = extents(&skeleton.rest_pose().positions);
+    match (extent[2] > 1.5 * extent[1], extent[1] > 1e-9 * extent.max()) {
+        (true, _) => 2,
+        (false, true) => 1,
+        (false, false) => 0,
+    }
+}
+
+/// The way from the feet to the head when the body is at rest; `None` where the rest pose is no standing body, as in
+/// files whose offsets all point along the bones' own axes.
+pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
+    let rest = skeleton.rest_pose().positions;
+    let paths = path_lengths(skeleton);
+    let (upward, length) = feet_to_head(skeleton, anatomy, &rest, &paths)?;
+    (upward.amax() > 0.7 * length).then_some(upward)
+}
+
+/// From the middle of the feet to the top of the head, and the length of that way along the bones.
+fn feet_to_head(
+    skeleton: &Skeleton,
+    anatomy: &Anatomy,
+    places: &[Vector3<f64>],
+    paths: &[f64],
+) -> Option<(Vector3<f64>, f64)> {
+    let head = anatomy.head(skeleton)?;
+    let (left, right) = (anatomy.foot(skeleton, Side::Left)?, anatomy.foot(skeleton, Side::Right)?);
+    let upward = places[head] - 0.5 * (places[left] + places[right]);
+    Some((upward, paths[head] + 0.5 * (paths[left] + paths[right])))
+}
+
+/// A standing body is this part of the way along its bones from the toes to the top of the head: feet and hips lie
+/// across it.
+const STANDING: f64 = 0.87;
+
+impl Skeleton {
+    /// The body's height in file units, from the rest pose: from the lowest to the highest point of legs and trunk. Where
+    /// the rest pose does not stand, from the lengths of the bones; for a body without legs, the longest side of its box.
+    pub fn height(&self) -> f64 {
+        let rest = self.rest_pose().positions;
+        let height = Anatomy::of(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {
+            Some(upward) => Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()]),
+            None => {
+                feet_to_head(self, &anatomy, &rest, &path_lengths(self)).map(|(_, length)| STANDING * length)
+            }
+        });
+        height.unwrap_or_else(|| extents(&rest)[up_of_rest(self)])
+    }
+}
+
+/// The size of the box around some points.
+pub(crate) fn extents(points: &[Vector3<f64>]) -> Vector3<f64> {
+    let first = points.first().copied().unwrap_or_default();
+    let low = points.iter().fold(first, |low, point| low.inf(point));
+    let high = points.iter().fold(first, |high, point| high.sup(point));
+    high - low
+}

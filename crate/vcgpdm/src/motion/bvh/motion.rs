@@ -1,0 +1,136 @@
+//! The MOTION of a file: the header's two numbers, then the rows.
+
+use crate::motion::bvh::text::{Cursor, finite, is_blank, not_a_number};
+use crate::motion::bvh::{BvhError, BvhProblem};
+use crate::motion::clip::MAX_VALUES;
+
+/// The rows of a file.
+pub(super) struct Motion {
+    pub(super) frames: usize,
+    /// Seconds.
+    pub(super) frame_time: f64,
+    /// Frame by frame [frames x channels].
+    pub(super) values: Vec<f64>,
+}
+
+/// Reads what follows the word MOTION. `channels` numbers make a frame.
+pub(super) fn read(
+    cursor: &mut Cursor,
+    channels: usize,
+    warnings: &mut Vec<String>,
+) -> Result<Motion, BvhError> {
+    let (declared, frame_time) = header(cursor, warnings)?;
+    if declared.saturating_mul(channels) > MAX_VALUES {
+        return Err(cursor.error(BvhProblem::TooManyValues { frames: declared, channels }));
+    }
+    let header_line = cursor.word_line();
+    let values = rows(cursor, channels)?;
+    let found = values.len() / channels;
+    if found == 0 {
+        return Err(cursor.error_at(header_line, BvhProblem::expected("at least one row of values", None)));
+    }
+    let difference = found.abs_diff(declared);
+    if difference > 0 {
+        // Files are often one or two rows off; far more means a file cut short or put together wrongly.
+        if difference > 5.max(declared / 50) {
+            return Err(cursor.error_at(header_line, BvhProblem::RowCount { declared, found }));
+        }
+        warnings.push(format!(
+            "\"Frames:\" declares {declared} rows, the file has {found}: all {found} were read"
+        ));
+    }
+    Ok(Motion { frames: found, frame_time, values })
+}
+
+/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order.
+fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64), BvhError> {
+    let (mut frames, mut frame_time) = (None, None);
+    while frames.is_none() || frame_time.is_none() {
+        let wanted = if frames.is_none() { "Frames:" } else { "Frame Time:" };
+        let Some((line, text)) = cursor.line() else {
+            return Err(cursor.error(BvhProblem::expected(wanted, None)));
+        };
+        // The key ends at the colon, or at the first digit where the colon is missing.
+        let end =
+            text.find(|c: char| c == ':' || c.is_ascii_digit() || "+-.".contains(c)).unwrap_or(text.len());
+        let key: String =
+            text[..end].chars().filter(|&c| !is_blank(c)).collect::<String>().to_ascii_lowercase();
+        let value = text[end..].trim_start_matches(':').trim_matches(is_blank);
+        let value = if value.is_empty() {
+            cursor.line().map(|(_, text)| text.trim_matches(is_blank))
+        } else {
+            Some(value)
+        };
+        match key.as_str() {
+            "frames" if frames.is_none() => {
+                let count = value.and_then(finite).filter(|count| *count >= 1.0 && count.fract() == 0.0);
+                let Some(count) = count else {
+                    return Err(cursor.error(BvhProblem::expected("a number of frames, at least 1", value)));
+                };
+                frames = Some(count as usize);
+            }
+            "frametime" | "framestime" if frame_time.is_none() => {
+                let seconds = value.and_then(finite).filter(|seconds| (1e-5..=3600.0).contains(seconds));
+                let Some(seconds) = seconds else {
+                    let wanted = "the seconds of a frame, from 0.00001 to 3600";
+                    return Err(cursor.error(BvhProblem::expected(wanted, value)));
+                };
+                if seconds >= 1.0 {
+                    warnings
+                        .push(format!("line {line}: a frame lasts {seconds} s; is that a rate, not a time?"));
+                }
+                frame_time = Some(seconds);
+            }
+            _ => {
+                return Err(
+                    cursor.error_at(line, BvhProblem::expected(wanted, Some(text.trim_matches(is_blank))))
+                );
+            }
+        }
+    }
+    Ok((frames.unwrap_or(0), frame_time.unwrap_or(0.0)))
+}
+
+/// All rows one after the other. A row may go over several lines, but ends where a line ends; a line may hold
+/// several whole rows.
+fn rows(cursor: &mut Cursor, channels: usize) -> Result<Vec<f64>, BvhError> {
+    let mut values = Vec::new();
+    // The row that is not complete yet: the line where it began and its numbers so far.
+    let mut first_line = 0;
+    let mut pending = 0;
+    while let Some((line, text)) = cursor.line() {
+        let before = values.len();
+        for word in text.split(is_blank).filter(|word| !word.is_empty()) {
+            let Some(number) = finite(word) else {
+                return Err(cursor.error_at(line, not_a_number(Some(word))));
+            };
+            values.push(number);
+        }
+        let length = values.len() - before;
+        if values.len() > MAX_VALUES {
+            let frames = values.len() / channels;
+            return Err(cursor.error_at(line, BvhProblem::TooManyValues { frames, channels }));
+        }
+        if pending == 0 {
+            first_line = line;
+        }
+        pending += length;
+        if pending % channels == 0 && (pending == channels || pending == length) {
+            pending = 0;
+        } else if pending > channels {
+            // Told of the line that began the row: it is the odd one.
+            let frame = (values.len() - pending) / channels + 1;
+            let found = if pending > length { pending - length } else { length };
+            return Err(
+                cursor.error_at(first_line, BvhProblem::RowLength { frame, expected: channels, found })
+            );
+        }
+    }
+    if pending > 0 {
+        let frame = values.len() / channels + 1;
+        return Err(
+            cursor.error_at(first_line, BvhProblem::RowLength { frame, expected: channels, found: pending })
+        );
+    }
+    Ok(values)
+}

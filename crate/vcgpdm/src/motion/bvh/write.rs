@@ -1,0 +1,125 @@
+//! Clip to text, and the hash of what was never a file.
+
+use crate::motion::clip::{Clip, sha256};
+use crate::motion::recording::Recording;
+use crate::motion::skeleton::Skeleton;
+use nalgebra::DMatrix;
+use std::fmt::Write;
+
+/// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order, numbers with as many digits
+/// as bring back the same value.
+pub fn write(clip: &Clip) -> String {
+    text(&clip.skeleton, clip.frame_time, &clip.values)
+}
+
+impl Clip {
+    /// A motion that was made, not recorded. Its hash is that of the text that [`write`] gives.
+    ///
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
+        Clip {
+            name: name.to_owned(),
+            sha256: sha256(text(&skeleton, frame_time, &values).as_bytes()),
+            skeleton,
+            frame_time,
+            values,
+            warnings: Vec::new(),
+            piece: None,
+            file_frame_time: frame_time,
+        }
+    }
+}
+
+impl Recording {
+    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write`] would give.
+    ///
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Recording {
+        Recording {
+            name: name.to_owned(),
+            sha256: sha256(text(&skeleton, frame_time, &values).as_bytes()),
+            skeleton,
+            frame_time,
+            values,
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// The text of a BVH file.
+fn text(skeleton: &Skeleton, frame_time: f64, values: &DMatrix<f64>) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail: its results are ignored here and below.
+    let order = hierarchy(skeleton, &mut text);
+    let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {frame_time}", values.nrows());
+    let starts = skeleton.channel_starts();
+    let columns: Vec<usize> = (order.into_iter())
+        .flat_map(|joint| (starts[joint]..).take(skeleton.joints[joint].channels.len()))
+        .collect();
+    for row in values.row_iter() {
+        for (place, &column) in columns.iter().enumerate() {
+            let _ = write!(text, "{}{}", if place == 0 { "" } else { " " }, row[column]);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Writes the joint tree and gives the order in which its joints were written: depth first, as braces force it.
+fn hierarchy(skeleton: &Skeleton, text: &mut String) -> Vec<usize> {
+    enum Step {
+        Open(usize),
+        Close,
+    }
+    let mut children = vec![Vec::new(); skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        if let Some(parent) = joint.parent {
+            children[parent].push(place);
+        }
+    }
+    let mut order = Vec::with_capacity(skeleton.joints.len());
+    let mut depth = 0;
+    let mut steps = vec![Step::Open(0)];
+    text.push_str("HIERARCHY\n");
+    while let Some(step) = steps.pop() {
+        match step {
+            Step::Open(place) => {
+                order.push(place);
+                let joint = &skeleton.joints[place];
+                let tabs = "\t".repeat(depth);
+                let keyword = if joint.parent.is_none() { "ROOT" } else { "JOINT" };
+                let _ = writeln!(text, "{tabs}{keyword} {}\n{tabs}{{", safe_name(&joint.name));
+                depth += 1;
+                let _ = writeln!(text, "{tabs}\tOFFSET {}", spaced(&joint.offset));
+                let _ = write!(text, "{tabs}\tCHANNELS {}", joint.channels.len());
+                for channel in &joint.channels {
+                    let _ = write!(text, " {}", channel.name());
+                }
+                text.push('\n');
+                for end in &joint.end_sites {
+                    let _ = writeln!(
+                        text,
+                        "{tabs}\tEnd Site\n{tabs}\t{{\n{tabs}\t\tOFFSET {}\n{tabs}\t}}",
+                        spaced(end)
+                    );
+                }
+                steps.push(Step::Close);
+                steps.extend(children[place].iter().rev().map(|&child| Step::Open(child)));
+            }
+            Step::Close => {
+                depth -= 1;
+                let _ = writeln!(text, "{}}}", "\t".repeat(depth));
+            }
+        }
+    }
+    order
+}
+
+fn spaced(offset: &[f64; 3]) -> String {
+    format!("{} {} {}", offset[0], offset[1], offset[2])
+}
+
+/// A name from a shared model may hold what would break the file.
+fn safe_name(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() || c == '{' || c == '}' { '_' } else { c }).collect()
+}

@@ -1,0 +1,42 @@
+//! Motion: bodies, clips and BVH files, and the poses of a clip as rows of numbers that a model can learn from.
+//!
+//! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
+//! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
+//! of Y and back; [`parts`] says which columns of Y belong to which part of the body. [`samples`] are clips that the project
+//! makes itself.
+//!
+//! ```
+//! use vcgpdm::motion::pose::PoseMapping;
+//! use vcgpdm::motion::{bvh, samples};
+//!
+//! let clip = samples::clip("walk-1").ok_or("no such sample")?.resample(30.0)?;
+//! let mapping = PoseMapping::new(&clip);
+//! let encoded = mapping.encode(&clip)?;
+//! assert_eq!(encoded.y.ncols(), 6 + 3 * (clip.skeleton.joints.len() - 1));
+//!
+//! let decoded = mapping.decode(&encoded.y, &encoded.start, clip.frame_time)?;
+//! assert!((&decoded.values - &clip.values).amax() < 1e-9);
+//! assert!(bvh::write(&decoded).starts_with("HIERARCHY"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod anatomy;
+pub mod bvh;
+mod clip;
+mod joint_names;
+pub mod parts;
+mod percentile;
+pub mod pose;
+mod recording;
+mod rotation;
+mod same_body;
+pub mod samples;
+pub mod skeleton;
+pub mod stage;
+#[cfg(test)]
+mod testing;
+
+pub use clip::{Clip, ClipError, MAX_VALUES};
+pub use recording::Recording;
+pub use same_body::BodyMismatch;
+pub use skeleton::Skeleton;

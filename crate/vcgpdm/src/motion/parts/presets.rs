@@ -1,0 +1,67 @@
+//! Splits of a body that need no hand: whole, lower and upper, legs with trunk and arms.
+
+use crate::motion::anatomy::{Anatomy, Region};
+use crate::motion::joint_names::{Side, looks_like_spine};
+use crate::motion::parts::{PartSpec, PartsPreset};
+use crate::motion::skeleton::Skeleton;
+
+/// The ways to split a body that its joints' names, or else its shape, tell: always "whole"; "lower-upper" where legs were
+/// found; "legs-trunk-arms" where arms were found too.
+pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
+    let all: Vec<usize> = (0..skeleton.joints.len()).collect();
+    let mut presets = vec![preset("whole", "Whole body", vec![("body", all)])];
+    let Some(anatomy) = Anatomy::of(skeleton) else { return presets };
+    let leg = |region: Region| matches!(region, Region::Leg(_));
+    let hips = hips(skeleton, &anatomy);
+    let joints = |wanted: &dyn Fn(usize) -> bool| -> Vec<usize> {
+        (0..skeleton.joints.len()).filter(|&joint| wanted(joint)).collect()
+    };
+    let lower = joints(&|joint| hips[joint] || leg(anatomy.regions[joint]));
+    let upper = joints(&|joint| !lower.contains(&joint));
+    if upper.is_empty() {
+        return presets;
+    }
+    presets.push(preset(
+        "lower-upper",
+        "Lower and upper body",
+        vec![("lower", lower.clone()), ("upper", upper)],
+    ));
+    if anatomy.has_both_arms() {
+        let trunk = joints(&|joint| anatomy.regions[joint] == Region::Trunk && !lower.contains(&joint));
+        let parts = vec![
+            ("legs", lower.clone()),
+            ("trunk", trunk),
+            ("left arm", anatomy.joints(Region::Arm(Side::Left))),
+            ("right arm", anatomy.joints(Region::Arm(Side::Right))),
+        ];
+        // A body whose arms hang on its hips has no trunk to speak of.
+        let parts = parts.into_iter().filter(|(_, joints)| !joints.is_empty()).collect();
+        presets.push(preset("legs-trunk-arms", "Legs, trunk, left arm, right arm", parts));
+    }
+    presets
+}
+
+fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset {
+    let spec = |(name, joints): (&str, Vec<usize>)| PartSpec { name: name.to_owned(), joints };
+    PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }
+}
+
+/// The root, and what lies between it and the legs unless it is called a part of the back.
+fn hips(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<bool> {
+    let mut bears_legs = vec![false; skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate().rev() {
+        if let Some(parent) = joint.parent
+            && (bears_legs[place] || matches!(anatomy.regions[place], Region::Leg(_)))
+        {
+            bears_legs[parent] = true;
+        }
+    }
+    (skeleton.joints.iter().enumerate())
+        .map(|(place, joint)| {
+            place == 0
+                || bears_legs[place]
+                    && anatomy.regions[place] == Region::Trunk
+                    && !looks_like_spine(&joint.name)
+        })
+        .collect()
+}

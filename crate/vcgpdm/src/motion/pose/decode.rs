@@ -1,0 +1,106 @@
+//! Rows of Y back to clips and to places on the stage.
+
+use crate::motion::clip::Clip;
+use crate::motion::pose::root::{RootPose, RootStart};
+use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
+use crate::motion::rotation;
+use crate::motion::skeleton::WorldPose;
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+
+/// No angle and no step is larger; squares of larger numbers may overflow.
+const LARGEST: f64 = 1e9;
+
+impl PoseMapping {
+    /// The motion that rows of Y [frames x columns] tell, set out from `start`: the inverse of
+    /// [`PoseMapping::encode`]. Each joint gets its own channels back, its angles without jumps where they can be.
+    ///
+    /// Channels that a joint does not have cannot be shown: a joint with one angle gets the part of its rotation about that
+    /// axis.
+    pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
+        self.check(y, start)?;
+        let mut values = DMatrix::zeros(y.nrows(), self.skeleton.channel_count());
+        let to_file = self.stage.up.to_y_up().inverse();
+        let axes: Vec<Vec<usize>> =
+            self.skeleton.joints.iter().map(|joint| joint.rotation_axes().collect()).collect();
+        let mut previous = vec![[0.0; 3]; self.skeleton.joints.len()];
+        let mut positions = self.local_positions();
+        self.each_frame(y, start, |t, root, rotations| {
+            rotations[0] = to_file * rotations[0];
+            positions[0] = to_file * (root.place * self.leg());
+            let mut column = 0;
+            for (place, joint) in self.skeleton.joints.iter().enumerate() {
+                let angles = rotation::angles_near(&rotations[place], &axes[place], &previous[place]);
+                previous[place] = angles;
+                let mut angles = angles.into_iter();
+                for channel in &joint.channels {
+                    values[(t, column)] = if channel.is_rotation() {
+                        angles.next().unwrap_or(0.0).to_degrees()
+                    } else {
+                        positions[place][channel.axis()]
+                    };
+                    column += 1;
+                }
+            }
+        });
+        Ok(Clip::new("motion.bvh", self.skeleton.clone(), frame_time, values))
+    }
+
+    /// Stage positions [frames x nodes x 3] of the motion that rows of Y tell, straight from the rotation vectors: y up,
+    /// metres, the body 1.7 m tall, the ground where the mapping's clip has it.
+    pub fn decode_positions(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<Vec<f32>, PoseError> {
+        self.check(y, start)?;
+        let nodes = self.skeleton.figure().len();
+        let mut places = Vec::with_capacity(y.nrows() * nodes * 3);
+        let mut positions = self.local_positions();
+        let mut pose = WorldPose::default();
+        self.each_frame(y, start, |_, root, rotations| {
+            positions[0] = root.place * self.leg();
+            self.skeleton.forward_kinematics_into(rotations, &positions, &mut pose);
+            places.extend(pose.positions.iter().flat_map(|place| self.stage.place(place)));
+        });
+        Ok(places)
+    }
+
+    /// Calls `frame(t, root, local rotations)` for each row; rotation 0 is the root's in a world with y up.
+    fn each_frame(
+        &self,
+        y: &DMatrix<f64>,
+        start: &RootStart,
+        mut frame: impl FnMut(usize, &RootPose, &mut [UnitQuaternion<f64>]),
+    ) {
+        let (turn, upright) = (self.stage.up.to_y_up(), self.upright());
+        let begin = RootPose {
+            place: turn * Vector3::from(start.position) / self.leg(),
+            angles: [start.yaw, 0.0, 0.0],
+        };
+        let mut rotations = vec![UnitQuaternion::identity(); self.skeleton.joints.len()];
+        let mut before: Option<RootPose> = None;
+        for t in 0..y.nrows() {
+            let row: [f64; 6] = std::array::from_fn(|column| y[(t, column)]);
+            let root = root::integrate(&row, before.as_ref(), &begin);
+            rotations[0] = root.orientation() * upright;
+            for (joint, rotation) in rotations.iter_mut().enumerate().skip(1) {
+                let column = ROOT_COLUMNS.len() + 3 * (joint - 1);
+                *rotation =
+                    rotation::exp(&Vector3::new(y[(t, column)], y[(t, column + 1)], y[(t, column + 2)]));
+            }
+            frame(t, &root, &mut rotations);
+            before = Some(root);
+        }
+    }
+
+    fn check(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<(), PoseError> {
+        if y.ncols() != self.column_count() {
+            return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
+        }
+        for (at, &found) in y.iter().enumerate() {
+            if !(-LARGEST..=LARGEST).contains(&found) {
+                return Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found });
+            }
+        }
+        if !start.position.iter().chain([&start.yaw]).all(|x| (-1e12..1e12).contains(x)) {
+            return Err(PoseError::Field { field: "start", expected: "finite numbers".to_owned() });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,110 @@
+//! Clips to rows of Y.
+
+use crate::motion::clip::Clip;
+use crate::motion::pose::root::{RootPose, RootStart};
+use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
+use crate::motion::rotation;
+use crate::motion::skeleton::LocalPose;
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use std::f64::consts::FRAC_PI_2;
+
+/// A clip as a model sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Encoded {
+    /// Poses [frames x columns of the mapping].
+    pub y: DMatrix<f64>,
+    /// Where the clip sets out: with `y`, all of the motion.
+    pub start: RootStart,
+    /// What the rows cannot hold, in words.
+    pub warnings: Vec<String>,
+}
+
+/// Positions that vary by less than this part of the body's height are constant.
+const STILL: f64 = 1e-3;
+
+impl PoseMapping {
+    /// Turns a clip of the same body into rows of Y. The clip may have other channels than the mapping's body.
+    pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
+        let body = self.skeleton.same_body(&clip.skeleton);
+        body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
+        let poses: Vec<LocalPose> = (0..clip.frames()).map(|frame| clip.local_pose(frame)).collect();
+        let mut y = DMatrix::zeros(poses.len(), self.column_count());
+        let (turn, upright) = (self.stage.up.to_y_up(), self.upright().inverse());
+        let angles = root::continuous_angles(poses.iter().map(|pose| turn * pose.rotations[0] * upright));
+        let roots: Vec<RootPose> = (poses.iter().zip(&angles))
+            .map(|(pose, &angles)| RootPose { place: turn * pose.positions[0] / self.leg(), angles })
+            .collect();
+        for (t, row) in root::rows(&roots).iter().enumerate() {
+            for (column, &value) in row.iter().enumerate() {
+                y[(t, column)] = value;
+            }
+        }
+        for joint in 1..self.skeleton.joints.len() {
+            let column = ROOT_COLUMNS.len() + 3 * (joint - 1);
+            let mut previous = Vector3::from(self.first[joint]);
+            for (t, pose) in poses.iter().enumerate() {
+                previous = next_rotation(&pose.rotations[joint], &previous);
+                y.fixed_view_mut::<1, 3>(t, column).copy_from(&previous.transpose());
+            }
+        }
+        let start = match (poses.first(), angles.first()) {
+            (Some(pose), Some(angles)) => RootStart { position: pose.positions[0].into(), yaw: angles[0] },
+            _ => RootStart::default(),
+        };
+        Ok(Encoded { y, start, warnings: self.moving_joints(clip) })
+    }
+
+    fn moving_joints(&self, clip: &Clip) -> Vec<String> {
+        let spreads = mean_positions(clip).1;
+        let moving: Vec<&str> = (clip.skeleton.joints.iter().zip(spreads).skip(1))
+            .filter(|(_, spread)| *spread > STILL * self.stage.height)
+            .map(|(joint, _)| joint.name.as_str())
+            .collect();
+        if moving.is_empty() {
+            return Vec::new();
+        }
+        let shown = moving.iter().take(3).map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+        let more = if moving.len() > 3 { format!(" and {} more", moving.len() - 3) } else { String::new() };
+        vec![format!("joints that move in their parent's frame are kept at their mean place: {shown}{more}")]
+    }
+}
+
+/// The rotation vector that continues `previous`: the nearest one, unless even that is a leap. Sensors that flip over would
+/// otherwise wind a joint up turn by turn.
+fn next_rotation(rotation: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
+    let near = rotation::log_near(rotation, previous);
+    if (near - previous).norm() > FRAC_PI_2 { rotation::log(rotation) } else { near }
+}
+
+/// The mean place of each joint in its parent's frame, and the most that it strays from there in any axis.
+pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
+    let mut means = Vec::new();
+    let mut spreads = Vec::new();
+    let mut column = 0;
+    for joint in &clip.skeleton.joints {
+        let (mut mean, mut spread) = (joint.offset, 0.0_f64);
+        for channel in &joint.channels {
+            if !channel.is_rotation() && clip.frames() > 0 {
+                let values = clip.values.column(column);
+                // Relative to the first value, so that a constant channel comes out exactly.
+                let first = values[0];
+                let average =
+                    first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64;
+                mean[channel.axis()] = average;
+                spread = values.iter().map(|value| (value - average).abs()).fold(spread, f64::max);
+            }
+            column += 1;
+        }
+        means.push(mean);
+        spreads.push(spread);
+    }
+    (means, spreads)
+}
+
+/// The rotation vector of each joint in the first frame, |r| <= pi; the root's is not used.
+pub(super) fn first_rotations(clip: &Clip) -> Vec<[f64; 3]> {
+    if clip.frames() == 0 {
+        return vec![[0.0; 3]; clip.skeleton.joints.len()];
+    }
+    clip.local_pose(0).rotations.iter().map(|rotation| rotation::log(rotation).into()).collect()
+}

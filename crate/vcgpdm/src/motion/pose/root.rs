@@ -1,0 +1,190 @@
+//! The root without its heading: from place and orientation to rates, and back.
+
+use crate::motion::anatomy::{Anatomy, Region};
+use crate::motion::clip::Clip;
+use crate::motion::joint_names::Side;
+use crate::motion::rotation;
+use crate::motion::stage::UpAxis;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+
+/// Where a motion sets out: what its rows leave open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RootStart {
+    /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used: rows hold it.
+    pub position: [f64; 3],
+    /// The heading in frame 0, radians about the up axis.
+    pub yaw: f64,
+}
+
+/// The order of the root's angles: R_y(yaw) R_x(pitch) R_z(roll).
+const YXZ: [usize; 3] = [1, 0, 2];
+
+/// The root in a world with y up: its place in leg lengths, its angles in radians.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RootPose {
+    pub(super) place: Vector3<f64>,
+    /// Yaw, pitch, roll.
+    pub(super) angles: [f64; 3],
+}
+
+impl RootPose {
+    /// `R_y(yaw) R_x(pitch) R_z(roll)`.
+    pub(super) fn orientation(&self) -> UnitQuaternion<f64> {
+        let [yaw, pitch, roll] = self.angles;
+        rotation::about(1, yaw) * rotation::about(0, pitch) * rotation::about(2, roll)
+    }
+}
+
+/// Angles of a sequence of orientations, without jumps: each the solution nearest to the one before. The first is the one
+/// with the smaller pitch and roll, whatever the heading.
+pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternion<f64>>) -> Vec<[f64; 3]> {
+    let mut angles: Vec<[f64; 3]> = Vec::new();
+    for orientation in orientations {
+        let next = match angles.last() {
+            Some(previous) => rotation::euler_near(&orientation, YXZ, *previous),
+            None => {
+                let one = rotation::euler_near(&orientation, YXZ, [0.0; 3]);
+                // The other solution, reached from where it lies.
+                let turned = [
+                    one[0] + std::f64::consts::PI,
+                    std::f64::consts::PI - one[1],
+                    one[2] + std::f64::consts::PI,
+                ];
+                let other = [turned[0], rotation::wrapped(turned[1]), rotation::wrapped(turned[2])];
+                let tilt = |angles: &[f64; 3]| angles[1].hypot(angles[2]);
+                if tilt(&other) < tilt(&one) { other } else { one }
+            }
+        };
+        angles.push(next);
+    }
+    angles
+}
+
+/// Rows [frames x 6] of a sequence of root poses, in the order of [`crate::motion::pose::ROOT_COLUMNS`].
+///
+/// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t - p_{t-1})`. Row 0,
+/// which has no frame before it, repeats the rates of row 1.
+pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
+    let mut rows: Vec<[f64; 6]> = (poses.iter().enumerate())
+        .map(|(t, now)| {
+            let before = &poses[t.saturating_sub(1)];
+            let step = rotation::about(1, -before.angles[0]) * (now.place - before.place);
+            let yaw_rate = rotation::wrapped(now.angles[0] - before.angles[0]);
+            [yaw_rate, step.z, step.x, now.place.y, now.angles[1], now.angles[2]]
+        })
+        .collect();
+    if let [first, second, ..] = rows.as_mut_slice() {
+        first[..3].copy_from_slice(&second[..3]);
+    }
+    rows
+}
+
+/// The inverse of [`rows`]: the pose after `before` that a row tells; the first row's rates are not looked at.
+pub(super) fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> RootPose {
+    let [yaw_rate, forward, sideways, height, pitch, roll] = *row;
+    let (yaw, mut place) = match before {
+        None => (start.angles[0], start.place),
+        Some(before) => {
+            let step = rotation::about(1, before.angles[0]) * Vector3::new(sideways, 0.0, forward);
+            (before.angles[0] + yaw_rate, before.place + step)
+        }
+    };
+    place.y = height;
+    RootPose { place, angles: [yaw, pitch, roll] }
+}
+
+/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that stands the body of the clip upright, facing z
+/// with its left along x.
+pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
+    let turn = up.to_y_up();
+    let anatomy = Anatomy::of(&clip.skeleton);
+    let (mut upward, mut leftward) = (Vector3::zeros(), Vector3::zeros());
+    for frame in 0..clip.frames() {
+        let pose = clip.world_pose(frame);
+        let inverse = (turn * pose.rotations[0]).inverse();
+        upward += inverse * Vector3::y();
+        if let Some(anatomy) = &anatomy {
+            let middle = |side| -> Vector3<f64> {
+                let joints = anatomy.joints(Region::Leg(side));
+                joints.iter().map(|&joint| pose.positions[joint]).sum::<Vector3<f64>>()
+                    / joints.len().max(1) as f64
+            };
+            leftward += inverse * (turn * (middle(Side::Left) - middle(Side::Right)));
+        }
+    }
+    let unit = |v: Vector3<f64>| v.try_normalize(1e-12).unwrap_or_else(Vector3::zeros);
+    let (upward, leftward) = (unit(upward), unit(leftward));
+    // Upright counts most; the sides decide among the four headings; else the root's own axes are kept.
+    let score = |m: &Matrix3<f64>| 10.0 * (m * upward).y + (m * leftward).x + 1e-3 * m.trace();
+    let mut best = Matrix3::identity();
+    for candidate in axis_rotations() {
+        if score(&candidate) > score(&best) + 1e-12 {
+            best = candidate;
+        }
+    }
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(best));
+    [q.w, q.i, q.j, q.k]
+}
+
+/// The 24 rotations that map the axes to axes.
+fn axis_rotations() -> Vec<Matrix3<f64>> {
+    let mut rotations = Vec::with_capacity(24);
+    for i in 0..3 {
+        for j in (0..3).filter(|&j| j != i) {
+            for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+                let (x, y) = (Vector3::ith(i, a), Vector3::ith(j, b));
+                rotations.push(Matrix3::from_columns(&[x, y, x.cross(&y)]));
+            }
+        }
+    }
+    rotations
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_24_axis_rotations() {
+        let rotations = axis_rotations();
+        assert_eq!(rotations.len(), 24);
+        for (n, a) in rotations.iter().enumerate() {
+            assert_eq!(a.determinant(), 1.0);
+            assert!(rotations[..n].iter().all(|b| a != b));
+        }
+    }
+
+    #[test]
+    fn a_walk_round_a_circle_is_stationary() {
+        let poses: Vec<RootPose> = (0..50)
+            .map(|t| {
+                let yaw = 0.2 * f64::from(t);
+                let place = Vector3::new(-yaw.cos(), 0.5, yaw.sin()) * 2.0;
+                RootPose { place, angles: [yaw, 0.1, 0.0] }
+            })
+            .collect();
+        let rows = rows(&poses);
+        for row in &rows {
+            for (value, first) in row.iter().zip(&rows[0]) {
+                assert!((value - first).abs() < 1e-12);
+            }
+        }
+        assert!((rows[0][0] - 0.2).abs() < 1e-12);
+        // Ahead along a chord of the circle.
+        assert!((rows[0][1].hypot(rows[0][2]) - 4.0 * 0.1_f64.sin()).abs() < 1e-12 && rows[0][1] > 0.39);
+    }
+
+    #[test]
+    fn the_angles_of_a_somersault_have_no_jumps() {
+        let turning = (0..200).map(|t| {
+            rotation::about(1, 2.0) * rotation::about(0, 0.05 * f64::from(t)) * rotation::about(2, 0.01)
+        });
+        let angles = continuous_angles(turning);
+        for pair in angles.windows(2) {
+            for n in 0..3 {
+                assert!((pair[1][n] - pair[0][n]).abs() < 0.1, "{pair:?}");
+            }
+        }
+        assert!((angles[199][1] - 0.05 * 199.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,165 @@
+//! Whether two clips show the same body, and if not, what differs.
+
+use crate::motion::skeleton::Skeleton;
+use nalgebra::Vector3;
+use thiserror::Error;
+
+/// Why two joint trees are not the same body.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum BodyMismatch {
+    /// Another number of joints.
+    #[error("expected {expected} joints, found {found}{}", .missing.as_ref().map_or(String::new(), |m| format!(" ({m})")))]
+    JointCount {
+        /// Joints of the first body.
+        expected: usize,
+        /// Joints of the other.
+        found: usize,
+        /// The first difference, in words.
+        missing: Option<String>,
+    },
+    /// Another name in the same place.
+    #[error("joint {joint}: expected {expected:?}, found {found:?}")]
+    Name {
+        /// Its place.
+        joint: usize,
+        /// Its name in the first body.
+        expected: String,
+        /// Its name in the other.
+        found: String,
+    },
+    /// Attached elsewhere.
+    #[error("joint {joint} ({name:?}): expected it to hang on {expected:?}, found it on {found:?}")]
+    Parent {
+        /// Its place.
+        joint: usize,
+        /// Its name.
+        name: String,
+        /// The parent's name in the first body.
+        expected: String,
+        /// The parent's name in the other.
+        found: String,
+    },
+    /// A bone of clearly another length or direction.
+    #[error(
+        "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most {limit}%): expected {expected:?}, found {found:?}"
+    )]
+    Offset {
+        /// Its place.
+        joint: usize,
+        /// Its name.
+        name: String,
+        /// The difference in percent of the body's height.
+        percent: f64,
+        /// The most that is taken for the same body, in percent.
+        limit: f64,
+        /// The offset in the first body, in its file's units.
+        expected: [f64; 3],
+        /// The offset in the other.
+        found: [f64; 3],
+    },
+}
+
+/// The most that an offset may differ, relative to the body's height. Files of one subject have equal offsets up to
+/// rounding; grown-ups recorded with the same joints differ by 2% and more in some bone.
+const SAME_BODY_TOLERANCE: f64 = 0.01;
+
+impl Skeleton {
+    /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to 1% of the
+    /// body's height. Channels may differ: motions are compared as rotations.
+    pub fn same_body(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
+        for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate() {
+            if a.name != b.name {
+                if self.joints.len() != other.joints.len() {
+                    let missing =
+                        Some(format!("joint {joint} is {:?} in one and {:?} in the other", a.name, b.name));
+                    return Err(self.count_mismatch(other, missing));
+                }
+                return Err(BodyMismatch::Name { joint, expected: a.name.clone(), found: b.name.clone() });
+            }
+            if a.parent != b.parent {
+                let name = |body: &Skeleton, parent: Option<usize>| {
+                    parent.map_or("nothing".to_owned(), |p| body.joints[p].name.clone())
+                };
+                return Err(BodyMismatch::Parent {
+                    joint,
+                    name: a.name.clone(),
+                    expected: name(self, a.parent),
+                    found: name(other, b.parent),
+                });
+            }
+        }
+        if self.joints.len() != other.joints.len() {
+            return Err(self.count_mismatch(other, None));
+        }
+        let height = self.height().max(f64::MIN_POSITIVE);
+        // The root's offset is no bone: its place comes from its channels.
+        let differences =
+            (self.joints.iter().zip(&other.joints).enumerate().skip(1)).map(|(joint, (a, b))| {
+                (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
+            });
+        let worst = differences.max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((joint, difference)) = worst.filter(|(_, difference)| *difference > SAME_BODY_TOLERANCE) {
+            return Err(BodyMismatch::Offset {
+                joint,
+                name: self.joints[joint].name.clone(),
+                percent: (1000.0 * difference).round() / 10.0,
+                limit: 100.0 * SAME_BODY_TOLERANCE,
+                expected: self.joints[joint].offset,
+                found: other.joints[joint].offset,
+            });
+        }
+        Ok(())
+    }
+
+    fn count_mismatch(&self, other: &Skeleton, missing: Option<String>) -> BodyMismatch {
+        BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), missing }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::skeleton::{Channel, Joint};
+
+    fn chain(names: &[&str]) -> Skeleton {
+        let joints = names.iter().enumerate().map(|(place, name)| Joint {
+            name: (*name).to_owned(),
+            parent: place.checked_sub(1),
+            offset: [0.0, 10.0, 0.0],
+            channels: vec![Channel::Xrotation],
+            end_sites: Vec::new(),
+        });
+        Skeleton { joints: joints.collect() }
+    }
+
+    #[test]
+    fn other_channels_and_rounding_are_the_same_body() {
+        let one = chain(&["a", "b", "c"]);
+        let mut two = one.clone();
+        two.joints[1].channels.clear();
+        two.joints[2].offset[0] = 0.1;
+        // Where the root is recorded says nothing about the body.
+        two.joints[0].offset = [99.0, 0.0, 0.0];
+        assert_eq!(one.same_body(&two), Ok(()));
+    }
+
+    #[test]
+    fn what_differs_is_told() {
+        let one = chain(&["a", "b", "c"]);
+        let mut longer = one.clone();
+        longer.joints[1].offset[1] = 10.4;
+        longer.joints[2].offset[1] = 12.0;
+        let mut elsewhere = one.clone();
+        elsewhere.joints[2].parent = Some(0);
+        for (other, wanted) in [
+            (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
+            (elsewhere, "joint 2 (\"c\"): expected it to hang on \"b\", found it on \"a\""),
+            (chain(&["a", "b", "d"]), "joint 2: expected \"c\", found \"d\""),
+            (chain(&["a", "b"]), "expected 3 joints, found 2"),
+            (chain(&["a", "x"]), "joint 1 is \"b\" in one and \"x\" in the other"),
+        ] {
+            let message = one.same_body(&other).unwrap_err().to_string();
+            assert!(message.contains(wanted), "{message}");
+        }
+    }
+}

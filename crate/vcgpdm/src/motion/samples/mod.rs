@@ -1,0 +1,206 @@
+//! The clips that ship with the page. They are made here, not stored: a procedural walker built from published gait curves
+//! and body proportions, several trials of two movements, each with natural variation. The same on every machine.
+
+mod body;
+mod gait;
+mod variation;
+mod walker;
+
+use crate::motion::clip::Clip;
+use serde::Serialize;
+use walker::Arms;
+
+/// A clip that this project makes itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct SampleInfo {
+    /// What [`clip`] knows it by.
+    pub id: &'static str,
+    /// For a person to read.
+    pub title: &'static str,
+    /// What the walker does: "walk" or "walk and wave". Trials of one movement belong together.
+    pub movement: &'static str,
+}
+
+struct Recipe {
+    info: SampleInfo,
+    arms: Arms,
+    seed: u64,
+    seconds: f64,
+}
+
+const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
+    Recipe { info: SampleInfo { id, title, movement: "walk" }, arms: Arms::Swing, seed, seconds }
+}
+
+const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
+    Recipe { info: SampleInfo { id, title, movement: "walk and wave" }, arms: Arms::Wave, seed, seconds }
+}
+
+const RECIPES: [Recipe; 10] = [
+    walk("walk-1", "Walk, trial 1", 1, 4.2),
+    walk("walk-2", "Walk, trial 2", 2, 3.9),
+    walk("walk-3", "Walk, trial 3", 3, 4.4),
+    walk("walk-4", "Walk, trial 4", 4, 4.0),
+    walk("walk-5", "Walk, trial 5", 5, 3.7),
+    walk("walk-6", "Walk, trial 6", 6, 4.3),
+    wave("walk-wave-1", "Walk and wave, trial 1", 11, 4.1),
+    wave("walk-wave-2", "Walk and wave, trial 2", 12, 4.3),
+    wave("walk-wave-3", "Walk and wave, trial 3", 13, 3.8),
+    wave("walk-wave-4", "Walk and wave, trial 4", 14, 4.0),
+];
+
+/// All sample clips, in the order of the movements and trials.
+pub fn list() -> Vec<SampleInfo> {
+    RECIPES.iter().map(|recipe| recipe.info).collect()
+}
+
+/// Makes a sample clip (60 frames a second, centimetres, y up); `None` when there is none of that id.
+pub fn clip(id: &str) -> Option<Clip> {
+    let recipe = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
+    let skeleton = body::skeleton();
+    let values = walker::walk(&skeleton, recipe.arms, recipe.seed, recipe.seconds);
+    let name = format!("{id} (made by this project).bvh");
+    Some(Clip::new(&name, skeleton, 1.0 / walker::RATE, values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+    use std::collections::HashSet;
+
+    fn clips() -> Vec<Clip> {
+        list().iter().map(|info| clip(info.id).unwrap()).collect()
+    }
+
+    fn place(clip: &Clip, name: &str) -> usize {
+        clip.skeleton.joints.iter().position(|joint| joint.name == name).unwrap()
+    }
+
+    /// Heel, ball and toe tip of the left and the right foot in every frame.
+    fn soles(clip: &Clip) -> Vec<[Vector3<f64>; 6]> {
+        let feet = ["Left", "Right"].map(|side| {
+            let toes = place(clip, &format!("{side}ToeBase"));
+            let node = clip.skeleton.figure().iter().position(|node| node.end_site && node.joint == toes);
+            (place(clip, &format!("{side}Foot")), toes, node.unwrap())
+        });
+        let frames = (0..clip.frames()).map(|frame| {
+            let pose = clip.world_pose(frame);
+            let points = feet.map(|(foot, toes, tip)| {
+                let heel = pose.positions[foot] + pose.rotations[foot] * body::HEEL;
+                [heel, pose.positions[toes], pose.positions[tip]]
+            });
+            [points[0][0], points[0][1], points[0][2], points[1][0], points[1][1], points[1][2]]
+        });
+        frames.collect()
+    }
+
+    /// Mean speed over the ground, centimetres a second.
+    fn speed(clip: &Clip) -> f64 {
+        let (first, last) = (clip.values.row(0), clip.values.row(clip.frames() - 1));
+        (last[0] - first[0]).hypot(last[2] - first[2]) / (clip.frame_time * (clip.frames() - 1) as f64)
+    }
+
+    #[test]
+    fn there_are_enough_trials_and_each_is_found_by_its_id() {
+        let of = |movement| list().iter().filter(|info| info.movement == movement).count();
+        assert!(of("walk") >= 5 && of("walk and wave") >= 3);
+        assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
+        assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
+        assert!(clip("walk-0").is_none());
+    }
+
+    #[test]
+    fn a_clip_comes_out_the_same_every_time_and_no_two_are_alike() {
+        assert_eq!(clip("walk-2"), clip("walk-2"));
+        let hashes: HashSet<String> = clips().into_iter().map(|clip| clip.sha256).collect();
+        assert_eq!(hashes.len(), list().len());
+        let lengths: HashSet<usize> = clips().iter().map(Clip::frames).collect();
+        assert!(lengths.len() > 5);
+    }
+
+    #[test]
+    fn written_and_read_again_it_is_the_same_motion() {
+        let made = clip("walk-wave-1").unwrap();
+        let read = crate::motion::bvh::read(&made.name, crate::motion::bvh::write(&made).as_bytes()).unwrap();
+        assert_eq!((read.warnings.len(), &read.sha256), (0, &made.sha256));
+        assert_eq!((&read.skeleton, &read.values), (&made.skeleton, &made.values));
+    }
+
+    #[test]
+    fn the_standing_foot_stays_where_it_is() {
+        for clip in clips() {
+            let soles = soles(&clip);
+            let slips = soles.windows(2).map(|pair| {
+                let lowest = (0..6).min_by(|&a, &b| pair[0][a].y.total_cmp(&pair[0][b].y)).unwrap();
+                let moved = pair[1][lowest] - pair[0][lowest];
+                moved.x.hypot(moved.z) / clip.frame_time
+            });
+            let mut slips: Vec<f64> = slips.collect();
+            slips.sort_by(f64::total_cmp);
+            let (mean, speed) = (slips.iter().sum::<f64>() / slips.len() as f64, speed(&clip));
+            assert!(mean < 0.03 * speed, "{}: the lowest point of the soles slips at {mean} cm/s", clip.name);
+            let high = slips[slips.len() * 95 / 100];
+            assert!(high < 0.1 * speed, "{}: in 5% of the frames it slips at {high} cm/s or more", clip.name);
+        }
+    }
+
+    #[test]
+    fn the_feet_stay_on_the_ground_and_take_turns() {
+        for clip in clips() {
+            let soles = soles(&clip);
+            let lowest = |points: &[Vector3<f64>]| points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+            assert!(soles.iter().all(|points| (0.0..1.2).contains(&lowest(points))), "{}", clip.name);
+            for foot in 0..2 {
+                let down = |points: &[Vector3<f64>; 6]| lowest(&points[3 * foot..3 * foot + 3]) < 1.2;
+                let share = soles.iter().filter(|points| down(points)).count() as f64 / soles.len() as f64;
+                assert!(
+                    (0.52..0.72).contains(&share),
+                    "{}: a foot stands for {share} of the time",
+                    clip.name
+                );
+                let highest = soles.iter().map(|p| lowest(&p[3 * foot..3 * foot + 3])).fold(0.0, f64::max);
+                assert!(highest > 4.0, "{}: a foot is lifted by {highest} cm only", clip.name);
+            }
+        }
+    }
+
+    #[test]
+    fn they_walk_at_a_normal_pace_and_sway_a_little() {
+        for clip in clips() {
+            let speed = speed(&clip);
+            assert!((105.0..160.0).contains(&speed), "{}: {speed} cm/s", clip.name);
+            let heights = clip.values.column(1);
+            let bounce = heights.max() - heights.min();
+            assert!((2.0..6.0).contains(&bounce), "{}: {bounce} cm up and down", clip.name);
+            // Smooth: no coordinate of the root is jerked (cm/s from one frame to the next).
+            for frame in 2..clip.frames() {
+                for column in 0..3 {
+                    let value = |back: usize| clip.values[(frame - back, column)];
+                    let change = (value(0) - 2.0 * value(1) + value(2)) / clip.frame_time;
+                    assert!(change.abs() < 15.0, "{}: frame {frame}, column {column}: {change}", clip.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn waving_hands_are_above_the_head_and_swinging_ones_beside_the_hips() {
+        for (info, clip) in list().iter().zip(clips()) {
+            let (head, hips) = (place(&clip, "Head"), place(&clip, "Hips"));
+            for side in ["Left", "Right"] {
+                let hand = place(&clip, &format!("{side}Hand"));
+                let mut across = Vec::new();
+                for frame in 0..clip.frames() {
+                    let at = clip.world_pose(frame).positions;
+                    let raised = at[hand].y > at[head].y;
+                    assert_eq!(raised, info.movement == "walk and wave", "{} frame {frame}", clip.name);
+                    across.push((at[hand].x - at[hips].x).abs());
+                }
+                let wide = across.iter().fold(0.0, |a: f64, b| a.max(*b))
+                    - across.iter().fold(999.0, |a: f64, b| a.min(*b));
+                assert_eq!(wide > 15.0, info.movement == "walk and wave", "{}: {wide}", clip.name);
+            }
+        }
+    }
+}

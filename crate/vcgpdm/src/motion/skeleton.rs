@@ -1,0 +1,310 @@
+//! The joint tree of a body: names, parents, offsets and the channels each joint is recorded in.
+
+use crate::motion::rotation;
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use serde::Serialize;
+use thiserror::Error;
+
+/// The most joints that a body may have; more is a broken or hostile file.
+pub const MAX_JOINTS: usize = 2_000;
+
+/// One degree of freedom of a joint, as a BVH file names it. Rotations are in degrees, positions in file units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Channel {
+    /// Translation along x.
+    Xposition,
+    /// Translation along y.
+    Yposition,
+    /// Translation along z.
+    Zposition,
+    /// Rotation about x.
+    Xrotation,
+    /// Rotation about y.
+    Yrotation,
+    /// Rotation about z.
+    Zrotation,
+}
+
+impl Channel {
+    /// All six channels: positions, then rotations.
+    pub const ALL: [Channel; 6] = [
+        Channel::Xposition,
+        Channel::Yposition,
+        Channel::Zposition,
+        Channel::Xrotation,
+        Channel::Yrotation,
+        Channel::Zrotation,
+    ];
+
+    /// The name a BVH file gives it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Channel::Xposition => "Xposition",
+            Channel::Yposition => "Yposition",
+            Channel::Zposition => "Zposition",
+            Channel::Xrotation => "Xrotation",
+            Channel::Yrotation => "Yrotation",
+            Channel::Zrotation => "Zrotation",
+        }
+    }
+
+    /// The channel of that name in upper, lower or mixed case.
+    pub fn from_name(name: &str) -> Option<Channel> {
+        Channel::ALL.into_iter().find(|channel| channel.name().eq_ignore_ascii_case(name))
+    }
+
+    /// The axis it moves along or turns about: 0, 1, 2 for x, y, z.
+    pub fn axis(self) -> usize {
+        match self {
+            Channel::Xposition | Channel::Xrotation => 0,
+            Channel::Yposition | Channel::Yrotation => 1,
+            Channel::Zposition | Channel::Zrotation => 2,
+        }
+    }
+
+    /// Whether it is an angle in degrees rather than a position.
+    pub fn is_rotation(self) -> bool {
+        matches!(self, Channel::Xrotation | Channel::Yrotation | Channel::Zrotation)
+    }
+}
+
+/// One joint. Joints are known by their place in the skeleton: names need not be unique.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// The name as written in the file.
+    pub name: String,
+    /// The place of the parent, which always comes before its children; `None` for the root.
+    pub parent: Option<usize>,
+    /// The joint's place in its parent's frame, in file units.
+    pub offset: [f64; 3],
+    /// The channels in the order in which a row of the file holds them.
+    pub channels: Vec<Channel>,
+    /// The ends of the bones that leave this joint and reach no other joint, in file units.
+    pub end_sites: Vec<[f64; 3]>,
+}
+
+impl Joint {
+    /// The axes of its rotation channels, in their order: `R = R_first R_second R_third`.
+    pub fn rotation_axes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis())
+    }
+}
+
+/// A joint tree with one root at place 0 and parents before children.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skeleton {
+    /// The joints, in the order of the file.
+    pub joints: Vec<Joint>,
+}
+
+/// What the stage draws at one point: a joint or the end of a bone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct FigureNode {
+    /// The joint it is, or, for an end site, the joint whose bone ends here.
+    pub joint: usize,
+    /// The node that the bone to this node comes from; `None` for the root.
+    pub parent: Option<usize>,
+    /// Whether it is the end of a bone rather than a joint.
+    pub end_site: bool,
+}
+
+/// Why a joint tree is not one.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SkeletonError {
+    /// There is no joint at all.
+    #[error("expected at least one joint, found none")]
+    Empty,
+    /// More joints (or ends of bones) than any body has.
+    #[error("expected at most {MAX_JOINTS} joints, found {0}")]
+    TooLarge(usize),
+    /// Joint 0 has a parent, another joint has none, or a parent stands behind its child.
+    #[error(
+        "joint {joint} ({name:?}): expected {}, found {}",
+        if *.joint == 0 { "no parent, as it is the root".to_owned() } else { format!("a parent from 0 to {}", joint - 1) },
+        .parent.map_or("none".to_owned(), |p| format!("parent {p}"))
+    )]
+    Parent {
+        /// Its place.
+        joint: usize,
+        /// Its name.
+        name: String,
+        /// The parent it names.
+        parent: Option<usize>,
+    },
+    /// An offset that is not a finite number of sensible size.
+    #[error("joint {joint} ({name:?}): expected a finite offset, found one that is not")]
+    Offset {
+        /// Its place.
+        joint: usize,
+        /// Its name.
+        name: String,
+    },
+    /// One channel twice.
+    #[error("joint {joint} ({name:?}): expected each channel once, found {channel} twice")]
+    RepeatedChannel {
+        /// Its place.
+        joint: usize,
+        /// Its name.
+        name: String,
+        /// The channel.
+        channel: &'static str,
+    },
+}
+
+impl Skeleton {
+    /// Channels of all joints together: the numbers in one row of the file.
+    pub fn channel_count(&self) -> usize {
+        self.joints.iter().map(|joint| joint.channels.len()).sum()
+    }
+
+    /// The column of each joint's first channel.
+    pub fn channel_starts(&self) -> Vec<usize> {
+        let mut next = 0;
+        self.joints
+            .iter()
+            .map(|joint| {
+                let start = next;
+                next += joint.channels.len();
+                start
+            })
+            .collect()
+    }
+
+    /// The places of a joint's child joints.
+    pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.joints.iter().enumerate().filter(move |(_, j)| j.parent == Some(joint)).map(|(i, _)| i)
+    }
+
+    /// Checks what every other method relies on: one root in place 0, parents before children, finite offsets and
+    /// each channel at most once in a joint. A skeleton from [`crate::motion::bvh::read`] has passed it.
+    pub fn validate(&self) -> Result<(), SkeletonError> {
+        if self.joints.is_empty() {
+            return Err(SkeletonError::Empty);
+        }
+        let ends: usize = self.joints.iter().map(|joint| joint.end_sites.len()).sum();
+        if self.joints.len() > MAX_JOINTS || ends > MAX_JOINTS {
+            return Err(SkeletonError::TooLarge(self.joints.len().max(ends)));
+        }
+        for (place, joint) in self.joints.iter().enumerate() {
+            let name = || joint.name.clone();
+            let sound = joint.parent.map_or(place == 0, |parent| parent < place);
+            if !sound {
+                return Err(SkeletonError::Parent { joint: place, name: name(), parent: joint.parent });
+            }
+            let offsets = joint.end_sites.iter().chain([&joint.offset]).flatten();
+            if !offsets.into_iter().all(|x| x.abs() < 1e12) {
+                return Err(SkeletonError::Offset { joint: place, name: name() });
+            }
+            for (i, channel) in joint.channels.iter().enumerate() {
+                if joint.channels[..i].contains(channel) {
+                    return Err(SkeletonError::RepeatedChannel {
+                        joint: place,
+                        name: name(),
+                        channel: channel.name(),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The points to draw: node `i` is joint `i`; the end sites follow, in the order of their joints.
+    pub fn figure(&self) -> Vec<FigureNode> {
+        let joints = self.joints.iter().enumerate();
+        let nodes = joints.clone().map(|(joint, j)| FigureNode { joint, parent: j.parent, end_site: false });
+        let ends = joints.flat_map(|(joint, j)| {
+            j.end_sites.iter().map(move |_| FigureNode { joint, parent: Some(joint), end_site: true })
+        });
+        nodes.chain(ends).collect()
+    }
+
+    /// The local rotations and positions in one row of channel values [frames x channels]: `R = R_first R_second R_third` in
+    /// the order of the joint's channels. A position channel replaces the joint's offset, axis by axis.
+    pub(crate) fn local_pose(&self, values: &DMatrix<f64>, frame: usize) -> LocalPose {
+        let mut pose = LocalPose::default();
+        let mut column = 0;
+        for joint in &self.joints {
+            let mut rotation = UnitQuaternion::identity();
+            let mut position = Vector3::from(joint.offset);
+            for channel in &joint.channels {
+                let value = values[(frame, column)];
+                column += 1;
+                if channel.is_rotation() {
+                    rotation *= rotation::about(channel.axis(), value.to_radians());
+                } else {
+                    position[channel.axis()] = value;
+                }
+            }
+            pose.rotations.push(rotation);
+            pose.positions.push(position);
+        }
+        pose
+    }
+
+    /// World places of all nodes of [`Skeleton::figure`] and world rotations of all joints.
+    ///
+    /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local positions `t_j`
+    /// [one a joint]; the root's are its place and orientation in the world.
+    pub fn forward_kinematics(
+        &self,
+        rotations: &[UnitQuaternion<f64>],
+        positions: &[Vector3<f64>],
+    ) -> WorldPose {
+        let mut pose = WorldPose { positions: Vec::new(), rotations: Vec::with_capacity(self.joints.len()) };
+        self.forward_kinematics_into(rotations, positions, &mut pose);
+        pose
+    }
+
+    /// [`Skeleton::forward_kinematics`] into a pose whose memory is used again.
+    pub fn forward_kinematics_into(
+        &self,
+        rotations: &[UnitQuaternion<f64>],
+        positions: &[Vector3<f64>],
+        pose: &mut WorldPose,
+    ) {
+        pose.positions.clear();
+        pose.rotations.clear();
+        for ((joint, &rotation), &position) in self.joints.iter().zip(rotations).zip(positions) {
+            let (place, turned) = match joint.parent {
+                None => (position, rotation),
+                Some(parent) => (
+                    pose.positions[parent] + pose.rotations[parent] * position,
+                    pose.rotations[parent] * rotation,
+                ),
+            };
+            pose.positions.push(place);
+            pose.rotations.push(turned);
+        }
+        for (place, joint) in self.joints.iter().enumerate() {
+            for end in &joint.end_sites {
+                let end = pose.positions[place] + pose.rotations[place] * Vector3::from(*end);
+                pose.positions.push(end);
+            }
+        }
+    }
+
+    /// The pose in which no joint is turned, the root at its offset.
+    pub fn rest_pose(&self) -> WorldPose {
+        let rotations = vec![UnitQuaternion::identity(); self.joints.len()];
+        let positions: Vec<_> = self.joints.iter().map(|joint| Vector3::from(joint.offset)).collect();
+        self.forward_kinematics(&rotations, &positions)
+    }
+}
+
+/// The pose of one frame, joint by joint.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LocalPose {
+    /// The rotation of each joint in its parent's frame; the root's is in the world.
+    pub rotations: Vec<UnitQuaternion<f64>>,
+    /// The place of each joint in its parent's frame, in file units; the root's is in the world.
+    pub positions: Vec<Vector3<f64>>,
+}
+
+/// One pose in the world.
+#[derive(Clone, Debug, Default)]
+pub struct WorldPose {
+    /// World place of each node of [`Skeleton::figure`], in file units.
+    pub positions: Vec<Vector3<f64>>,
+    /// World rotation of each joint.
+    pub rotations: Vec<UnitQuaternion<f64>>,
+}

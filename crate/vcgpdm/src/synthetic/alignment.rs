@@ -1,0 +1,56 @@
+//! Learned latents beside true ones: latents are found up to a change of coordinates only.
+
+use crate::gp::NumericsError;
+use crate::gp::linalg::Factor;
+use crate::synthetic::centre;
+use nalgebra::DMatrix;
+
+/// Learned latents, brought to where the true ones lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alignment {
+    /// The learned latents in the coordinates of the true ones [N x Q_true].
+    pub latents: DMatrix<f64>,
+    /// Share of the true latents' variance that they explain, at most 1.
+    pub explained: f64,
+}
+
+/// The affine map of the `learned` latents [N x Q] that comes nearest the `actual` ones [N x Q_true], by least squares.
+pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment, NumericsError> {
+    let (mut x, mut y) = (learned.clone(), actual.clone());
+    centre(&mut x);
+    let means = centre(&mut y);
+    let mut map = x.tr_mul(&y);
+    Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve_mut(&mut map);
+    let mut latents = x * map;
+    let all = y.norm_squared().max(f64::MIN_POSITIVE);
+    y -= &latents;
+    let explained = 1.0 - y.norm_squared() / all;
+    for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
+        column.iter_mut().for_each(|value| *value += mean);
+    }
+    Ok(Alignment { latents, explained })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn an_affine_change_of_coordinates_is_undone() {
+        let actual = DMatrix::from_fn(40, 2, |t, q| (t as f64 * 0.37 + 2.0 * q as f64).sin());
+        let turn = DMatrix::from_row_slice(2, 3, &[0.5, -2.0, 0.3, 1.0, 0.7, -0.2]);
+        let learned = (&actual * turn).add_scalar(3.0).columns(0, 2).into_owned();
+        let aligned = align(&learned, &actual).unwrap();
+        assert_relative_eq!(aligned.latents, actual, epsilon = 1e-9);
+        assert_relative_eq!(aligned.explained, 1.0, epsilon = 1e-9);
+    }
+
+    #[test]
+    fn latents_that_do_not_move_explain_nothing() {
+        let actual = DMatrix::from_fn(10, 2, |t, q| (t + q) as f64);
+        let aligned = align(&DMatrix::from_element(10, 2, 1.0), &actual).unwrap();
+        assert!(aligned.latents.iter().all(|v| v.is_finite()));
+        assert_relative_eq!(aligned.explained, 0.0, epsilon = 1e-9);
+    }
+}

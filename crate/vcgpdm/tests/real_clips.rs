@@ -1,0 +1,212 @@
+//! Every recorded clip that is there: read, written, mapped to rows of Y and back.
+//!
+//! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
+//! beside the repository; without them these tests say that they skip.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use nalgebra::DMatrix;
+use std::path::PathBuf;
+use vcgpdm::motion::pose::PoseMapping;
+use vcgpdm::motion::{Clip, Recording, bvh, parts};
+
+fn folder() -> PathBuf {
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/bvh");
+    std::env::var_os("VCGPDM_CLIPS").map_or(beside, PathBuf::from)
+}
+
+/// All files with their paths relative to the folder; `None` (and a note) where there is no such folder.
+fn recordings(folders: &[&str]) -> Option<Vec<(String, Recording)>> {
+    let root = folder();
+    if !root.is_dir() {
+        eprintln!("skipped: no recorded clips in {}", root.display());
+        return None;
+    }
+    let mut recordings = Vec::new();
+    for folder in folders {
+        let entries = std::fs::read_dir(root.join(folder)).unwrap();
+        let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        for file in files {
+            let name = file.file_name().unwrap().to_str().unwrap().to_owned();
+            let bytes = std::fs::read(&file).unwrap();
+            let recording = bvh::read(&name, &bytes).unwrap_or_else(|error| panic!("{error}"));
+            recordings.push((format!("{folder}/{name}"), recording));
+        }
+    }
+    assert!(!recordings.is_empty());
+    Some(recordings)
+}
+
+/// The same files as clips.
+fn clips(folders: &[&str]) -> Option<Vec<(String, Clip)>> {
+    let recordings = recordings(folders)?.into_iter();
+    Some(recordings.map(|(path, recording)| (path, recording.into_clip())).collect())
+}
+
+const ALL: [&str; 3] = ["cmu-walk", "varied", "tricky"];
+
+#[test]
+fn written_clips_read_back_the_same() {
+    for (path, clip) in clips(&ALL).unwrap_or_default() {
+        let again = bvh::read("again.bvh", bvh::write(&clip).as_bytes()).unwrap();
+        assert_eq!(again.skeleton, clip.skeleton, "{path}");
+        assert_eq!(again.values, clip.values, "{path}");
+        assert_eq!(again.frame_time, clip.frame_time, "{path}");
+    }
+}
+
+/// The largest differences of node places (in body heights) and of joint rotations (radians).
+fn difference(a: &Clip, b: &Clip, height: f64) -> (f64, f64) {
+    assert_eq!(a.frames(), b.frames());
+    let (mut place, mut turn) = (0.0_f64, 0.0_f64);
+    for frame in 0..a.frames() {
+        let (p, q) = (a.world_pose(frame), b.world_pose(frame));
+        for (x, y) in p.positions.iter().zip(&q.positions) {
+            place = place.max((x - y).norm() / height);
+        }
+        for (x, y) in p.rotations.iter().zip(&q.rotations) {
+            turn = turn.max((x.inverse() * y).angle());
+        }
+    }
+    (place, turn)
+}
+
+#[test]
+fn rows_of_y_give_the_motion_back() {
+    for (path, clip) in clips(&ALL).unwrap_or_default() {
+        let mapping = PoseMapping::new(&clip);
+        let encoded = mapping.encode(&clip).unwrap();
+        let decoded = mapping.decode(&encoded.y, &encoded.start, clip.frame_time).unwrap();
+        let (place, turn) = difference(&clip, &decoded, mapping.stage().height);
+        let jump = (0..encoded.y.ncols())
+            .map(|c| {
+                encoded.y.column(c).as_slice().windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max)
+            })
+            .fold(0.0, f64::max);
+        let stage = clip.stage_positions();
+        let fast = mapping.decode_positions(&encoded.y, &encoded.start).unwrap();
+        let far = stage.iter().zip(&fast).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        println!("{path}: place {place:.1e}, turn {turn:.1e}, largest step {jump:.2}, stage {far:.1e}");
+        assert!(place < 1e-9, "{path}: {place}");
+        assert!(turn < 1e-9, "{path}: {turn}");
+        assert!(far < 1e-5, "{path}: {far}");
+    }
+}
+
+#[test]
+fn the_walks_vary_as_the_reference_says() {
+    let Some(clips) = clips(&["cmu-walk"]) else { return };
+    let slow: Vec<Clip> = clips.iter().map(|(_, clip)| clip.resample(30.0).unwrap()).collect();
+    assert!(slow.iter().all(|clip| clip.warnings.iter().any(|warning| warning.contains("T-pose"))));
+    let mapping = PoseMapping::new(&slow[0]);
+    let rows: Vec<DMatrix<f64>> = slow.iter().map(|clip| mapping.encode(clip).unwrap().y).collect();
+    let frames = rows[..5].iter().map(|y| y.nrows()).sum::<usize>() + 5;
+    assert_eq!((frames, mapping.column_count()), (520, 96));
+    // The reference's preprocessing of trial 35_06 has this mean variance over its columns.
+    let variance = rows[5].row_variance().mean();
+    println!("mean variance per column of trial 6: {variance:.6}");
+    assert!((variance - 0.00586).abs() < 0.00001, "{variance}");
+}
+
+#[test]
+fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
+    for (path, clip) in clips(&["cmu-walk", "varied"]).unwrap_or_default() {
+        let y = PoseMapping::new(&clip).encode(&clip).unwrap().y;
+        for column in 0..6 {
+            let steps =
+                y.column(column).as_slice().windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
+            // A body that bends down to the ground comes near the lock at 24 frames a second.
+            let largest = if path.ends_with("49_06.bvh") { 0.3 } else { 0.6 };
+            assert!(steps < largest, "{path}, column {column}: {steps}");
+        }
+    }
+}
+
+/// What the index lists of each file: path, up axis, body height where it was measured, and whether row 0 is an added T-pose.
+fn index() -> Vec<(String, String, Option<f64>, bool)> {
+    let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap_or_default();
+    let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
+    let entry = |row: Vec<&str>| {
+        (row[0].to_owned(), row[8].to_lowercase(), row[9].parse().ok(), row[1].contains("T-pose"))
+    };
+    fields.map(entry).collect()
+}
+
+#[test]
+fn up_axes_heights_and_parts_are_found() {
+    let index = index();
+    for (path, clip) in clips(&ALL).unwrap_or_default() {
+        let found = parts::presets(&clip.skeleton);
+        let ids: Vec<&str> = found.iter().map(|preset| preset.id.as_str()).collect();
+        let (up, height) = (clip.up_axis(), clip.height());
+        println!("{path}: {ids:?}, up {}, height {height:.2}, {:?}", up.letter(), clip.warnings);
+        let person = clip.skeleton.joints.len() > 10;
+        assert_eq!(ids.len(), if person { 3 } else { 1 }, "{path}");
+        for preset in &found {
+            parts::check(&preset.parts, &clip.skeleton).unwrap();
+        }
+        let Some((_, listed_up, Some(listed), _)) = index.iter().find(|(listed, ..)| *listed == path) else {
+            continue;
+        };
+        assert_eq!(up.letter(), listed_up.trim_end_matches('?'), "{path}");
+        // Listed is the extent in the motion: a body that crouches has less than its height.
+        let least = if person && !path.contains("mocapbank") { 0.88 } else { 0.5 };
+        assert!((least..1.06).contains(&(listed / height)), "{path}: {height}, listed {listed}");
+    }
+}
+
+#[test]
+fn the_walks_are_of_one_body_and_others_are_not() {
+    let Some(clips) = clips(&["cmu-walk", "varied"]) else { return };
+    let first = &clips[0].1.skeleton;
+    for (path, clip) in &clips {
+        let same = first.same_body(&clip.skeleton);
+        println!("{path}: {same:?}");
+        assert_eq!(same.is_ok(), path.contains("/35_"), "{path}");
+    }
+}
+
+#[test]
+fn only_added_t_poses_are_dropped() {
+    let index = index();
+    for (path, Recording { name, skeleton, frame_time, values, .. }) in recordings(&ALL).unwrap_or_default() {
+        let Some((.., listed)) = index.iter().find(|(listed, ..)| *listed == path) else { continue };
+        // The rows as a motion, whatever the first one is: a file of another rate would hold them so.
+        let rows = Clip::new(&name, skeleton, frame_time, values);
+        for fps in [1.0 / frame_time, 60.0, 30.0, 10.0] {
+            let rows = rows.resample(fps).unwrap();
+            let recording = |rows: &Clip| {
+                Recording::new(&name, rows.skeleton.clone(), rows.frame_time, rows.values.clone())
+            };
+            let clip = recording(&rows).into_clip();
+            assert_eq!(
+                clip.frames() + usize::from(*listed),
+                rows.frames(),
+                "{path} at {fps} frames a second"
+            );
+            // What is left does not look like another T-pose.
+            assert!(!recording(&clip).begins_with_t_pose(), "{path}");
+        }
+    }
+}
+
+/// Prints the time that a rollout's poses take: `cargo test --release --test real_clips -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement, not a check"]
+fn poses_of_a_rollout_are_fast() {
+    let Some(clips) = clips(&["cmu-walk"]) else { return };
+    let clip = clips[0].1.cut(0, 300).unwrap();
+    let mapping = PoseMapping::new(&clip);
+    let encoded = mapping.encode(&clip).unwrap();
+    let begin = std::time::Instant::now();
+    for _ in 0..100 {
+        std::hint::black_box(mapping.decode_positions(&encoded.y, &encoded.start).unwrap());
+    }
+    println!("decode_positions of 300 frames: {:?}", begin.elapsed() / 100);
+    let begin = std::time::Instant::now();
+    for _ in 0..10 {
+        std::hint::black_box(mapping.decode(&encoded.y, &encoded.start, 0.03).unwrap());
+    }
+    println!("decode of 300 frames: {:?}", begin.elapsed() / 10);
+}

@@ -1,0 +1,167 @@
+//! Clips, and what there is to know of them.
+
+use crate::body::BodyInfo;
+use crate::convert::to_js;
+use crate::error::{ErrorCode, VcgpdmError};
+use serde::Serialize;
+use vcgpdm::models::DatasetError;
+use vcgpdm::motion::parts::PartsPreset;
+use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A way to split the body, found from the names of its joints. */
+export interface PartsPreset {
+    id: string;
+    title: string;
+    parts: PartSpec[];
+}
+
+/** What there is to know of a clip. */
+export interface ClipInfo {
+    name: string;
+    /** SHA-256 of the file, hexadecimal. */
+    sha256: string;
+    joints: JointInfo[];
+    figure: Figure;
+    frames: number;
+    /** Seconds from one frame to the next. */
+    frameTime: number;
+    /** Height of the body in the file's own units. */
+    height: number;
+    upAxis: "x" | "y" | "z";
+    /** What was odd about the file but could be read. */
+    warnings: string[];
+    /** Ways to split the body; at least "whole". */
+    presets: PartsPreset[];
+}
+
+/** A clip that the project makes itself. */
+export interface SampleInfo {
+    id: string;
+    title: string;
+    movement: string;
+}
+"#;
+
+#[derive(Serialize)]
+struct ClipInfo<'a> {
+    name: &'a str,
+    sha256: &'a str,
+    #[serde(flatten)]
+    body: BodyInfo,
+    frames: usize,
+    frame_time: f64,
+    height: f64,
+    up_axis: &'static str,
+    warnings: &'a [String],
+    presets: Vec<PartsPreset>,
+}
+
+/// A recorded motion.
+#[wasm_bindgen]
+pub struct Clip {
+    clip: MotionClip,
+}
+
+#[wasm_bindgen]
+impl Clip {
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
+    /// and what was found.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: bvh::read(name, bytes)?.into_clip() })
+    }
+
+    /// A clip that the project makes itself, by its id in `samples()`.
+    pub fn sample(id: &str) -> Result<Clip, VcgpdmError> {
+        let unknown = || format!("expected the id of a sample clip, found \"{id}\"");
+        let clip = samples::clip(id).ok_or_else(|| VcgpdmError::new(ErrorCode::Clip, unknown()))?;
+        Ok(Clip { clip })
+    }
+
+    /// The clips that the project makes itself.
+    #[wasm_bindgen(unchecked_return_type = "SampleInfo[]")]
+    pub fn samples() -> Result<JsValue, VcgpdmError> {
+        to_js(&samples::list())
+    }
+
+    /// The clip's name.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.clip.name.clone()
+    }
+
+    /// What there is to know of it.
+    #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
+    pub fn info(&self) -> Result<JsValue, VcgpdmError> {
+        let clip = &self.clip;
+        to_js(&ClipInfo {
+            name: &clip.name,
+            sha256: &clip.sha256,
+            body: BodyInfo::new(&clip.skeleton),
+            frames: clip.frames(),
+            frame_time: clip.frame_time,
+            height: clip.height(),
+            up_axis: clip.up_axis().letter(),
+            warnings: &clip.warnings,
+            presets: parts::presets(&clip.skeleton),
+        })
+    }
+
+    /// The frames from `first` up to but not including `end`.
+    pub fn cut(&self, first: usize, end: usize) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: self.clip.cut(first, end)? })
+    }
+
+    /// The clip at about another frame rate.
+    pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: self.clip.resample(frames_per_second)? })
+    }
+
+    /// The clip as the text of a BVH file.
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&self) -> String {
+        bvh::write(&self.clip)
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub fn positions(&self) -> Vec<f32> {
+        self.clip.stage_positions()
+    }
+}
+
+/// The clips that a model is trained on, one sequence each.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct TrainingSet {
+    pub(crate) clips: Vec<MotionClip>,
+}
+
+#[wasm_bindgen]
+impl TrainingSet {
+    /// An empty set.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> TrainingSet {
+        TrainingSet::default()
+    }
+
+    /// Adds a clip. Throws the reason when its body differs from the first clip's; the set stays as it was.
+    pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
+        if let Some(first) = self.clips.first() {
+            first.skeleton.same_body(&clip.clip.skeleton).map_err(|reason| DatasetError::Body {
+                clip: clip.clip.name.clone(),
+                first: first.name.clone(),
+                reason: Box::new(reason),
+            })?;
+        }
+        self.clips.push(clip.clip.clone());
+        Ok(())
+    }
+
+    /// How many clips there are.
+    #[wasm_bindgen(getter)]
+    pub fn length(&self) -> usize {
+        self.clips.len()
+    }
+}

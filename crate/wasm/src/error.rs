@@ -1,0 +1,204 @@
+//! The library's errors in JavaScript: an `Error` with a name of its own and a code that a program can tell apart.
+
+use js_sys::Reflect;
+use std::fmt::Display;
+use vcgpdm::document::DocumentError;
+#[cfg(feature = "comparison")]
+use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
+use vcgpdm::gp::NumericsError;
+use vcgpdm::models::variational::InducingError;
+use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
+use vcgpdm::motion::bvh::BvhError;
+use vcgpdm::motion::ClipError;
+use vcgpdm::motion::pose::PoseError;
+#[cfg(feature = "comparison")]
+use vcgpdm::synthetic::SyntheticError;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What a `VcgpdmError` is about. */
+export type ErrorCode =
+    | "clip"
+    | "clips"
+    | "parts"
+    | "settings"
+    | "training"
+    | "model"
+    | "rollout"
+    | "comparison"
+    | "results"
+    | "numerics";
+
+/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. */
+export interface VcgpdmError extends Error {
+    name: "VcgpdmError";
+    code: ErrorCode;
+}
+"#;
+
+/// What an error is about.
+#[derive(Clone, Copy)]
+pub enum ErrorCode {
+    /// One clip: its file, a cut, a frame rate.
+    Clip,
+    /// Clips that do not go together.
+    Clips,
+    /// How the body is split.
+    Parts,
+    /// A setting.
+    Settings,
+    /// A training that cannot start.
+    Training,
+    /// A model, or its document.
+    Model,
+    /// A rollout that cannot be made.
+    Rollout,
+    /// A comparison, or a job of it.
+    #[cfg(feature = "comparison")]
+    Comparison,
+    /// Results, or their file.
+    #[cfg(feature = "comparison")]
+    Results,
+    /// A number out of bounds, or a matrix that cannot be factorised.
+    Numerics,
+}
+
+impl ErrorCode {
+    fn word(self) -> &'static str {
+        match self {
+            ErrorCode::Clip => "clip",
+            ErrorCode::Clips => "clips",
+            ErrorCode::Parts => "parts",
+            ErrorCode::Settings => "settings",
+            ErrorCode::Training => "training",
+            ErrorCode::Model => "model",
+            ErrorCode::Rollout => "rollout",
+            #[cfg(feature = "comparison")]
+            ErrorCode::Comparison => "comparison",
+            #[cfg(feature = "comparison")]
+            ErrorCode::Results => "results",
+            ErrorCode::Numerics => "numerics",
+        }
+    }
+}
+
+/// What is thrown.
+pub struct VcgpdmError {
+    code: ErrorCode,
+    message: String,
+}
+
+impl VcgpdmError {
+    /// An error in these words.
+    pub fn new(code: ErrorCode, message: impl Display) -> Self {
+        Self { code, message: message.to_string() }
+    }
+}
+
+impl From<VcgpdmError> for JsValue {
+    fn from(VcgpdmError { code, message }: VcgpdmError) -> JsValue {
+        let error = js_sys::Error::new(&message);
+        error.set_name("VcgpdmError");
+        // A new error refuses no field.
+        let _ = Reflect::set(&error, &"code".into(), &code.word().into());
+        error.into()
+    }
+}
+
+/// An error of the library, which knows what it is about.
+trait LibraryError: Display {
+    fn code(&self) -> ErrorCode;
+}
+
+impl<E: LibraryError> From<E> for VcgpdmError {
+    fn from(error: E) -> Self {
+        VcgpdmError::new(error.code(), error)
+    }
+}
+
+/// Errors of which all variants are about the same.
+macro_rules! about {
+    ($($error:ty => $code:ident),+ $(,)?) => {
+        $(impl LibraryError for $error {
+            fn code(&self) -> ErrorCode {
+                ErrorCode::$code
+            }
+        })+
+    };
+}
+
+about! {
+    BvhError => Clip,
+    ClipError => Clip,
+    PoseError => Clip,
+    DocumentError => Model,
+    InducingError => Model,
+    NumericsError => Numerics,
+}
+
+#[cfg(feature = "comparison")]
+about! {
+    PlanError => Comparison,
+    ResultsError => Results,
+    SettingError => Comparison,
+}
+
+impl LibraryError for TrainingError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            TrainingError::Setting { .. } => ErrorCode::Settings,
+            TrainingError::Numerics(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Training,
+        }
+    }
+}
+
+impl LibraryError for DatasetError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            DatasetError::Empty | DatasetError::Body { .. } => ErrorCode::Clips,
+            DatasetError::Short { .. } | DatasetError::Clip(_) | DatasetError::Pose { .. } => ErrorCode::Clip,
+            DatasetError::Parts(_) => ErrorCode::Parts,
+            DatasetError::Sequence { reason, .. } => reason.code(),
+            DatasetError::Training(reason) => reason.code(),
+        }
+    }
+}
+
+impl LibraryError for RolloutError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            RolloutError::Numerics(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "comparison")]
+impl LibraryError for EvaluationError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            EvaluationError::Dataset(reason) => reason.code(),
+            EvaluationError::Clip(reason) => reason.code(),
+            EvaluationError::Pose(reason) => reason.code(),
+            EvaluationError::Rollout(reason) => reason.code(),
+            EvaluationError::Numerics(_) | EvaluationError::NotFinite { .. } | EvaluationError::Score(_) => {
+                ErrorCode::Numerics
+            }
+            _ => ErrorCode::Comparison,
+        }
+    }
+}
+
+#[cfg(feature = "comparison")]
+impl LibraryError for SyntheticError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            SyntheticError::Drive(_) => ErrorCode::Settings,
+            SyntheticError::Numerics(_) => ErrorCode::Numerics,
+            SyntheticError::Training(reason) => reason.code(),
+            SyntheticError::Rollout(reason) => reason.code(),
+        }
+    }
+}

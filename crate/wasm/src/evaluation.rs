@@ -1,0 +1,210 @@
+//! One model in one fold: trained step by step on all trials but one, and put to the test on that one.
+
+use crate::clip::TrainingSet;
+use crate::convert::{from_js, to_js};
+use crate::error::{ErrorCode, VcgpdmError};
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
+use vcgpdm::evaluation::Fold as HeldOut;
+use vcgpdm::models::{Learner, LearningProgress, ModelSettings, MovementModel};
+use vcgpdm::motion::parts::PartSpec;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What all folds of a comparison have in common. */
+export interface ComparisonSettings {
+    /** How the coupled models split the body. */
+    parts: PartSpec[];
+    /** The clips are brought to about this rate. */
+    framesPerSecond: number;
+}
+
+/** The kinds of models, in the order of tables. */
+export type ModelKind = "vcgpdm" | "vgpdm" | "map-gpdm" | "map-cgpdm" | "tmp" | "dmp-discrete" | "dmp-rhythmic";
+
+/** A model with all of its settings but the seed. */
+export type Candidate =
+    | {
+        model: "vcgpdm" | "vgpdm";
+        /** Latent dimensions Q of every part. */
+        latent: number;
+        /** Order p of the dynamics. */
+        order: number;
+        /** Dynamics inducing points of every expert. */
+        dynamicsIps: number;
+        /** Pose inducing points of every part. */
+        poseIps: number;
+        /** Most iterations of the optimiser. */
+        maxIterations: number;
+    }
+    | {
+        model: "map-gpdm" | "map-cgpdm";
+        latent: number;
+        order: number;
+        maxIterations: number;
+        /** Whether the dynamics weigh D / Q times as much (Urtasun, Fleet & Fua 2006). */
+        balanced: boolean;
+    }
+    | {
+        model: "tmp";
+        /** Null: chosen by the bound. */
+        primitives: number | null;
+    }
+    | {
+        model: "dmp-discrete" | "dmp-rhythmic";
+        /** Basis functions of each column. */
+        bases: number;
+    };
+
+/** How far an evaluation is. */
+export interface EvaluationProgress {
+    /** Share of the training done, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction. */
+    fraction: number;
+    /** Whether training has ended. */
+    done: boolean;
+}
+
+/** How far a prediction is from the trial held out, in the squared units of the columns. */
+export interface Score {
+    /** Mean squared error after dynamic time warping. */
+    dtwMse: number;
+    /** Mean squared error frame by frame. */
+    mse: number;
+    /** The error of a prediction that does not move. */
+    variance: number;
+}
+
+/** What came of one model in one fold. */
+export interface Outcome {
+    score: Score;
+    /** The bound on the log evidence, in nats, where the model has one. */
+    bound: number | null;
+    /** What training maximised, at its best. */
+    objective: number;
+    /** Iterations of the training. */
+    iterations: number;
+    /** Seconds of the training. */
+    seconds: number;
+    /** Frames trained on. */
+    frames: number;
+    /** Numbers that must be kept to roll out. */
+    storedNumbers: number;
+    /** Why training ended, in words. */
+    reason: string | null;
+}
+"#;
+
+/// What all folds of a comparison have in common.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ComparisonSettings {
+    /// How the coupled models split the body.
+    pub parts: Vec<PartSpec>,
+    /// The clips are brought to about this rate.
+    pub frames_per_second: f64,
+}
+
+#[derive(Serialize)]
+struct EvaluationProgress {
+    fraction: f64,
+    done: bool,
+}
+
+/// One trial held out, the others trained on.
+#[wasm_bindgen]
+pub struct Fold {
+    fold: Rc<HeldOut>,
+}
+
+#[wasm_bindgen]
+impl Fold {
+    /// Holds out the trial `heldOut`, counted from 1, and trains on the others, or on the first `trainingTrials` of them.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        clips: &TrainingSet,
+        #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
+        #[wasm_bindgen(js_name = heldOut)] held_out: usize,
+        #[wasm_bindgen(js_name = trainingTrials)] training_trials: usize,
+    ) -> Result<Fold, VcgpdmError> {
+        let ComparisonSettings { parts, frames_per_second } =
+            from_js(ErrorCode::Comparison, "settings", &settings)?;
+        let fold = HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second)?;
+        Ok(Fold { fold: Rc::new(fold) })
+    }
+
+    /// Frames of the trial held out.
+    #[wasm_bindgen(getter)]
+    pub fn frames(&self) -> usize {
+        self.fold.actual().nrows()
+    }
+
+    /// Seconds from one frame to the next.
+    #[wasm_bindgen(getter, js_name = frameTime)]
+    pub fn frame_time(&self) -> f64 {
+        self.fold.body().frame_time
+    }
+
+    /// World positions of the trial held out [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub fn actual(&self) -> Result<Vec<f32>, VcgpdmError> {
+        Ok(self.fold.body().positions(self.fold.actual())?)
+    }
+}
+
+/// One model that is trained in one fold, to be scored when it is done.
+#[wasm_bindgen]
+pub struct Evaluation {
+    fold: Rc<HeldOut>,
+    learner: Box<dyn Learner>,
+}
+
+#[wasm_bindgen]
+impl Evaluation {
+    /// Prepares the training.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        fold: &Fold,
+        #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
+        seed: u32,
+    ) -> Result<Evaluation, VcgpdmError> {
+        let candidate: ModelSettings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
+        let learner = fold.fold.learner(&candidate, seed)?;
+        Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })
+    }
+
+    /// One iteration of the training.
+    #[wasm_bindgen(unchecked_return_type = "EvaluationProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        let progress = self.learner.step();
+        to_js(&EvaluationProgress { fraction: progress.fraction, done: progress.done })
+    }
+
+    /// The best model so far, put to the test.
+    pub fn prediction(&self) -> Result<Prediction, VcgpdmError> {
+        let model = self.learner.model()?;
+        Ok(Prediction { fold: Rc::clone(&self.fold), training: self.learner.progress(), model })
+    }
+}
+
+/// What a model predicts for the trial held out.
+#[wasm_bindgen]
+pub struct Prediction {
+    fold: Rc<HeldOut>,
+    training: LearningProgress,
+    model: Box<dyn MovementModel>,
+}
+
+#[wasm_bindgen]
+impl Prediction {
+    /// How good it is. `seconds` is how long the training took.
+    #[wasm_bindgen(unchecked_return_type = "Outcome")]
+    pub fn outcome(&self, seconds: f64) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.fold.outcome(&*self.model, &self.training, seconds)?)
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub fn positions(&self) -> Result<Vec<f32>, VcgpdmError> {
+        let y = self.fold.predict(&*self.model)?;
+        Ok(self.fold.body().positions(&y)?)
+    }
+}

@@ -1,0 +1,37 @@
+//! The npm package `vcgpdm`: the library for JavaScript.
+//!
+//! Types are the library's own; [`convert`] carries them over in camelCase, [`error`] carries its errors. What a function
+//! takes and gives is declared in TypeScript beside it.
+#![cfg(target_arch = "wasm32")]
+
+mod body;
+#[cfg(feature = "speed")]
+mod case;
+mod clip;
+mod convert;
+mod error;
+#[cfg(feature = "comparison")]
+mod evaluation;
+mod model;
+#[cfg(feature = "comparison")]
+mod results;
+mod rollout;
+mod settings;
+#[cfg(feature = "comparison")]
+mod synthetic;
+mod trainer;
+
+use error::{ErrorCode, VcgpdmError};
+use wasm_bindgen::prelude::*;
+
+/// A fresh seed from the machine's own randomness.
+#[wasm_bindgen(js_name = freshSeed)]
+pub fn fresh_seed() -> Result<u32, VcgpdmError> {
+    getrandom::u32().map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
+}
+
+/// The version of this package.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}

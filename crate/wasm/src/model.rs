@@ -1,0 +1,216 @@
+//! Trained models: what they hold, and what they predict.
+
+use crate::body::BodyInfo;
+use crate::convert::{flat, from_js, rows, to_js};
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::rollout::Rollout;
+use crate::settings::TrainingSettings;
+use serde::Serialize;
+use std::rc::Rc;
+use vcgpdm::models::variational::BoundTerms;
+use vcgpdm::models::{MotionModel, SequenceInfo};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A part of a trained model. */
+export interface PartInfo {
+    name: string;
+    joints: number[];
+    /** Latent dimensions Q. */
+    latent: number;
+    /** Pose inducing points L. */
+    poseIps: number;
+}
+
+/** A training sequence that a rollout can start from. */
+export interface SequenceInfo {
+    name: string;
+    sha256: string;
+    frames: number;
+}
+
+/** How a model was made. */
+export interface Provenance {
+    /** The program and its version. */
+    engine: string;
+    settings: TrainingSettings;
+    /** The final bound, in nats. */
+    bound: number;
+    terms: BoundTerms;
+    iterations: number;
+    evaluations: number;
+    note: string | null;
+}
+
+/** What there is to know of a model. */
+export interface ModelInfo {
+    parts: PartInfo[];
+    /** Order p of the dynamics. */
+    order: number;
+    /** Seconds from one frame to the next. */
+    frameTime: number;
+    /** Coupling variances as learned, `alpha[source][target]`. */
+    alpha: number[][];
+    /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
+    dynamicsIps: number[][];
+    sequences: SequenceInfo[];
+    joints: JointInfo[];
+    figure: Figure;
+    provenance: Provenance;
+}
+"#;
+
+#[derive(Serialize)]
+struct PartInfo<'a> {
+    name: &'a str,
+    joints: &'a [usize],
+    latent: usize,
+    pose_ips: usize,
+}
+
+#[derive(Serialize)]
+struct Provenance<'a> {
+    engine: &'a str,
+    settings: TrainingSettings,
+    bound: f64,
+    terms: &'a BoundTerms,
+    iterations: usize,
+    evaluations: usize,
+    note: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct ModelInfo<'a> {
+    parts: Vec<PartInfo<'a>>,
+    order: usize,
+    frame_time: f64,
+    alpha: Vec<Vec<f64>>,
+    dynamics_ips: Vec<Vec<usize>>,
+    sequences: &'a [SequenceInfo],
+    #[serde(flatten)]
+    body: BodyInfo,
+    provenance: Provenance<'a>,
+}
+
+impl<'a> ModelInfo<'a> {
+    fn new(model: &'a MotionModel) -> Self {
+        let (fitted, body, made) = (&model.fitted, &model.body, &model.provenance);
+        let specs = body.layout.parts();
+        let parts = specs.iter().zip(&fitted.parts).map(|(spec, map)| PartInfo {
+            name: &spec.name,
+            joints: &spec.joints,
+            latent: map.r.ncols(),
+            pose_ips: map.r.nrows(),
+        });
+        let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z.nrows()).collect());
+        ModelInfo {
+            parts: parts.collect(),
+            order: fitted.order,
+            frame_time: body.frame_time,
+            alpha: rows(&fitted.alpha),
+            dynamics_ips: counts.collect(),
+            sequences: &body.sequences,
+            body: BodyInfo::new(body.mapping.skeleton()),
+            provenance: Provenance {
+                engine: &made.engine,
+                settings: TrainingSettings {
+                    parts: specs.to_vec(),
+                    frames_per_second: made.frames_per_second,
+                    seed: made.seed,
+                    variational: made.settings.clone(),
+                },
+                bound: made.bound,
+                terms: &made.terms,
+                iterations: made.iterations,
+                evaluations: made.evaluations,
+                note: made.note.as_deref(),
+            },
+        }
+    }
+}
+
+/// A trained model.
+#[wasm_bindgen]
+pub struct Model {
+    pub(crate) model: Rc<MotionModel>,
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Reads a shared model. Throws the reason and the path of the field when the text is not one.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &str) -> Result<Model, VcgpdmError> {
+        Ok(Model { model: Rc::new(MotionModel::from_json(text)?) })
+    }
+
+    /// The model as a JSON document.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> Result<String, VcgpdmError> {
+        Ok(self.model.to_json()?)
+    }
+
+    /// What there is to know of it.
+    #[wasm_bindgen(unchecked_return_type = "ModelInfo")]
+    pub fn info(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&ModelInfo::new(&self.model))
+    }
+
+    /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
+    pub fn rollout(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+    ) -> Result<Rollout, VcgpdmError> {
+        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let rollout = self.model.rollout(&request)?;
+        let positions = self.model.positions(&rollout)?;
+        Ok(Rollout { rollout, positions, model: Rc::clone(&self.model) })
+    }
+
+    /// Pose inducing inputs r of a part [L x Q].
+    #[wasm_bindgen(js_name = poseIps)]
+    pub fn pose_ips(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(flat(&self.model.fitted.pose_map(part)?.r))
+    }
+
+    /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source], oldest state first.
+    #[wasm_bindgen(js_name = dynamicsIps)]
+    pub fn dynamics_ips(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(flat(&self.model.fitted.expert(source, target)?.z))
+    }
+
+    /// What the source's dynamics inducing points predict, E[u] [K x Q of the target].
+    #[wasm_bindgen(js_name = dynamicsIvs)]
+    pub fn dynamics_ivs(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(flat(&self.model.fitted.expert(source, target)?.mean))
+    }
+
+    /// How much a pose inducing point says about each latent point [frames x Q], 0 to 1: k(x, r) / sigma^2.
+    #[wasm_bindgen(js_name = poseIpWeights)]
+    pub fn pose_ip_weights(
+        &self,
+        part: usize,
+        index: usize,
+        latents: &[f64],
+    ) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.model.fitted.pose_ip_weights(part, index, latents)?)
+    }
+
+    /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0 to 1:
+    /// k(history, z); 0 for the first frames, which have no history.
+    #[wasm_bindgen(js_name = dynamicsIpWeights)]
+    pub fn dynamics_ip_weights(
+        &self,
+        source: usize,
+        target: usize,
+        index: usize,
+        latents: &[f64],
+    ) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.model.fitted.dynamics_ip_weights(source, target, index, latents)?)
+    }
+
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at their mean pose.
+    pub fn pose(&self, part: usize, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
+        Ok(self.model.pose(part, latent)?)
+    }
+}

@@ -1,0 +1,161 @@
+//! The synthetic experiment: who drives whom, where the truth is known.
+
+use crate::convert::{flat, rows, to_js};
+use crate::error::VcgpdmError;
+use serde::Serialize;
+use vcgpdm::models::LARGEST_ALPHA;
+use vcgpdm::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The data, the truth about them, and what counts as finding it. */
+export interface SyntheticTruth {
+    frames: number;
+    /** The share of the first part in the second. */
+    drive: number;
+    /** The true latents of each part [frames x 2], row after row. */
+    latents: number[][];
+    /** What the model sees of each part, centred [frames x columns], row after row. */
+    observed: number[][];
+    /** Observed columns of a part. */
+    columns: number;
+    /** Variance of the observations' noise. */
+    noise: number;
+    /** From this ratio of coupling variances on a part counts for nothing. */
+    much: number;
+    /** Up to this ratio both parts have their say. */
+    alike: number;
+    /** No coupling variance can be larger. */
+    largestAlpha: number;
+}
+
+/** How well a model explains the data. */
+export interface SyntheticFit {
+    /** The bound, in nats. */
+    bound: number;
+    /** The mean squared error of a rollout of all frames, after dynamic time warping of each part. */
+    mse: number;
+}
+
+/** What the coupling variances say about who drives whom, and whether it is true. */
+export interface SyntheticVerdict {
+    /** alpha from 2 to 1 over alpha from 1 to 1. */
+    back: number;
+    /** alpha from 1 to 2 over alpha from 2 to 2. */
+    forth: number;
+    /** Whether `back` says that the second part does not drive the first, which is true. */
+    backIsRight: boolean;
+    /** Whether `forth` says truly whether the first part drives the second. */
+    forthIsRight: boolean;
+}
+
+/** What training has found so far, at its best bound. */
+export interface SyntheticFindings {
+    /** Coupling variances `alpha[source][target]`. */
+    alpha: number[][];
+    /** The weights that they give `[source][target]`; those into each part sum to 1. */
+    weights: number[][];
+    verdict: SyntheticVerdict;
+    /** The learned latents of each part [frames x 2], row after row, after the affine map that brings them nearest the truth. */
+    learned: number[][];
+    /** The share of the true latents' variance that these explain, for each part. */
+    explained: number[];
+    start: SyntheticFit;
+    now: SyntheticFit;
+}
+"#;
+
+#[derive(Serialize)]
+struct SyntheticTruth {
+    frames: usize,
+    drive: f64,
+    latents: Vec<Vec<f64>>,
+    observed: Vec<Vec<f64>>,
+    columns: usize,
+    noise: f64,
+    much: f64,
+    alike: f64,
+    largest_alpha: f64,
+}
+
+#[derive(Serialize)]
+struct SyntheticVerdict {
+    back: f64,
+    forth: f64,
+    back_is_right: bool,
+    forth_is_right: bool,
+}
+
+#[derive(Serialize)]
+struct SyntheticFindings {
+    alpha: Vec<Vec<f64>>,
+    weights: Vec<Vec<f64>>,
+    verdict: SyntheticVerdict,
+    learned: Vec<Vec<f64>>,
+    explained: Vec<f64>,
+    start: Fit,
+    now: Fit,
+}
+
+/// Two made-up systems, of which one drives the other or does not, and a training that is to find out.
+#[wasm_bindgen]
+pub struct SyntheticExperiment {
+    experiment: Experiment,
+}
+
+#[wasm_bindgen]
+impl SyntheticExperiment {
+    /// Makes the data and finds where training starts; both follow from the seed, a whole number from 0 to 4294967295.
+    /// `driving`: whether the first part drives the second.
+    #[wasm_bindgen(constructor)]
+    pub fn new(seed: u32, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
+        let data = Synthetic::draw(seed, if driving { DRIVE } else { 0.0 })?;
+        Ok(SyntheticExperiment { experiment: Experiment::new(data, &Synthetic::settings(), seed)? })
+    }
+
+    /// The data, and the truth about them.
+    #[wasm_bindgen(unchecked_return_type = "SyntheticTruth")]
+    pub fn truth(&self) -> Result<JsValue, VcgpdmError> {
+        let data = self.experiment.data();
+        let (frames, columns) = data.y.first().map_or((0, 0), |y| y.shape());
+        to_js(&SyntheticTruth {
+            frames,
+            drive: data.drive,
+            latents: data.latents.iter().map(flat).collect(),
+            observed: data.y.iter().map(flat).collect(),
+            columns,
+            noise: NOISE_VARIANCE,
+            much: MUCH,
+            alike: ALIKE,
+            largest_alpha: LARGEST_ALPHA,
+        })
+    }
+
+    /// One iteration of the optimiser: a few milliseconds.
+    #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.experiment.step())
+    }
+
+    /// What training has found so far, at any time.
+    #[wasm_bindgen(unchecked_return_type = "SyntheticFindings")]
+    pub fn findings(&self) -> Result<JsValue, VcgpdmError> {
+        let drive = self.experiment.data().drive;
+        let Findings { alpha, weights, verdict, learned, fit } = self.experiment.findings()?;
+        to_js(&SyntheticFindings {
+            alpha: rows(&alpha),
+            weights: rows(&weights),
+            verdict: SyntheticVerdict {
+                back: verdict.back,
+                forth: verdict.forth,
+                back_is_right: verdict.back_is_right(),
+                forth_is_right: verdict.forth_is_right(drive),
+            },
+            learned: learned.iter().map(|part| flat(&part.latents)).collect(),
+            explained: learned.iter().map(|part| part.explained).collect(),
+            start: self.experiment.start(),
+            now: fit,
+        })
+    }
+}
