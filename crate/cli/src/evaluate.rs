@@ -12,7 +12,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use vcgpdm::evaluation::{Finished, Fold, Job, Setting};
-use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+use vcgpdm::models::{
+    DmpSettings, ENGINE, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings,
+};
 use vcgpdm::motion::Clip;
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
@@ -166,7 +168,7 @@ impl Work {
                 Ok(None) => return,
                 Err(error) => (None, Some(error.to_string())),
             };
-            let engine = concat!("vcgpdm ", env!("CARGO_PKG_VERSION")).to_owned();
+            let engine = ENGINE.to_owned();
             let mut progress = self.progress();
             progress.failed += usize::from(failure.is_some());
             let finished = Finished { job: job.clone(), engine, outcome, failure };

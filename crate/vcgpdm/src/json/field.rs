@@ -67,20 +67,6 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// The names of its fields with what `read` makes of each.
-    pub fn fields<T>(
-        &self,
-        mut read: impl FnMut(Field<'a>, &str) -> Result<T, FieldError>,
-    ) -> Result<Vec<(String, T)>, FieldError> {
-        let Value::Object(fields) = self.value else {
-            return Err(self.wrong("an object"));
-        };
-        let field = |(name, value): &'a (String, Value)| {
-            Ok((name.clone(), read(Field { value, path: format!("{}.{name}", self.path) }, name)?))
-        };
-        fields.iter().map(field).collect()
-    }
-
     /// What `read` makes of each item.
     pub fn list<T>(
         &self,
