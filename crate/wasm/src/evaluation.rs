@@ -5,8 +5,8 @@ use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::evaluation::{Candidate, Fold as HeldOut};
-use vcgpdm::models::{Learner, LearningProgress, MovementModel};
+use vcgpdm::evaluation::Fold as HeldOut;
+use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
 use vcgpdm::motion::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -167,7 +167,7 @@ impl Evaluation {
         #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
         seed: u32,
     ) -> Result<Evaluation, VcgpdmError> {
-        let candidate: Candidate = from_js(ErrorCode::Settings, "candidate", &candidate)?;
+        let candidate: ModelSettings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed)?;
         Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })
     }
@@ -191,7 +191,7 @@ impl Evaluation {
 pub struct Prediction {
     fold: Rc<HeldOut>,
     training: LearningProgress,
-    model: Box<dyn MovementModel>,
+    model: Model,
 }
 
 #[wasm_bindgen]
@@ -199,12 +199,12 @@ impl Prediction {
     /// How good it is. `seconds` is how long the training took.
     #[wasm_bindgen(unchecked_return_type = "Outcome")]
     pub fn outcome(&self, seconds: f64) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.fold.outcome(&*self.model, &self.training, seconds)?)
+        to_js(&self.fold.outcome(&self.model, &self.training, seconds)?)
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Result<Vec<f32>, VcgpdmError> {
-        let y = self.fold.predict(&*self.model)?;
+        let y = self.fold.predict(&self.model)?;
         Ok(self.fold.body().positions(&y)?)
     }
 }

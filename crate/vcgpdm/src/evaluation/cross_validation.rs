@@ -17,6 +17,7 @@ pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum EvaluationError {
     /// There is no such trial.
     #[error(
@@ -51,7 +52,7 @@ pub enum EvaluationError {
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
-    /// A number that went astray, though the predicted columns are finite.
+    /// A number that is not finite, though the predicted columns are.
     #[error("the prediction is not finite: {what} is {found}")]
     NotFinite {
         /// Which number of the outcome.
@@ -59,7 +60,7 @@ pub enum EvaluationError {
         /// What it is.
         found: f64,
     },
-    /// A time that no training takes.
+    /// A time that no training can take.
     #[error("expected the seconds of the training, from 0, found {0}")]
     Seconds(f64),
     /// The prediction could not be scored.
@@ -76,7 +77,7 @@ pub struct Fold {
     actual: DMatrix<f64>,
 }
 
-/// What came of one model in one fold.
+/// What came of one candidate in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Outcome {
@@ -148,6 +149,9 @@ impl Fold {
     }
 
     /// All columns that the model predicts for the trial held out [T x D].
+    ///
+    /// # Errors
+    /// The model cannot be rolled out for the length of the trial.
     pub fn predict(&self, model: &Model) -> Result<DMatrix<f64>, RolloutError> {
         let rollout = model.rollout(self.movements.sequences.len() - 1, self.actual.nrows())?;
         // A model of the whole body has one part with the columns of all parts side by side.
@@ -162,14 +166,20 @@ impl Fold {
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
     }
 
-    /// A training of a model in this fold, ready to begin.
+    /// A training of a candidate in this fold, ready to begin.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one of them.
     pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let learner = candidate.learner(&self.movements, seed);
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
 
-    /// Trains a model and scores its prediction. `watch` is told of every step and may end the training by saying false: then
-    /// there is no outcome. `seconds` is a clock.
+    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training by saying false:
+    /// then there is no outcome. `seconds` is a clock.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained, or its prediction cannot be scored.
     pub fn evaluate(
         &self,
         candidate: &ModelSettings,
@@ -191,7 +201,10 @@ impl Fold {
         self.outcome(&model, &learner.progress(), trained).map(Some)
     }
 
-    /// What a model is worth, whose training ended so and took so many seconds.
+    /// How well a model predicts the trial held out; its training ended like this and took so many seconds.
+    ///
+    /// # Errors
+    /// The prediction cannot be made or scored, or a number of the outcome is not finite.
     pub fn outcome(
         &self,
         model: &Model,
@@ -309,11 +322,11 @@ mod tests {
     }
 
     #[test]
-    fn no_outcome_holds_what_is_no_number() {
+    fn no_outcome_holds_a_number_that_is_not_finite() {
         let trials = trials();
         let parts = &presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
-        let of = |to: f64, best: f64, seconds: f64| {
+        let outcome = |to: f64, best: f64, seconds: f64| {
             let training = LearningProgress {
                 iteration: 1,
                 max_iterations: 1,
@@ -327,14 +340,14 @@ mod tests {
             };
             fold.outcome(&astray(&fold, to), &training, seconds).map_err(|error| error.to_string())
         };
-        assert!(of(1.0, 0.0, 1.0).is_ok());
-        let far = of(1e200, 0.0, 1.0).unwrap_err();
+        assert!(outcome(1.0, 0.0, 1.0).is_ok());
+        let far = outcome(1e200, 0.0, 1.0).unwrap_err();
         assert_eq!(far, "the prediction is not finite: its mean squared error after time warping is inf");
-        assert!(of(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
-        let unbegun = of(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
+        assert!(outcome(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
+        let unbegun = outcome(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
         assert_eq!(unbegun, "the prediction is not finite: what the training maximised is -inf");
         for seconds in [-1.0, f64::NAN] {
-            let error = of(1.0, 0.0, seconds).unwrap_err();
+            let error = outcome(1.0, 0.0, seconds).unwrap_err();
             assert_eq!(error, format!("expected the seconds of the training, from 0, found {seconds}"));
         }
     }
