@@ -25,7 +25,15 @@ const FEATURES = [
 ];
 
 export async function buildWasm() {
-  const sources = ["crate/vcgpdm", "crate/wasm", "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "package-lock.json", "scripts/wasm.mjs"];
+  const sources = [
+    "crate/vcgpdm",
+    "crate/wasm",
+    "Cargo.toml",
+    "Cargo.lock",
+    ".cargo/config.toml",
+    "package-lock.json",
+    "scripts/wasm.mjs",
+  ];
   const inputs = filesUnder(
     sources.map((path) => at(path)),
     ["pkg", "target", "tests", "benches", "examples"],
@@ -45,7 +53,16 @@ export async function buildPackage(/** @type {string} */ place, /** @type {strin
     // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
     const build = ["--mode", "no-install", "--target", target, "--out-name", "vcgpdm", "--no-pack"];
     const out = ["--out-dir", join(place, folder)];
-    await run("wasm-pack", "build", at("crate/wasm"), ...build, ...out, "--", "--features", [...features, ...more].join(","));
+    await run(
+      "wasm-pack",
+      "build",
+      at("crate/wasm"),
+      ...build,
+      ...out,
+      "--",
+      "--features",
+      [...features, ...more].join(","),
+    );
     rmSync(join(place, folder, ".gitignore"), { force: true }); // npm would leave out what it names
     writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
   }

@@ -11,8 +11,8 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Finished, Fold, Job, Setting};
-use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, Setting};
+use vcgpdm::models::{ModelKind, VariationalSettings};
 use vcgpdm::motion::Clip;
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
@@ -75,21 +75,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
-    let setting = Setting::new(&clips, &parts, arguments.fps);
-    setting.check()?;
-    let all = jobs(arguments, clips.len())?;
+    let setting = Setting::new(&clips, &parts, arguments.fps)?;
+    let asked = jobs(arguments, clips.len())?;
     // Whatever cannot be used is found before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
-    for job in &all {
+    for job in &asked {
         let key = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
             entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps)?);
         }
     }
-    let share = share(arguments, all.len())?;
+    let share = share(arguments, asked.len())?;
     let store = Store::open(&arguments.out, setting)?;
     let (known, open): (Vec<Job>, Vec<Job>) =
-        share.map(|k| all[k].clone()).partition(|job| store.results().has_outcome(job));
+        share.map(|k| asked[k].clone()).partition(|job| store.results().has_outcome(job));
 
     let work = Work::new(open, store)?;
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -161,16 +160,14 @@ impl Work {
                 self.show(thread, progress.fraction);
                 !self.stopped.load(Ordering::Relaxed)
             });
-            let (outcome, failure) = match outcome {
-                Ok(Some(outcome)) => (Some(outcome), None),
+            let result = match outcome {
+                Ok(Some(outcome)) => Ok(outcome),
                 Ok(None) => return,
-                Err(error) => (None, Some(error.to_string())),
+                Err(error) => Err(error.to_string()),
             };
-            let engine = concat!("vcgpdm ", env!("CARGO_PKG_VERSION")).to_owned();
             let mut progress = self.progress();
-            progress.failed += usize::from(failure.is_some());
-            let finished = Finished { job: job.clone(), engine, outcome, failure };
-            if let Err(problem) = progress.store.add(finished) {
+            progress.failed += usize::from(result.is_err());
+            if let Err(problem) = progress.store.add(Finished::new(job.clone(), result)) {
                 progress.problem = Some(problem.to_string());
                 self.stopped.store(true, Ordering::Relaxed);
                 return;
@@ -193,36 +190,34 @@ impl Work {
     }
 }
 
-/// Every model in every fold with every seed that it has.
+/// The jobs that the arguments ask for on so many trials.
 fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>> {
-    let folds = folds(&arguments.folds, trials)?;
-    let candidates = candidates(arguments)?;
-    let most = trials.saturating_sub(1);
-    let counts =
-        if arguments.training_trials.is_empty() { vec![most] } else { arguments.training_trials.clone() };
-    if let Some(found) = counts.iter().find(|count| !(1..=most).contains(*count)) {
-        return Err(format!("--training-trials {found}: expected from 1 to {most} trials").into());
-    }
-    let mut jobs = Vec::new();
-    for held_out in folds {
-        for &training_trials in &counts {
-            for candidate in &candidates {
-                let seeds = if candidate.is_random() { &arguments.seeds[..] } else { &[0] };
-                jobs.extend(seeds.iter().map(|&seed| Job {
-                    candidate: candidate.clone(),
-                    held_out,
-                    training_trials,
-                    seed,
-                }));
-            }
+    let plan = Plan {
+        models: models(&arguments.models)?,
+        latent: arguments.latent,
+        order: arguments.order,
+        max_iterations: arguments.max_iterations,
+        ips: arguments.ips.clone(),
+        primitives: primitives(&arguments.primitives)?,
+        bases: arguments.bases.clone(),
+        balanced: arguments.balanced,
+        held_out: folds(&arguments.folds, trials)?,
+        seeds: arguments.seeds.clone(),
+        training_trials: arguments.training_trials.clone(),
+        growth: false,
+    };
+    plan.jobs(trials).map_err(|error| match error {
+        PlanError::TrainingTrials { most, found } => {
+            format!("--training-trials {found}: expected from 1 to {most} trials").into()
         }
-    }
-    Ok(jobs)
+        error => error.into(),
+    })
 }
 
+/// The trials held out, counted from 1; none named: each in turn.
 fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     if asked == "all" {
-        return Ok((1..=trials).collect());
+        return Ok(Vec::new());
     }
     let number = |word: &str| word.trim().parse().ok().filter(|n| (1..=trials).contains(n));
     asked.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
@@ -230,57 +225,26 @@ fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     })
 }
 
-fn candidates(arguments: &Arguments) -> Result<Vec<ModelSettings>, Box<dyn Error>> {
-    let kinds = if arguments.models == "all" {
-        ModelKind::ALL.to_vec()
-    } else {
-        let kind = |word: &str| {
-            ModelKind::from_id(word.trim()).ok_or_else(|| {
-                let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
-                format!("--models {word}: expected all, or some of {}", known.join(", "))
-            })
-        };
-        arguments.models.split(',').map(kind).collect::<Result<_, _>>()?
-    };
-    let (latent, order, max_iterations) = (arguments.latent, arguments.order, arguments.max_iterations);
-    let gpdm = |ips: &usize| VariationalSettings {
-        latent,
-        order,
-        dynamics_ips: *ips,
-        pose_ips: *ips,
-        max_iterations,
-    };
-    let point = || MapSettings { latent, order, max_iterations, balanced: arguments.balanced };
-    let mut candidates = Vec::new();
-    for kind in kinds {
-        match kind {
-            ModelKind::Vcgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(ModelSettings::Vcgpdm)),
-            ModelKind::Vgpdm => candidates.extend(arguments.ips.iter().map(gpdm).map(ModelSettings::Vgpdm)),
-            ModelKind::MapGpdm => candidates.push(ModelSettings::MapGpdm(point())),
-            ModelKind::MapCgpdm => candidates.push(ModelSettings::MapCgpdm(point())),
-            ModelKind::Tmp => {
-                for word in &arguments.primitives {
-                    let primitives = match (word.trim(), word.trim().parse()) {
-                        ("bound", _) => None,
-                        (_, Ok(count)) => Some(count),
-                        _ => return Err(format!("--primitives {word}: expected bound, or a number").into()),
-                    };
-                    candidates.push(ModelSettings::Tmp(TmpSettings { primitives }));
-                }
-            }
-            ModelKind::DmpDiscrete => {
-                candidates.extend(
-                    arguments.bases.iter().map(|&bases| ModelSettings::DmpDiscrete(DmpSettings { bases })),
-                );
-            }
-            ModelKind::DmpRhythmic => {
-                candidates.extend(
-                    arguments.bases.iter().map(|&bases| ModelSettings::DmpRhythmic(DmpSettings { bases })),
-                );
-            }
-        }
+fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
+    if asked == "all" {
+        return Ok(ModelKind::ALL.to_vec());
     }
-    Ok(candidates)
+    let kind = |word: &str| {
+        ModelKind::from_id(word.trim()).ok_or_else(|| {
+            let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+            format!("--models {word}: expected all, or some of {}", known.join(", ")).into()
+        })
+    };
+    asked.split(',').map(kind).collect()
+}
+
+fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
+    let number = |word: &String| match (word.trim(), word.trim().parse()) {
+        ("bound", _) => Ok(None),
+        (_, Ok(count)) => Ok(Some(count)),
+        _ => Err(format!("--primitives {word}: expected bound, or a number").into()),
+    };
+    asked.iter().map(number).collect()
 }
 
 /// The places of the jobs that `--job K of N` asks for: every N-th, so that all shares take about as long.

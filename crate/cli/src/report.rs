@@ -20,7 +20,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         results.merge(results::read(path)?).map_err(|error| files::about(path, &error))?;
     }
     let mut text = String::new();
-    let setting = &results.setting;
+    let setting = results.setting();
     let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
     writeln!(
         text,
@@ -40,10 +40,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 /// Mean and standard error.
-fn spread(of: &Spread, digits: usize) -> String {
-    match of.standard_error {
-        Some(error) => format!("{:.digits$} ± {error:.digits$}", of.mean),
-        None => format!("{:.digits$}", of.mean),
+fn spread(spread: &Spread, digits: usize) -> String {
+    match spread.standard_error {
+        Some(error) => format!("{:.digits$} ± {error:.digits$}", spread.mean),
+        None => format!("{:.digits$}", spread.mean),
     }
 }
 
@@ -58,7 +58,7 @@ fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         writeln!(
             text,
             "| {} | {} | {} | {:.5} | {:.0} % | {} | {} | {:.0} | {} | {} |",
-            s.model,
+            s.model.id(),
             s.label,
             spread(&s.mse, 5),
             s.mse_median,
@@ -80,7 +80,7 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
     writeln!(text, "| model | settings compared | rank correlation of bound and MSE |\n|---|---|---|")?;
     for c in &comparison.correlations {
         let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
-        writeln!(text, "| {}{comma}{label} | {} | {:.2} |", c.model, c.settings, c.rank)?;
+        writeln!(text, "| {}{comma}{label} | {} | {:.2} |", c.model.id(), c.settings, c.rank)?;
     }
     writeln!(text)
 }
@@ -94,7 +94,7 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         let list: Vec<String> =
             g.points.iter().map(|p| format!("{:.0}: {:.2}", p.frames, 1e3 * p.seconds)).collect();
         let exponent = g.exponent.map_or(String::new(), |e| format!("{e:.2}"));
-        writeln!(text, "| {} | {} | {} | {exponent} |", g.model, g.label, list.join(", "))?;
+        writeln!(text, "| {} | {} | {} | {exponent} |", g.model.id(), g.label, list.join(", "))?;
     }
     writeln!(text)
 }
@@ -106,7 +106,7 @@ fn one_line(text: &str) -> String {
 
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     let labels = Labels::of(results);
-    for f in results.finished.iter().filter(|f| f.failure.is_some()) {
+    for f in results.finished().iter().filter(|f| f.failure.is_some()) {
         let (job, why) = (&f.job, one_line(f.failure.as_deref().unwrap_or_default()));
         let (kind, label) = (job.candidate.kind().id(), labels.label(&job.candidate));
         writeln!(

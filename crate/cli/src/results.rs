@@ -11,11 +11,7 @@ type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// Reads a file.
 pub fn read(path: &Path) -> Result<Results> {
-    let text = files::read_text(path)?;
-    let results: Results = serde_json::from_str(&text)
-        .map_err(|error| format!("{}: expected the results of an evaluation: {error}", path.display()))?;
-    results.check().map_err(|error| files::about(path, &error))?;
-    Ok(results)
+    Results::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
 }
 
 /// The file, to which finished jobs are added.
@@ -60,11 +56,11 @@ impl Store {
     pub fn add(&mut self, finished: Finished) -> Result<()> {
         let _lock = self.lock()?;
         self.take_over()?;
-        self.results.add(finished);
+        self.results.add(finished)?;
         // A new file takes the old one's place at once: nobody ever sees half of it. Its name is this process's own, so that a disk
         // that cannot lock does not mix two processes' texts.
         let new = self.beside(&format!("{}.new", std::process::id()));
-        files::write_text(&new, &(serde_json::to_string(&self.results)? + "\n"))?;
+        files::write_text(&new, &(self.results.to_json()? + "\n"))?;
         fs::rename(&new, &self.path).map_err(|error| files::about(&self.path, &error))
     }
 
@@ -86,17 +82,13 @@ mod tests {
 
     fn setting() -> Setting {
         let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();
-        Setting::new(&clips, &[], 30.0)
+        Setting::new(&clips, &[], 30.0).unwrap()
     }
 
     fn finished(seed: u32) -> Finished {
-        let job = Job {
-            candidate: ModelSettings::Tmp(TmpSettings { primitives: None }),
-            held_out: 1,
-            training_trials: 1,
-            seed,
-        };
-        Finished { job, engine: String::new(), outcome: None, failure: Some("a test".to_owned()) }
+        let candidate = ModelSettings::Tmp(TmpSettings { primitives: None });
+        let job = Job { candidate, held_out: 1, training_trials: 1, seed };
+        Finished::new(job, Err("a test".to_owned()))
     }
 
     /// A folder that is there for one test.
@@ -122,7 +114,7 @@ mod tests {
                 });
             }
         });
-        assert_eq!(read(&path).unwrap().finished.len(), 80);
+        assert_eq!(read(&path).unwrap().finished().len(), 80);
         let mut left: Vec<_> = fs::read_dir(&folder).unwrap().map(|e| e.unwrap().file_name()).collect();
         left.sort();
         assert_eq!(left, ["results.json", "results.json.lock"]);

@@ -4,7 +4,7 @@ use js_sys::Reflect;
 use std::fmt::Display;
 use vcgpdm::document::DocumentError;
 #[cfg(feature = "comparison")]
-use vcgpdm::evaluation::{EvaluationError, ResultsError};
+use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
@@ -138,7 +138,11 @@ about! {
 }
 
 #[cfg(feature = "comparison")]
-about! { ResultsError => Results }
+about! {
+    PlanError => Comparison,
+    ResultsError => Results,
+    SettingError => Comparison,
+}
 
 impl LibraryError for TrainingError {
     fn code(&self) -> ErrorCode {

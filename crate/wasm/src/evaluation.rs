@@ -5,8 +5,8 @@ use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::evaluation::{Candidate, Fold as HeldOut};
-use vcgpdm::models::{Learner, LearningProgress, MovementModel};
+use vcgpdm::evaluation::Fold as HeldOut;
+use vcgpdm::models::{Learner, LearningProgress, ModelSettings, MovementModel};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -167,7 +167,7 @@ impl Evaluation {
         #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
         seed: u32,
     ) -> Result<Evaluation, VcgpdmError> {
-        let candidate: Candidate = from_js(ErrorCode::Settings, "candidate", &candidate)?;
+        let candidate: ModelSettings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed)?;
         Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })
     }

@@ -13,6 +13,8 @@ mod error;
 #[cfg(feature = "comparison")]
 mod evaluation;
 mod model;
+#[cfg(feature = "comparison")]
+mod results;
 mod rollout;
 mod settings;
 #[cfg(feature = "comparison")]

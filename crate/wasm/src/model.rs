@@ -117,6 +117,7 @@ impl<'a> ModelInfo<'a> {
                 settings: TrainingSettings {
                     parts: specs.to_vec(),
                     frames_per_second: made.frames_per_second,
+                    seed: made.seed,
                     variational: made.settings.clone(),
                 },
                 bound: made.bound,

@@ -1,7 +1,7 @@
 //! What a training is asked to do.
 
 use serde::{Deserialize, Serialize};
-use vcgpdm::models::variational::TrainingSettings as VariationalSettings;
+use vcgpdm::models::VariationalSettings;
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -34,6 +34,8 @@ pub struct TrainingSettings {
     pub parts: Vec<PartSpec>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
+    /// The seed of everything random.
+    pub seed: u32,
     /// The model's own.
     #[serde(flatten)]
     pub variational: VariationalSettings,

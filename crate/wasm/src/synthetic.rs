@@ -3,7 +3,7 @@
 use crate::convert::{flat, rows, to_js};
 use crate::error::VcgpdmError;
 use serde::Serialize;
-use vcgpdm::models::variational::LARGEST_COUPLING;
+use vcgpdm::models::LARGEST_ALPHA;
 use vcgpdm::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
 use wasm_bindgen::prelude::*;
 
@@ -111,7 +111,7 @@ impl SyntheticExperiment {
     #[wasm_bindgen(constructor)]
     pub fn new(seed: u32, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
         let data = Synthetic::draw(seed, if driving { DRIVE } else { 0.0 })?;
-        Ok(SyntheticExperiment { experiment: Experiment::new(data, Synthetic::settings(seed))? })
+        Ok(SyntheticExperiment { experiment: Experiment::new(data, &Synthetic::settings(), seed)? })
     }
 
     /// The data, and the truth about them.
@@ -128,7 +128,7 @@ impl SyntheticExperiment {
             noise: NOISE_VARIANCE,
             much: MUCH,
             alike: ALIKE,
-            largest_alpha: LARGEST_COUPLING,
+            largest_alpha: LARGEST_ALPHA,
         })
     }
 

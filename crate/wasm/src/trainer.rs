@@ -66,12 +66,12 @@ impl Trainer {
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "TrainingSettings")] settings: JsValue,
     ) -> Result<Trainer, VcgpdmError> {
-        let TrainingSettings { parts, frames_per_second, variational } =
+        let TrainingSettings { parts, frames_per_second, seed, variational } =
             from_js(ErrorCode::Settings, "settings", &settings)?;
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
         let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
-        let training = Training::new(dataset.y.clone(), dataset.lengths(), variational)
+        let training = Training::new(dataset.y.clone(), dataset.lengths(), &variational, seed)
             .map_err(|reason| dataset.refusal(reason))?;
         Ok(Trainer { dataset, training, frames_per_second })
     }

@@ -1,23 +1,12 @@
 //! The claims of Velychko et al. (2017, 2018) about the models, held against results.
 
-use crate::evaluation::comparison::{Growth, correlation};
+use crate::evaluation::correlation::correlation;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
+use crate::evaluation::summary::{Claim, Growth};
 use crate::models::ModelKind::{MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
 use crate::models::{ModelKind, ModelSettings};
-use serde::Serialize;
 use std::collections::BTreeSet;
-
-/// What the papers say, and what these results say to it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Claim {
-    /// The claim and its year.
-    pub claim: String,
-    /// What was found.
-    pub found: String,
-    /// Whether that agrees.
-    pub holds: bool,
-}
 
 fn is_balanced(candidate: &ModelSettings) -> bool {
     matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced)
@@ -48,9 +37,9 @@ fn contender<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Op
 /// The plain or balanced settings of a kind that differ in size alone: of several such groups the one with most results, of
 /// equally many the first.
 fn settings<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Vec<&'a Row<'r>> {
-    let of = |row: &&Row| row.candidate.kind() == kind && is_balanced(row.candidate) == balanced;
+    let chosen = |row: &&Row| row.candidate.kind() == kind && is_balanced(row.candidate) == balanced;
     let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
-    groups(rows.iter().filter(of)).into_iter().rev().max_by_key(runs).unwrap_or_default()
+    groups(rows.iter().filter(chosen)).into_iter().rev().max_by_key(runs).unwrap_or_default()
 }
 
 /// The one with the least error over these folds, and that.
@@ -138,11 +127,12 @@ pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &La
     for Contender { settings, .. } in several() {
         if let Some(c) = correlation(settings, String::new(), labels) {
             let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
-            let found = format!("{} over {} settings: {:.2}{}", c.model, c.settings, c.rank, over(c.folds));
+            let found =
+                format!("{} over {} settings: {:.2}{}", c.model.id(), c.settings, c.rank, over(c.folds));
             say(claim, found, c.rank < -0.5);
         }
     }
-    let exponent = |kind: ModelKind| growth.iter().find(|g| g.model == kind.id()).and_then(|g| g.exponent);
+    let exponent = |kind: ModelKind| growth.iter().find(|g| g.model == kind).and_then(|g| g.exponent);
     if let Some(e) = exponent(Vcgpdm) {
         let claim =
             "The vCGPDM's learning time grows about linearly with the frames: exponent below 1.1 (2017)";

@@ -1,5 +1,6 @@
 //! What candidates are called beside others of their kind.
 
+use crate::evaluation::candidate_words::{Common, balance, common, size};
 use crate::evaluation::results::Results;
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::HashMap;
@@ -7,16 +8,6 @@ use std::collections::HashMap;
 /// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
 pub struct Labels {
     varying: HashMap<ModelKind, Varying>,
-}
-
-/// The settings of a GPDM besides its size.
-#[derive(Clone, Copy, PartialEq)]
-struct Common {
-    latent: usize,
-    order: usize,
-    max_iterations: usize,
-    /// Of the variational models: false.
-    balanced: bool,
 }
 
 /// In what the candidates of a kind differ.
@@ -28,44 +19,12 @@ struct Varying {
     balanced: bool,
 }
 
-fn common(candidate: &ModelSettings) -> Option<Common> {
-    match *candidate {
-        ModelSettings::Vcgpdm(ref s) | ModelSettings::Vgpdm(ref s) => Some(Common {
-            latent: s.latent,
-            order: s.order,
-            max_iterations: s.max_iterations,
-            balanced: false,
-        }),
-        ModelSettings::MapGpdm(ref s) | ModelSettings::MapCgpdm(ref s) => Some(Common {
-            latent: s.latent,
-            order: s.order,
-            max_iterations: s.max_iterations,
-            balanced: s.balanced,
-        }),
-        ModelSettings::Tmp(_) | ModelSettings::DmpDiscrete(_) | ModelSettings::DmpRhythmic(_) => None,
-    }
-}
-
-fn size(candidate: &ModelSettings) -> Option<String> {
-    match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
-            Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
-        }
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
-        ModelSettings::Tmp(s) => Some(match s.primitives {
-            None => "primitives by the bound".to_owned(),
-            Some(count) => format!("{count} primitives"),
-        }),
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(format!("{} bases", s.bases)),
-    }
-}
-
 impl Labels {
     /// For all candidates of these results.
     pub fn of(results: &Results) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
-        for candidate in results.finished.iter().map(|finished| &finished.job.candidate) {
+        for candidate in results.finished().iter().map(|finished| &finished.job.candidate) {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
             let differ = varying.entry(candidate.kind()).or_default();
@@ -94,16 +53,13 @@ impl Labels {
     fn others(&self, candidate: &ModelSettings) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
-        let balance = match settings.balanced {
-            // Not what the papers do: said even where all are.
-            true => Some("balanced"),
-            false => differ.balanced.then_some("not balanced"),
-        };
+        // Balanced is not what the papers do: it is said even where all are.
+        let balanced = settings.balanced.filter(|balanced| *balanced || differ.balanced);
         [
             differ.latent.then(|| format!("Q = {}", settings.latent)),
             differ.order.then(|| format!("order {}", settings.order)),
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
-            balance.map(str::to_owned),
+            balanced.map(|balanced| balance(balanced).to_owned()),
         ]
         .into_iter()
         .flatten()
@@ -114,7 +70,8 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::results::{Finished, Job, Setting};
+    use crate::evaluation::job::{Finished, Job};
+    use crate::evaluation::testing::setting;
     use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
 
     fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
@@ -126,12 +83,10 @@ mod tests {
     }
 
     fn labels(candidates: &[ModelSettings]) -> Vec<String> {
-        let setting = Setting { trials: vec![], parts: vec![], frames_per_second: 30.0, start_frames: 5 };
-        let mut results = Results::new(setting);
+        let mut results = Results::new(setting(2));
         for candidate in candidates {
             let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
-            let failure = Some("a test".to_owned());
-            results.finished.push(Finished { job, engine: String::new(), outcome: None, failure });
+            results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
         }
         let labels = Labels::of(&results);
         candidates.iter().map(|candidate| labels.label(candidate)).collect()

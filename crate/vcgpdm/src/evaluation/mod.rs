@@ -1,17 +1,33 @@
-//! How well models predict: scores of a motion against another one, cross-validation over trials, and their statistics.
+//! How well models predict: one model trained and scored in one fold, the jobs of a comparison, their results, and what these
+//! say.
+//!
+//! A [`Plan`] asks for jobs, a [`Fold`] trains and scores a candidate, [`Results`] keep the outcomes, and a [`Comparison`] says
+//! what they mean.
 
+mod candidate_words;
 mod claims;
 mod comparison;
+mod correlation;
 mod cross_validation;
 mod dtw;
+mod growth;
+mod job;
 mod labels;
+mod plan;
 mod results;
 mod rows;
+mod setting;
 pub mod stats;
+mod summary;
+#[cfg(test)]
+mod testing;
 
-pub use claims::Claim;
-pub use comparison::{BoundAndError, Comparison, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
+pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
 pub use dtw::{Score, ScoreError, dtw_mse};
+pub use job::{Finished, Job};
 pub use labels::Labels;
-pub use results::{Finished, Job, Results, ResultsError, ResultsPart, Setting, Trial};
+pub use plan::{Plan, PlanError};
+pub use results::{PlannedJob, Results, ResultsError};
+pub use setting::{Setting, SettingError, Trial};
+pub use summary::{BoundAndError, Claim, Correlation, FramesAndTime, Growth, ModelSummary, Spread};

@@ -1,9 +1,9 @@
 //! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them have.
 
-use crate::evaluation::comparison::{ModelSummary, Spread};
 use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
+use crate::evaluation::summary::{ModelSummary, Spread};
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,9 +16,9 @@ pub(super) struct Row<'a> {
 
 /// Candidates that were trained on all other trials, in the order of tables.
 pub(super) fn rows(results: &Results) -> Vec<Row<'_>> {
-    let all = results.setting.trials.len().saturating_sub(1);
+    let others = results.setting().trials.len().saturating_sub(1);
     let mut rows: Vec<Row> = Vec::new();
-    for finished in results.finished.iter().filter(|f| f.job.training_trials == all) {
+    for finished in results.finished().iter().filter(|f| f.job.training_trials == others) {
         let Some(outcome) = &finished.outcome else { continue };
         let candidate = &finished.job.candidate;
         let place = rows.iter().position(|row| row.candidate == candidate).unwrap_or_else(|| {
@@ -36,7 +36,7 @@ pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
     rows.iter().map(|row| row.folds()).reduce(|a, b| &a & &b).unwrap_or_default()
 }
 
-/// Together those that differ in their size alone, in the order in which they come.
+/// Puts together the rows that differ in their size alone, in the order in which they come.
 pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
     let mut groups: Vec<(ModelSettings, Vec<&Row>)> = Vec::new();
     for row in rows {
@@ -98,7 +98,7 @@ impl Row<'_> {
             })
         };
         Some(ModelSummary {
-            model: self.candidate.kind().id().to_owned(),
+            model: self.candidate.kind(),
             candidate: self.candidate.clone(),
             label,
             mse: spread(&|o| Some(o.score.dtw_mse))?,

@@ -1,7 +1,10 @@
 //! The kinds of models that can be compared.
 
+use serde::{Deserialize, Serialize};
+
 /// The kinds of models that can be compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ModelKind {
     /// Variational coupled GPDM, two parts or more (Velychko et al. 2018).
     Vcgpdm,
@@ -49,6 +52,11 @@ impl ModelKind {
         Self::ALL.into_iter().find(|kind| kind.id() == id)
     }
 
+    /// Whether it couples the parts of a body.
+    pub fn is_coupled(self) -> bool {
+        matches!(self, ModelKind::Vcgpdm | ModelKind::MapCgpdm)
+    }
+
     /// Whether training begins with random numbers, so that another seed gives another model.
     pub fn is_random(self) -> bool {
         match self {
@@ -66,6 +74,7 @@ mod tests {
     fn ids_name_their_kind() {
         for kind in ModelKind::ALL {
             assert_eq!(ModelKind::from_id(kind.id()), Some(kind));
+            assert_eq!(serde_json::to_string(&kind).unwrap(), format!("\"{}\"", kind.id()));
         }
         assert_eq!(ModelKind::from_id("gplvm"), None);
     }

@@ -34,7 +34,7 @@ pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
 pub use flat::{Group, Kind, Parameters};
 pub use kind::ModelKind;
 pub use learner::{Learner, LearningProgress, MovementModel};
-pub use motion_model::{MotionModel, Provenance, Rollout, RolloutRequest};
+pub use motion_model::{ENGINE, MotionModel, Provenance, Rollout, RolloutRequest};
 pub use movements::{Movements, Sequence};
 pub use period::{Period, period};
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};

@@ -12,8 +12,8 @@ use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 
-/// What a document says wrote it.
-pub(crate) const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
+/// The program and its version, as documents and results name what made them.
+pub const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
 
 /// How a model was made.
 #[derive(Clone, Debug, PartialEq)]

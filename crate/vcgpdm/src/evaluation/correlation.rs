@@ -1,0 +1,35 @@
+//! Bound against error over the sizes of a kind of model: figure 6B of Velychko et al. (2018).
+
+use crate::evaluation::labels::Labels;
+use crate::evaluation::rows::{Row, common_folds, groups};
+use crate::evaluation::stats::rank_correlation;
+use crate::evaluation::summary::{BoundAndError, Correlation};
+use crate::models::ModelKind;
+
+/// For every kind of model and all settings but its size.
+pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
+    let mut correlations = Vec::new();
+    for kind in ModelKind::ALL {
+        let groups = groups(rows.iter().filter(|row| row.candidate.kind() == kind));
+        let several = groups.len() > 1;
+        for group in &groups {
+            let label = if several { labels.besides_size(group[0].candidate) } else { String::new() };
+            correlations.extend(correlation(group, label, labels));
+        }
+    }
+    correlations
+}
+
+/// Over the folds that all of these candidates of a kind have; absent for fewer than three.
+pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Option<Correlation> {
+    let folds = common_folds(rows);
+    let point = |row: &&Row| {
+        let (bound, mse) = (row.bound(&folds)?, row.mse(&folds)?);
+        Some(BoundAndError { label: labels.label(row.candidate), bound, mse })
+    };
+    let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
+    let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
+    let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
+    let model = rows[0].candidate.kind();
+    Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, points })
+}

@@ -1,0 +1,56 @@
+//! How learning time grows with the frames: figure 2 of the supplement of Velychko et al. (2017).
+
+use crate::evaluation::cross_validation::Outcome;
+use crate::evaluation::job::Finished;
+use crate::evaluation::labels::Labels;
+use crate::evaluation::results::Results;
+use crate::evaluation::stats::{exponent, mean};
+use crate::evaluation::summary::{FramesAndTime, Growth};
+use crate::models::{ModelKind, ModelSettings};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
+type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
+
+/// For each kind the candidate that was trained on most numbers of trials; only folds that all of these numbers have are
+/// compared.
+pub(super) fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
+    let mut courses: Vec<(&ModelSettings, Course)> = Vec::new();
+    for Finished { job, outcome, .. } in results.finished() {
+        let Some(outcome) = outcome else { continue };
+        let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
+            courses.push((&job.candidate, Course::new()));
+            courses.len() - 1
+        });
+        courses[place].1.entry(job.training_trials).or_default().push((job.held_out, outcome));
+    }
+    let growth = |kind: ModelKind| {
+        let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
+        let (candidate, course) = of_kind.max_by_key(|(_, course)| course.len())?;
+        let points = points(course);
+        let pairs: Vec<(f64, f64)> =
+            points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
+        (points.len() > 2).then(|| Growth {
+            model: kind,
+            label: labels.label(candidate),
+            points,
+            exponent: exponent(&pairs),
+        })
+    };
+    ModelKind::ALL.into_iter().filter_map(growth).collect()
+}
+
+/// Mean frames and seconds for each number of trials, over the folds that all of them have.
+fn points(course: &Course) -> Vec<FramesAndTime> {
+    let folds = |outcomes: &Vec<(usize, &Outcome)>| -> BTreeSet<usize> {
+        outcomes.iter().map(|(fold, _)| *fold).collect()
+    };
+    let common = course.values().map(folds).reduce(|a, b| &a & &b).unwrap_or_default();
+    let point = |outcomes: &Vec<(usize, &Outcome)>| {
+        let shared = outcomes.iter().filter(|(fold, _)| common.contains(fold));
+        let (frames, seconds): (Vec<f64>, Vec<f64>) =
+            shared.map(|(_, o)| (o.frames as f64, o.seconds / o.iterations.max(1) as f64)).unzip();
+        (!frames.is_empty()).then(|| FramesAndTime { frames: mean(&frames), seconds: mean(&seconds) })
+    };
+    course.values().filter_map(point).collect()
+}

@@ -1,0 +1,119 @@
+// What the package throws: errors of one name, with a code that a program can tell apart and words that a person understands.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { readDeclarations } from "./declarations.mjs";
+import { installPackage } from "./package.mjs";
+
+/** @type {Awaited<ReturnType<typeof installPackage>>} */
+let installed;
+before(async () => {
+  installed = await installPackage();
+});
+after(() => installed?.remove());
+
+it("errors have a name, a code of the declared ones, and words", () => {
+  const { Clip, Evaluation, Fold, Model, Results, SyntheticExperiment, Trainer, TrainingSet } = installed.vcgpdm;
+  const clip = Clip.sample("walk-1").cut(0, 60);
+  const set = (/** @type {InstanceType<typeof Clip>[]} */ ...clips) => {
+    const set = new TrainingSet();
+    for (const clip of clips) set.add(clip);
+    return set;
+  };
+  const clips = set(clip, Clip.sample("walk-2"));
+  const { parts, presets } = { parts: [{ name: "body", joints: [0] }], presets: clip.info().presets };
+  const whole = presets.find(({ id }) => id === "whole")?.parts ?? [];
+  const settings = {
+    parts: whole,
+    latent: 1,
+    dynamicsIps: 3,
+    poseIps: 3,
+    order: 1,
+    framesPerSecond: 15,
+    seed: 1,
+    maxIterations: 1,
+  };
+  const model = new Trainer(clips, settings).model();
+  const common = { parts: whole, framesPerSecond: 15 };
+  const results = Results.empty(clips, common);
+  const others = Results.empty(set(clip, Clip.sample("walk-3")), common);
+  const other =
+    "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n";
+  const bytes = new TextEncoder().encode(other);
+
+  /** @type {[string, () => unknown, RegExp][]} */
+  const cases = [
+    ["clip", () => Clip.read("no.bvh", new Uint8Array()), /^no\.bvh/],
+    ["clip", () => Clip.sample("run-1"), /expected the id of a sample clip, found "run-1"/],
+    ["clip", () => clip.cut(5, 5), /expected frames from 0 to 60/],
+    ["clips", () => new Trainer(new TrainingSet(), settings), /expected at least one clip/],
+    ["clips", () => clips.add(Clip.read("other.bvh", bytes)), /other\.bvh cannot be trained together with/],
+    ["parts", () => new Trainer(clips, { ...settings, parts: [] }), /expected at least one part/],
+    ["parts", () => new Trainer(clips, { ...settings, parts }), /./],
+    ["settings", () => new Trainer(clips, { ...settings, latent: 0 }), /the latent dimension must be from 1 to 100/],
+    [
+      "settings",
+      () => new Trainer(clips, /** @type {any} */ ({ ...settings, latent: "3" })),
+      /^settings: invalid type: string/,
+    ],
+    [
+      "settings",
+      () => new Evaluation(new Fold(clips, common, 1, 1), /** @type {any} */ ({ model: "gplvm" }), 0),
+      /^candidate: unknown variant `gplvm`/,
+    ],
+    ["training", () => new Trainer(set(clip.cut(0, 2)), { ...settings, order: 9 }), /./],
+    ["model", () => Model.fromJson("{}"), /./],
+    ["model", () => model.poseIps(1), /expected a part from 0 to 0, found 1/],
+    ["model", () => model.poseIpWeights(0, 3, new Float64Array(1)), /expected an inducing point from 0 to 2, found 3/],
+    ["rollout", () => model.rollout({ frames: 0, sequence: 0 }), /expected from 1 to \d+ frames, found 0/],
+    ["rollout", () => model.rollout({ frames: 5, sequence: 0, alpha: [[0]] }), /expected a positive coupling variance/],
+    [
+      "rollout",
+      () => model.rollout({ frames: 5, sequence: 0, alpha: [[1], [1, 2]] }),
+      /^rollout: expected rows of 1 numbers/,
+    ],
+    [
+      "rollout",
+      () => model.rollout(/** @type {any} */ ({ frames: 5, sequence: 0, reading: "guessed" })),
+      /^rollout: unknown variant `guessed`/,
+    ],
+    ["comparison", () => new Fold(clips, common, 3, 1), /expected a trial from 1 to 2 to hold out/],
+    ["comparison", () => new Fold(clips, common, 1, 2), /expected from 1 to 1 trials to train on, found 2/],
+    ["comparison", () => Results.empty(set(clip), common), /expected at least two trials, found 1/],
+    ["results", () => Results.fromJson("{}"), /^expected the results of an evaluation: missing field `format`/],
+    ["results", () => results.merge(others), /^these results are of other trials/],
+    ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
+  ];
+  const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/node/vcgpdm.d.ts"), "utf8")).types.get("ErrorCode");
+  assert.ok(declared?.kind === "union");
+  const codes = declared.options.map((option) => (option.kind === "literal" ? option.value : ""));
+  for (const [code, call, words] of cases) {
+    assert.ok(codes.includes(code), code);
+    assert.throws(call, (/** @type {any} */ error) => {
+      assert.ok(error instanceof Error && error.name === "VcgpdmError", `${error}`);
+      assert.match(error.message, words);
+      assert.equal(/** @type {any} */ (error).code, code, error.message);
+      return true;
+    });
+  }
+  assert.deepEqual(
+    codes.filter((code) => !cases.some(([thrown]) => thrown === code)),
+    [],
+  );
+});
+
+it("names in snake_case are refused with the name to write", () => {
+  const { Clip, Results, TrainingSet } = installed.vcgpdm;
+  const clips = new TrainingSet();
+  clips.add(Clip.sample("walk-1"));
+  clips.add(Clip.sample("walk-2"));
+  const odd = /** @type {any} */ ({ parts: [], frames_per_second: 15 });
+  assert.throws(() => Results.empty(clips, odd), {
+    message: "settings: expected fields in camelCase, found `frames_per_second`; write `framesPerSecond`",
+  });
+  const strange = /** @type {any} */ ({ parts: [], framesPerSecond: 15, startFrames: 5 });
+  assert.throws(() => Results.empty(clips, strange), {
+    message: "settings: unknown field `startFrames`, expected `parts` or `framesPerSecond`",
+  });
+});

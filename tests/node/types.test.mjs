@@ -1,0 +1,207 @@
+// The declared types against real values: the same fields, the same kinds of values, closed unions that hold them all.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { differences, readDeclarations } from "./declarations.mjs";
+import { installPackage } from "./package.mjs";
+
+/** @type {Awaited<ReturnType<typeof installPackage>>} */
+let installed;
+before(async () => {
+  installed = await installPackage();
+});
+after(() => installed?.remove());
+
+const declared = (/** @type {string} */ folder) =>
+  readDeclarations(readFileSync(at("crate/wasm/pkg", folder, "vcgpdm.d.ts"), "utf8"));
+
+/** Two short walks of a body in two parts, and what holds a trained model of them. */
+function walks() {
+  const { Clip, TrainingSet } = installed.vcgpdm;
+  const clip = Clip.sample("walk-1").cut(0, 50);
+  const clips = new TrainingSet();
+  for (const walk of [clip, Clip.sample("walk-2").cut(0, 50), Clip.sample("walk-3")]) clips.add(walk);
+  const parts = clip.info().presets.find(({ id }) => id === "lower-upper")?.parts ?? [];
+  return { clip, clips, parts };
+}
+
+/** @type {import("vcgpdm").Candidate[]} */
+const CANDIDATES = [
+  { model: "vcgpdm", latent: 2, order: 2, dynamicsIps: 4, poseIps: 4, maxIterations: 2 },
+  { model: "vgpdm", latent: 2, order: 2, dynamicsIps: 4, poseIps: 4, maxIterations: 2 },
+  { model: "vgpdm", latent: 2, order: 2, dynamicsIps: 5, poseIps: 5, maxIterations: 2 },
+  { model: "vgpdm", latent: 2, order: 2, dynamicsIps: 6, poseIps: 6, maxIterations: 2 },
+  { model: "map-gpdm", latent: 2, order: 2, maxIterations: 2, balanced: false },
+  { model: "map-cgpdm", latent: 2, order: 2, maxIterations: 2, balanced: true },
+  { model: "tmp", primitives: 3 },
+  { model: "tmp", primitives: null },
+  { model: "dmp-discrete", bases: 5 },
+  { model: "dmp-rhythmic", bases: 5 },
+];
+
+describe("the declared types", () => {
+  it("are what the functions give", () => {
+    const { types, answers } = declared("node");
+    const seen = new Set();
+    /** Holds a value against what the function is declared to answer with. */
+    const hold = (/** @type {string} */ name, /** @type {unknown} */ value) => {
+      const type = answers.get(name);
+      assert.ok(type, `${name} is declared`);
+      assert.deepEqual(differences(types, type, value, name, seen), []);
+    };
+    const { Clip, Evaluation, Fold, Results, SyntheticExperiment, Trainer } = installed.vcgpdm;
+    hold("Clip.samples", Clip.samples());
+    const { clip, clips, parts } = walks();
+    hold("Clip.info", clip.info());
+
+    const settings = {
+      parts,
+      latent: 2,
+      dynamicsIps: 4,
+      poseIps: 4,
+      order: 2,
+      framesPerSecond: 15,
+      seed: 1,
+      maxIterations: 16,
+    };
+    const trainer = new Trainer(clips, settings);
+    const phases = new Set();
+    for (let done = false; !done; ) {
+      const progress = trainer.step();
+      hold("Trainer.step", progress);
+      phases.add(progress.phase);
+      done = progress.done;
+    }
+    assert.deepEqual([...phases], ["couplings-kernels-inducing-points", "everything"]);
+    const model = trainer.model();
+    hold("Model.info", model.info());
+    assert.deepEqual(model.info().provenance.settings, settings);
+    hold("Rollout.weights", model.rollout({ frames: 5, sequence: 0 }).weights());
+
+    const results = Results.empty(clips, { parts, framesPerSecond: 15 });
+    hold("Results.setting", results.setting());
+    for (const trainingTrials of [1, 2]) {
+      const fold = new Fold(clips, { parts, framesPerSecond: 15 }, 3, trainingTrials);
+      for (const candidate of CANDIDATES) {
+        const evaluation = new Evaluation(fold, candidate, 0);
+        for (let done = false; !done; ) {
+          const progress = evaluation.step();
+          hold("Evaluation.step", progress);
+          done = progress.done;
+        }
+        const outcome = evaluation.prediction().outcome(0.1);
+        hold("Prediction.outcome", outcome);
+        results.add({ candidate, heldOut: 3, trainingTrials, seed: 0 }, outcome);
+      }
+    }
+    // Growth is told from three numbers of trials on, and failures come from files.
+    const file = JSON.parse(results.toJson());
+    const [trial, first] = [file.setting.trials[2], file.finished[0]];
+    file.setting.trials.push({ ...trial, sha256: "another" });
+    file.finished.push({ ...first, job: { ...first.job, training_trials: 3 } });
+    file.finished.push({ ...first, job: { ...first.job, training_trials: 3, seed: 1 }, outcome: null, failure: "why" });
+    const more = Results.fromJson(JSON.stringify(file));
+    hold("Results.finished", more.finished());
+    const comparison = more.comparison();
+    assert.ok(
+      Object.values(comparison).every((list) => list.length > 0),
+      "each table has a row",
+    );
+    hold("Results.comparison", comparison);
+    hold("Results.jobs", more.jobs(plan()));
+
+    const experiment = new SyntheticExperiment(1, true);
+    hold("SyntheticExperiment.step", experiment.step());
+    hold("SyntheticExperiment.truth", experiment.truth());
+    hold("SyntheticExperiment.findings", experiment.findings());
+
+    const inputs = ["ComparisonSettings", "ErrorCode", "Plan", "Reading", "RolloutOptions", "VcgpdmError"];
+    const unseen = [...types.keys()].filter((name) => !seen.has(name));
+    assert.deepEqual(unseen.sort(), inputs, "every other type was held against a value");
+  });
+
+  it("ask for what the functions need", () => {
+    const { types } = declared("node");
+    const { clips, parts } = walks();
+    const { Fold, Model, Results, Trainer } = installed.vcgpdm;
+    const results = Results.empty(clips, { parts, framesPerSecond: 15 });
+    const settings = {
+      parts,
+      latent: 2,
+      dynamicsIps: 4,
+      poseIps: 4,
+      order: 2,
+      framesPerSecond: 15,
+      seed: 1,
+      maxIterations: 1,
+    };
+    const trainer = new Trainer(clips, settings);
+    const model = trainer.model();
+    /** @type {[string, object, (value: any) => unknown][]} */
+    const inputs = [
+      ["TrainingSettings", settings, (value) => new Trainer(clips, value)],
+      ["ComparisonSettings", { parts, framesPerSecond: 15 }, (value) => new Fold(clips, value, 1, 1)],
+      ["Plan", plan(), (value) => results.jobs(value)],
+      [
+        "RolloutOptions",
+        { frames: 5, sequence: 0, alpha: null, reading: "as learned" },
+        (value) => model.rollout(value),
+      ],
+    ];
+    for (const [name, value, use] of inputs) {
+      const type = types.get(name);
+      assert.ok(type?.kind === "object", name);
+      assert.deepEqual(differences(types, type, value, name), []);
+      use(value);
+      for (const [field, { optional }] of type.fields) {
+        const rest = Object.fromEntries(Object.entries(value).filter(([key]) => key !== field));
+        if (optional) use(rest);
+        else assert.throws(() => use(rest), new RegExp(`: missing field \`${field}\``), `${name} without ${field}`);
+      }
+    }
+    const reading = types.get("Reading");
+    assert.ok(reading?.kind === "union");
+    for (const option of reading.options)
+      model.rollout({ frames: 5, sequence: 0, reading: /** @type {any} */ (option).value });
+    assert.ok(Model.fromJson(model.toJson()));
+  });
+
+  it("are the same in the smaller build, as far as it goes", () => {
+    const [whole, small] = [declared("web"), declared("playground")];
+    assert.deepEqual(declared("node").types, whole.types);
+    for (const [name, type] of small.types) assert.deepEqual(type, whole.types.get(name), name);
+    for (const [name, type] of small.answers) assert.deepEqual(type, whole.answers.get(name), name);
+    const { types } = whole;
+    assert.deepEqual(
+      ["ModelInfo", "TrainingProgress", "Comparison", "SyntheticTruth"].map((name) => [
+        types.has(name),
+        small.types.has(name),
+      ]),
+      [
+        [true, true],
+        [true, true],
+        [true, false],
+        [true, false],
+      ],
+    );
+  });
+});
+
+/** @returns {import("vcgpdm").Plan} */
+function plan() {
+  return {
+    models: ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"],
+    latent: 2,
+    order: 2,
+    maxIterations: 2,
+    ips: [4, 5, 6],
+    primitives: [null, 3],
+    bases: [5],
+    balanced: false,
+    heldOut: [3],
+    seeds: [0, 1],
+    trainingTrials: [],
+    growth: true,
+  };
+}
