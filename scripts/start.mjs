@@ -10,7 +10,7 @@ await main(async () => {
   const dev = process.argv.includes("--dev");
   const port = Number(process.env.PORT ?? 5173);
   if (!Number.isInteger(port) || port < 0 || port > 65535)
-    throw new Failure(`PORT is to be a number from 0 to 65535, found "${process.env.PORT}"`);
+    throw new Failure(`PORT must be a number from 0 to 65535, found "${process.env.PORT}"`);
   await installTools();
   await build({ wasmOnly: dev });
   if (dev) return runModule("vite/bin/vite.js", "www", "--port", String(port));

@@ -1,10 +1,16 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
-import { at, env, Failure, filesUnder, main, run, runModule, seconds } from "./run.mjs";
+import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { weigh } from "./site.mjs";
-import { installTools } from "./tools.mjs";
+import { installTools, oldestRust } from "./tools.mjs";
 
 const deny = ["--", "-D", "warnings"];
+const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
+/** The wasm package is for wasm32 alone: it has steps of its own. */
+const NATIVE = ["--workspace", "--exclude", "vcgpdm-wasm"];
+
+const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
+const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
 const nodeTests = (/** @type {string} */ folder) =>
   run(
     process.execPath,
@@ -15,33 +21,64 @@ const nodeTests = (/** @type {string} */ folder) =>
     ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
   );
 
-/** @type {{ name: string, what: string, needs?: string, work: () => Promise<void> }[]} */
+/** A step may return a note. One that begins with "skipped: " says why this machine cannot do the step. */
+/** @type {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }[]} */
 const STEPS = [
-  { name: "format", what: "rustfmt", work: () => run("cargo", "fmt", "--all", "--check") },
-  {
-    name: "clippy",
-    what: "clippy, native",
-    work: () => run("cargo", "clippy", "--all-targets", "--all-features", ...deny),
-  },
-  {
-    name: "clippy-wasm",
-    what: "clippy, wasm32",
-    work: () =>
-      run("cargo", "clippy", "--lib", "--target", "wasm32-unknown-unknown", "--features", "comparison,speed", ...deny),
-  },
-  { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", "--all-features") },
+  { name: "format", what: "rustfmt and Biome", work: format },
+  { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
+  { name: "house", what: "the order of the rooms", work: () => nodeTests("house") },
+  // These share what they compile: clippy, the features and the documentation need no more than metadata.
+  { name: "clippy", what: "clippy, native", work: () => clippy(...NATIVE, "--all-targets", "--all-features") },
+  { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "comparison,speed") },
+  { name: "features", what: "each feature alone", work: features },
+  { name: "docs", what: "the documentation", work: docs },
+  { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
+  { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", ...NATIVE, "--all-features") },
   {
     name: "rust-wasm",
     what: "Rust tests in wasm, in Node",
-    work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate")),
+    work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate/wasm")),
   },
   { name: "build", what: "wasm package and page", work: build },
   { name: "sizes", what: "the budget of a visit", needs: "build", work: async () => weigh() },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
-  { name: "types", what: "TypeScript, strict", work: types },
+  { name: "types", what: "TypeScript, strict", needs: "build", work: types },
   { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
   { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e") },
 ];
+
+async function format() {
+  await run("cargo", "fmt", "--all", "--check");
+  await biome("format");
+}
+
+/** With all features on, code that only compiles beside another feature's would go unseen. `speed` is the library's only one. */
+async function features() {
+  await clippy(...NATIVE, "--all-targets");
+  await clippy(...WASM);
+  for (const feature of ["comparison", "speed"]) await clippy(...WASM, "--features", feature);
+}
+
+/** With the examples, because the packages then are those of clippy, compiled already. */
+async function docs() {
+  const what = ["doc", "--no-deps", "--all-features", "--config", 'build.rustdocflags = ["-D", "warnings"]'];
+  await run("cargo", ...what, ...NATIVE, "--lib", "--bins", "--examples");
+  await run("cargo", ...what, ...WASM);
+}
+
+/** Tests and examples may ask for more: the promise is for those who use the library or the program. */
+async function msrv() {
+  const version = oldestRust();
+  const toolchains = (output("rustup", "toolchain", "list") ?? "").split("\n");
+  if (!toolchains.some((line) => line.startsWith(`${version}-`))) {
+    try {
+      await run("rustup", "toolchain", "install", version, "--profile", "minimal", "--no-self-update");
+    } catch {
+      return `skipped: Rust ${version} is not here and could not be installed`;
+    }
+  }
+  await run("cargo", `+${version}`, "check", ...NATIVE);
+}
 
 async function types() {
   for (const project of ["www", "tests"]) await runModule("typescript/bin/tsc", "--noEmit", "-p", at(project));
@@ -53,9 +90,7 @@ function chosen() {
   const name = process.argv[i + 1];
   const step = STEPS.find((step) => step.name === name);
   if (!step)
-    throw new Failure(
-      `--only is to name one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`,
-    );
+    throw new Failure(`--only needs one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`);
   const before = STEPS.filter(({ name }) => name === step.needs);
   return [...before, step];
 }
@@ -65,30 +100,34 @@ await main(async () => {
   await installTools({ forTests: true });
   env.CARGO_TERM_COLOR ??= process.stdout.isTTY ? "always" : "never";
 
-  /** @type {{ name: string, what: string, time: string, failure: string | null }[]} */
+  /** @type {{ name: string, what: string, time: string, outcome: "passed" | "skipped" | "FAILED", note: string }[]} */
   const results = [];
   for (const { name, what, needs, work } of steps) {
     const start = performance.now();
     console.log(`\n==== ${name}: ${what}`);
-    let failure = null;
+    /** @type {"passed" | "skipped" | "FAILED"} */
+    let outcome = "passed";
+    let note = "";
     try {
-      const broken = results.some((result) => result.name === needs && result.failure !== null);
+      const broken = results.some((result) => result.name === needs && result.outcome === "FAILED");
       if (broken) throw new Failure(`not run: ${needs} failed`);
-      await work();
+      note = (await work()) ?? "";
+      if (note.startsWith("skipped: ")) outcome = "skipped";
+      if (note) console.log(note);
     } catch (error) {
-      failure = error instanceof Failure ? error.message : String(error instanceof Error ? error.stack : error);
-      console.error(`error: ${failure}`);
+      outcome = "FAILED";
+      note = error instanceof Failure ? error.message : String(error instanceof Error ? error.stack : error);
+      console.error(`error: ${note}`);
     }
-    results.push({ name, what, time: seconds(start), failure });
+    results.push({ name, what, time: seconds(start), outcome, note });
   }
 
   console.log("\n");
-  for (const { name, what, time, failure } of results) {
-    console.log(
-      `${failure === null ? "passed" : "FAILED"}  ${name.padEnd(12)} ${what.padEnd(28)} ${time.padStart(12)}${failure ? `   ${failure.split("\n")[0]}` : ""}`,
-    );
+  for (const { name, what, time, outcome, note } of results) {
+    const row = [outcome, "", name.padEnd(12), what.padEnd(28), time.padStart(12), "", note.split("\n")[0]];
+    console.log(row.join(" ").trimEnd());
   }
-  const failed = results.filter(({ failure }) => failure !== null).length;
-  console.log(`\n${results.length - failed} passed, ${failed} failed`);
-  if (failed > 0) process.exitCode = 1;
+  const count = (/** @type {string} */ wanted) => results.filter(({ outcome }) => outcome === wanted).length;
+  console.log(`\n${count("passed")} passed, ${count("FAILED")} failed, ${count("skipped")} skipped`);
+  if (count("FAILED") > 0) process.exitCode = 1;
 });

@@ -19,13 +19,20 @@ const older = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
 };
 const numbers = (/** @type {string} */ text) => (text.match(/\d+(\.\d+)*/)?.[0] ?? "0").split(".").map(Number);
 
+/** The oldest Rust that the packages promise to compile with. */
+export function oldestRust() {
+  const version = readFileSync(at("Cargo.toml"), "utf8").match(/rust-version = "([\d.]+)"/)?.[1];
+  if (!version) throw new Failure("Cargo.toml names no rust-version");
+  return version;
+}
+
 async function rust() {
   if (older(numbers(process.version), NODE))
     throw new Failure(`Node ${NODE.join(".")} or later is needed, this is ${process.version}: https://nodejs.org`);
   if (output("rustup", "--version") === null)
     throw new Failure("rustup is needed and was not found: https://rustup.rs");
   if (output("rustc", "--version") === null) await run("rustup", "default", "stable");
-  const needed = readFileSync(at("Cargo.toml"), "utf8").match(/rust-version = "([\d.]+)"/)?.[1] ?? "0";
+  const needed = oldestRust();
   const have = output("rustc", "--version") ?? "";
   if (older(numbers(have), numbers(needed)))
     throw new Failure(`Rust ${needed} or later is needed, this is ${have}: rustup update stable`);

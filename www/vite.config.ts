@@ -12,8 +12,8 @@ const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
     `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folder(moduleIds.some(isLater))}/[name]-[hash].js`,
-  assetFileNames: ({ names, originalFileNames }: { names: string[]; originalFileNames: string[] }) =>
-    `${folder(names.includes("page.css") || originalFileNames.some((file) => isLater(`/${file}`)))}/[name]-[hash][extname]`,
+  assetFileNames: ({ originalFileNames }: { originalFileNames: string[] }) =>
+    `${folder(originalFileNames.some((file) => isLater(`/${file}`)))}/[name]-[hash][extname]`,
 };
 
 export default defineConfig({

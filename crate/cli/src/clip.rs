@@ -21,7 +21,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let (mut clip, _) = files::read_clip(&arguments.clip)?.drop_t_pose();
+    let mut clip = files::read_clip(&arguments.clip)?;
     if let Some(fps) = arguments.fps {
         clip = clip.resample(fps)?;
     }

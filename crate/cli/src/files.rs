@@ -20,7 +20,7 @@ pub fn read_clip(place: &str) -> Result<Clip> {
     let path = Path::new(place);
     let bytes = fs::read(path).map_err(|error| about(path, &error))?;
     let name = path.file_name().map_or_else(|| place.into(), |name| name.to_string_lossy());
-    Ok(bvh::read(&name, &bytes)?)
+    Ok(bvh::read(&name, &bytes)?.into_clip())
 }
 
 /// Reads a text file.

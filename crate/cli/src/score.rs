@@ -27,7 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
         format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
     })?;
-    let trial = clip.prepared(1.0 / body.frame_time)?;
+    let trial = clip.resample(1.0 / body.frame_time)?;
     let actual = body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)

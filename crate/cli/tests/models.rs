@@ -10,7 +10,7 @@ use vcgpdm::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, Sequence, Source,
     TmpSettings, TrainedModel, VariationalSettings,
 };
-use vcgpdm::motion::{Clip, bvh, presets, samples};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
 
 const FPS: f64 = 12.0;
 const START_FRAMES: usize = 5;
@@ -60,7 +60,7 @@ fn train(out: &Path, more: &str) -> Value {
 /// The same with the library: all columns that the model makes of the beginning of the third walk.
 fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
     let clips: Vec<Clip> = [1, 2, 3].map(|k| samples::clip(&format!("walk-{k}")).unwrap()).into();
-    let parts = presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
     let first = |k: usize| (k == SEQUENCE).then_some(START_FRAMES);
     let sources: Vec<Source> =
         clips.iter().enumerate().map(|(k, clip)| Source { clip, first_frames: first(k) }).collect();
@@ -114,7 +114,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
         assert_eq!(fs::read_to_string(&motion).unwrap(), bvh::write(&clip), "{id}");
         let score: Value =
             serde_json::from_str(&prints(&["score", text(&file), "sample:walk-3", "--from", "2"])).unwrap();
-        let trial = samples::clip("walk-3").unwrap().prepared(1.0 / model.body.frame_time).unwrap();
+        let trial = samples::clip("walk-3").unwrap().resample(1.0 / model.body.frame_time).unwrap();
         let actual = model.body.mapping.encode(&trial).unwrap().y;
         let expected = dtw_mse(&model.rollout(SEQUENCE, actual.nrows()).unwrap(), &actual).unwrap();
         assert_eq!(score["dtw_mse"].as_f64(), Some(expected.dtw_mse), "{id}");

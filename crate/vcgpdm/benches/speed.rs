@@ -7,11 +7,11 @@ use nalgebra::DMatrix;
 use std::hint::black_box;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-use vcgpdm::motion::{presets, samples};
+use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
     let clips: Vec<_> = samples::list().iter().take(4).map(|s| samples::clip(s.id).unwrap()).collect();
-    let parts = presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let sources: Vec<_> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     Dataset::new(&sources, &parts, 30.0).unwrap()
 }

@@ -21,7 +21,7 @@ use vcgpdm::models::variational::{Objective, Params, Trainer, Vcgpdm, schedule, 
 use vcgpdm::models::{
     Dataset, Group, Phase, RolloutRequest, Sequences, Source, TrainedModel, VariationalSettings,
 };
-use vcgpdm::motion::{Clip, bvh, presets, samples};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
 
 const START_FRAMES: usize = 5;
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -229,20 +229,22 @@ fn read_trials(folder: Option<&Path>) -> Vec<Clip> {
     files.retain(|file| file.extension().is_some_and(|e| e == "bvh"));
     files.sort();
     let read = |file: &PathBuf| {
-        bvh::read(&file.file_name().unwrap().to_string_lossy(), &std::fs::read(file).unwrap()).unwrap()
+        bvh::read(&file.file_name().unwrap().to_string_lossy(), &std::fs::read(file).unwrap())
+            .unwrap()
+            .into_clip()
     };
     files.iter().take(6).map(read).collect()
 }
 
 fn problem(trials: &[Clip], preset: &str) -> Problem {
-    let chosen = presets(&trials[0].skeleton).into_iter().find(|p| p.id == preset).unwrap();
+    let chosen = parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == preset).unwrap();
     let sources: Vec<Source> = trials
         .iter()
         .enumerate()
         .map(|(k, clip)| Source { clip, first_frames: (k + 1 == trials.len()).then_some(START_FRAMES) })
         .collect();
     let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
-    let trial = trials[trials.len() - 1].prepared(1.0 / dataset.frame_time).unwrap();
+    let trial = trials[trials.len() - 1].resample(1.0 / dataset.frame_time).unwrap();
     let actual = dataset.mapping.encode(&trial).unwrap().y;
     let trainer =
         Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();

@@ -15,7 +15,7 @@ use std::time::Instant;
 use vcgpdm::evaluation::stats::exponent;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{Dataset, Source, VariationalSettings};
-use vcgpdm::motion::{presets, samples};
+use vcgpdm::motion::{parts, samples};
 
 /// Iterations enough for the optimiser to have filled its memory.
 const ITERATIONS: usize = 40;
@@ -33,7 +33,7 @@ const BASE: Size = Size { frames: 500, parts: 2, ips: 12 };
 fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
     let clips: Vec<_> = samples::list().iter().take(6).map(|s| samples::clip(s.id).unwrap()).collect();
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
-    let parts = presets(&clips[0].skeleton).remove(0).parts;
+    let parts = parts::presets(&clips[0].skeleton).remove(0).parts;
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let (all, lengths) = (&dataset.y[0], dataset.lengths());
     let mut y = DMatrix::zeros(frames, all.ncols());

@@ -14,7 +14,7 @@ use std::time::Instant;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-use vcgpdm::motion::{Clip, bvh, presets, samples};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm::speed::{Rates, Work};
 
 fn evaluation(case: &Case) -> Value {
@@ -39,7 +39,7 @@ fn evaluation(case: &Case) -> Value {
 
 fn training(clips: &[Clip]) -> Value {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
-    let parts = presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let begin = Instant::now();
     let mut trainer =
@@ -78,7 +78,7 @@ fn main() {
     let case = arguments.next().expect("the first argument is a case's file");
     let case = Case::from_json(&std::fs::read_to_string(case).unwrap()).unwrap();
     let mut clips: Vec<Clip> =
-        arguments.map(|file| bvh::read(&file, &std::fs::read(&file).unwrap()).unwrap()).collect();
+        arguments.map(|file| bvh::read(&file, &std::fs::read(&file).unwrap()).unwrap().into_clip()).collect();
     if clips.is_empty() {
         clips = samples::list().iter().take(6).map(|sample| samples::clip(sample.id).unwrap()).collect();
     }

@@ -6,10 +6,10 @@
 //! ```
 //! use vcgpdm::models::variational::{Trainer, Vcgpdm};
 //! use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-//! use vcgpdm::motion::{bvh, presets, samples};
+//! use vcgpdm::motion::{bvh, parts, samples};
 //!
 //! let clip = samples::clip("walk-1").ok_or("no such sample")?;
-//! let parts = &presets(&clip.skeleton)[1].parts; // lower and upper body
+//! let parts = &parts::presets(&clip.skeleton)[1].parts; // lower and upper body
 //! let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0)?;
 //!
 //! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };

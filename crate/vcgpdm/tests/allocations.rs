@@ -6,7 +6,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{Dataset, Source, VariationalSettings};
-use vcgpdm::motion::{presets, samples};
+use vcgpdm::motion::{parts, samples};
 
 struct Counting;
 
@@ -30,7 +30,7 @@ static ALLOCATOR: Counting = Counting;
 #[test]
 fn an_evaluation_allocates_nothing() {
     let clip = samples::clip("walk-1").unwrap();
-    let parts = presets(&clip.skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let parts = parts::presets(&clip.skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
     let trainer =
         Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();

@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::evaluation::{Score, dtw_mse};
 use vcgpdm::models::{Dataset, DmpSettings, Model, ModelSettings, Movements, Sequence, Source, TmpSettings};
-use vcgpdm::motion::{bvh, presets};
+use vcgpdm::motion::{bvh, parts};
 
 /// All but one walk and five frames of that one; and all of it.
 fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
@@ -21,7 +21,7 @@ fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
     }
     let read = |k: usize| {
         let name = format!("35_{k:02}.bvh");
-        bvh::read(&name, &std::fs::read(folder.join(&name)).unwrap()).unwrap()
+        bvh::read(&name, &std::fs::read(folder.join(&name)).unwrap()).unwrap().into_clip()
     };
     let mut clips: Vec<_> = (1..=trials).filter(|&k| k != held_out).map(read).collect();
     clips.push(read(held_out));
@@ -31,9 +31,9 @@ fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
         .enumerate()
         .map(|(k, clip)| Source { clip, first_frames: (k == last).then_some(5) })
         .collect();
-    let parts = &presets(&clips[0].skeleton)[1].parts;
+    let parts = &parts::presets(&clips[0].skeleton)[1].parts;
     let data = Dataset::new(&sources, parts, 30.0).unwrap();
-    let trial = data.mapping.encode(&clips[last].prepared(30.0).unwrap()).unwrap().y;
+    let trial = data.mapping.encode(&clips[last].resample(30.0).unwrap()).unwrap().y;
     let sequences =
         data.lengths().into_iter().enumerate().map(|(k, frames)| Sequence { frames, whole: k < last });
     // The order of columns of the trial is that of the mapping; the parts' is put back for the score.

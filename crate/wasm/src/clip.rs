@@ -5,7 +5,8 @@ use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use vcgpdm::models::DatasetError;
-use vcgpdm::motion::{Clip as MotionClip, PartsPreset, bvh, presets, samples};
+use vcgpdm::motion::parts::PartsPreset;
+use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -67,8 +68,7 @@ impl Clip {
     /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
     /// and what was found.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
-        let (clip, _) = bvh::read(name, bytes)?.drop_t_pose();
-        Ok(Clip { clip })
+        Ok(Clip { clip: bvh::read(name, bytes)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.
@@ -102,7 +102,7 @@ impl Clip {
             height: clip.height(),
             up_axis: clip.up_axis().letter(),
             warnings: &clip.warnings,
-            presets: presets(&clip.skeleton),
+            presets: parts::presets(&clip.skeleton),
         };
         to_js_beside(&info, &BodyInfo::new(&clip.skeleton))
     }

@@ -8,8 +8,9 @@ use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError}
 use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
+use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
-use vcgpdm::motion::{ClipError, PoseError};
+use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "comparison")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;

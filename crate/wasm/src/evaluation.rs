@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::evaluation::Fold as HeldOut;
 use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
-use vcgpdm::motion::PartSpec;
+use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -4,7 +4,7 @@ use crate::convert::{from_js_beside, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::VariationalSettings;
-use vcgpdm::motion::PartSpec;
+use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -1,8 +1,11 @@
 // Help and keys, and about this page.
 import { html } from "lit";
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
 import { clipTitle } from "../ui/format";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
+import "./help.css";
 
 const KEYS: [string, string][] = [
   ["space", "play or pause"],
@@ -19,15 +22,21 @@ export const ACKNOWLEDGEMENT =
   "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
 
 export class HelpView extends View {
-  static override topics = ["model", "engine"] as const;
+  declare model: ModelStore;
+  declare engine: EngineStore;
+
+  protected override stores() {
+    return [this.model, this.engine];
+  }
 
   open(): void {
-    const dialog = this.querySelector("dialog")!;
-    if (!dialog.open) dialog.showModal();
+    const dialog = this.querySelector("dialog");
+    if (dialog && !dialog.open) dialog.showModal();
   }
 
   private provenance() {
-    const { model, version } = this.app;
+    const { model } = this.model;
+    const { version } = this.engine;
     if (!model) return "";
     const { provenance, sequences } = model.info;
     return html`<p>The model now: trained by ${provenance.engine} with seed ${provenance.settings.seed} on

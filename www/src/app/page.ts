@@ -1,18 +1,18 @@
 // The page: where each view goes. On narrow screens the panels beside the stage become tabs.
-import { html, nothing } from "lit";
-import type { App } from "./app";
+import { html, nothing, type TemplateResult } from "lit";
 import "../clips/clips-view";
 import "../couplings/couplings-view";
-import "./header";
-import { ACKNOWLEDGEMENT, type HelpView } from "./help";
-import "../latents/latents";
-import "../ui/notices";
-import type { StageView } from "../stage/stage-view";
+import "../latents/latents-view";
 import "../stage/stage-view";
-import type { TimelineView } from "../stage/timeline";
 import "../stage/timeline";
 import "../training/training-view";
+import "../ui/notices-view";
 import { View } from "../ui/view";
+import type { App } from "./app";
+import "./caption";
+import "./header";
+import { ACKNOWLEDGEMENT, type HelpView } from "./help";
+import { openFiles } from "./open-files";
 
 const TABS = [
   ["latents", "Latents"],
@@ -27,69 +27,67 @@ interface Clock {
   step(direction: 1 | -1): void;
 }
 
-/** What is loaded only when it is asked for. */
+/** Views that are loaded only when they are asked for; each answers how to draw it. */
 const ON_DEMAND = {
-  compare: {
-    load: () => import("../comparison/comparison-page"),
-    draw: (app: App) => html`<pg-comparison .app=${app}></pg-comparison>`,
+  async compare({ comparison, settings, clips, engine, notices }: App) {
+    const [store] = await Promise.all([comparison.get(), import("../comparison/comparison-page")]);
+    return () => html`
+      <pg-comparison .comparison=${store} .settings=${settings} .clips=${clips} .engine=${engine} .notices=${notices}></pg-comparison>`;
   },
-  synthetic: {
-    load: () => import("../experiment/experiment-page"),
-    draw: (app: App) => html`<pg-synthetic .app=${app}></pg-synthetic>`,
+  async synthetic({ experiment, settings }: App) {
+    const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
+    return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
 };
 
 export class PageView extends View {
-  static override topics = ["engine", "settings"] as const;
   static override properties = { tab: { state: true } };
+  declare app: App;
   declare tab: Tab;
-  private readonly loaded = new Map<string, "loading" | "there" | "failed">();
+  readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
 
   constructor() {
     super();
     this.tab = "couplings";
   }
 
-  private onDemand(view: keyof typeof ON_DEMAND) {
-    const state = this.loaded.get(view);
-    if (!state) {
-      this.loaded.set(view, "loading");
-      const arrived = (state: "there" | "failed") => {
-        this.loaded.set(view, state);
-        this.requestUpdate();
-      };
-      ON_DEMAND[view].load().then(
-        () => arrived("there"),
-        () => arrived("failed"),
-      );
-    }
-    if (state === "there") return ON_DEMAND[view].draw(this.app);
-    if (state !== "failed") return html`<p class="empty" role="status">Loading</p>`;
-    const again = () => {
-      this.loaded.delete(view);
-      this.requestUpdate();
-    };
-    return html`<p class="empty" role="alert">This part of the page could not be loaded. <button class="small" @click=${again}>Try again</button></p>`;
-  }
-
-  get stage(): StageView {
-    return this.querySelector("pg-stage")!;
-  }
-
-  get timeline(): TimelineView {
-    return this.querySelector("pg-timeline")!;
+  protected override stores() {
+    return [this.app.engine, this.app.settings];
   }
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    const { settings, embedded } = this.app;
-    return settings.view === "play" || embedded
-      ? this.timeline
-      : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
   }
 
-  get help(): HelpView {
-    return this.querySelector("pg-help")!;
+  openHelp(): void {
+    this.querySelector<HelpView>("pg-help")?.open();
+  }
+
+  private showCouplings(): void {
+    this.tab = "couplings";
+    const first = "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input";
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(first)?.focus());
+  }
+
+  private onDemand(view: keyof typeof ON_DEMAND) {
+    const loaded = this.#loaded.get(view);
+    if (typeof loaded === "function") return loaded();
+    if (loaded === "failed")
+      return html`<p class="empty" role="alert">This part of the page could not be loaded.
+        <button class="small" @click=${() => this.load(view)}>Try again</button></p>`;
+    if (!loaded) queueMicrotask(() => this.load(view));
+    return html`<p class="empty" role="status">Loading</p>`;
+  }
+
+  private load(view: keyof typeof ON_DEMAND): void {
+    if (this.#loaded.get(view) === "loading") return;
+    const arrived = (state: "loading" | "failed" | (() => TemplateResult)) => {
+      this.#loaded.set(view, state);
+      this.requestUpdate();
+    };
+    arrived("loading");
+    ON_DEMAND[view](this.app).then(arrived, () => arrived("failed"));
   }
 
   private tabKeys(event: KeyboardEvent): void {
@@ -97,9 +95,8 @@ export class PageView extends View {
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();
-    const tabs = this.tabs();
-    const at = tabs.findIndex(([id]) => id === this.tab);
-    this.tab = tabs[(at + step + tabs.length) % tabs.length]![0];
+    const tabs = this.tabs().map(([id]) => id);
+    this.tab = tabs.at((tabs.indexOf(this.tab) + step) % tabs.length) ?? this.tab;
     void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${this.tab}`)?.focus());
   }
 
@@ -107,52 +104,74 @@ export class PageView extends View {
     return this.app.embedded ? TABS.slice(0, 2) : TABS;
   }
 
-  protected override render() {
-    const { app } = this;
+  private stageArea() {
+    const { stage, playback, settings, clips, model, pointing, training, isPlayView } = this.app;
+    return html`
+      <section class="stage-area" aria-label="Stage">
+        <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
+        <pg-caption .stage=${stage} .clips=${clips} .model=${model} .pointing=${pointing} .training=${training}></pg-caption>
+        <pg-timeline .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
+      </section>`;
+  }
+
+  private panels() {
+    const { engine, settings, notices, playback, stage, clips, model, pointing, training, embedded } = this.app;
     const panel = (id: Tab) => (this.tab === id ? "panel active" : "panel");
     return html`
-      <div class="page" data-embed=${app.embedded ? "1" : "0"} @show-help=${() => this.help.open()}
-        @show-couplings=${() => {
-          this.tab = "couplings";
-          void this.updateComplete.then(() =>
-            this.querySelector<HTMLElement>(
-              "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input",
-            )?.focus(),
-          );
-        }}>
-        ${app.embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
+      <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces">
+        <pg-latents .model=${model} .pointing=${pointing} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
+      </section>
+      <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
+        <pg-couplings .model=${model} .settings=${settings} .engine=${engine}></pg-couplings>
+      </section>
+      ${
+        embedded
+          ? nothing
+          : html`
+          <div class="side">
+            <section id="panel-clips" class=${panel("clips")} aria-label="Clips">
+              <pg-clips .clips=${clips} .stage=${stage} .engine=${engine} .notices=${notices}></pg-clips>
+            </section>
+            <section id="panel-training" class=${panel("training")} aria-label="Training">
+              <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>
+            </section>
+          </div>`
+      }`;
+  }
+
+  protected override render() {
+    const { app } = this;
+    const { engine, settings, model, notices, embedded, isPlayView } = app;
+    const { view } = settings.values;
+    return html`
+      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-couplings=${this.showCouplings}
+        @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${
-          app.engineState === "failed"
-            ? html`<p class="banner" role="alert">The model cannot run here: ${app.engineProblem} The walk below is a stored rollout; sliders and training need the model.</p>`
+          embedded
+            ? nothing
+            : html`<pg-header .engine=${engine} .model=${model} .settings=${settings} .notices=${notices} role="banner"></pg-header>`
+        }
+        ${
+          engine.state === "failed"
+            ? html`<p class="banner" role="alert">The model cannot run here: ${engine.problem} The walk below is a stored rollout; sliders and training need the model.</p>`
             : nothing
         }
-        ${app.settings.view === "play" || app.embedded ? nothing : html`<main class="on-demand">${this.onDemand(app.settings.view)}</main>`}
-        <main ?hidden=${app.settings.view !== "play" && !app.embedded}>
-          <section class="stage-area" aria-label="Stage">
-            <pg-stage .app=${app}></pg-stage>
-            <pg-timeline .app=${app}></pg-timeline>
-          </section>
+        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand">${this.onDemand(view)}</main>`}
+        <main ?hidden=${!isPlayView}>
+          ${this.stageArea()}
           <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.tabKeys}>
             ${this.tabs().map(
               ([id, title]) => html`
               <button role="tab" id="tab-${id}" aria-controls="panel-${id}" aria-selected=${this.tab === id ? "true" : "false"}
-                tabindex=${this.tab === id ? 0 : -1} @click=${() => (this.tab = id)}>${title}</button>`,
+                tabindex=${this.tab === id ? 0 : -1} @click=${() => {
+                  this.tab = id;
+                }}>${title}</button>`,
             )}
           </div>
-          <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces"><pg-latents .app=${app}></pg-latents></section>
-          <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings"><pg-couplings .app=${app}></pg-couplings></section>
-          ${
-            app.embedded
-              ? nothing
-              : html`
-            <div class="side">
-              <section id="panel-clips" class=${panel("clips")} aria-label="Clips"><pg-clips .app=${app}></pg-clips></section>
-              <section id="panel-training" class=${panel("training")} aria-label="Training"><pg-training .app=${app}></pg-training></section>
-            </div>`
-          }
+          ${this.panels()}
         </main>
         ${
-          app.embedded
+          embedded
             ? nothing
             : html`
           <footer>
@@ -160,8 +179,8 @@ export class PageView extends View {
             <span>The start model was trained on CMU subject 35. ${ACKNOWLEDGEMENT}</span>
           </footer>`
         }
-        <pg-notices .app=${app}></pg-notices>
-        <pg-help .app=${app}></pg-help>
+        <pg-notices .notices=${notices}></pg-notices>
+        <pg-help .model=${model} .engine=${engine}></pg-help>
         <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh) or a model (.json)</p></div>
       </div>`;
   }

@@ -1,22 +1,26 @@
 // The clips: made by the project or opened by the visitor; looked at, ticked, cut.
 import { html, nothing } from "lit";
-import { cutClip, endPreview, openFiles, preview, removeClip, tickClip } from "./clips";
-import type { ClipEntry } from "../app/app";
+import type { EngineStore } from "../engine/engine-store";
+import type { StageStore } from "../stage/stage-store";
+import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
-import { noticeCard } from "../ui/notices";
+import type { NoticesStore } from "../ui/notices-store";
+import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
+import type { ClipEntry, ClipsStore } from "./clips-store";
+import "./clips.css";
 
 export class ClipsView extends View {
-  static override topics = ["clips", "shown", "engine", "notices", "training"] as const;
+  declare clips: ClipsStore;
+  declare stage: StageStore;
+  declare engine: EngineStore;
+  declare notices: NoticesStore;
   private readonly cutting = new Set<string>();
   /** Where the clips have a tab of their own there is room for all of them. */
   private readonly unfolded = matchMedia("(max-width: 1179.98px)").matches;
 
-  private choose(event: Event): void {
-    const input = event.target as HTMLInputElement;
-    const files = [...(input.files ?? [])];
-    input.value = "";
-    void openFiles(this.app, files, null);
+  protected override stores() {
+    return [this.clips, this.stage, this.engine, this.notices];
   }
 
   private toggleCut(key: string): void {
@@ -30,34 +34,34 @@ export class ClipsView extends View {
     const value = (event: Event) => (event.target as HTMLInputElement).valueAsNumber;
     return html`
       <div class="cut" role="group" aria-label="Frames of ${title} to use">
-        <label>from <input type="number" min="1" max=${frames} .value=${String(first + 1)} aria-label="First frame of ${title}" ?disabled=${this.app.busy}
-          @change=${(event: Event) => cutClip(this.app, key, value(event) - 1, end)} /></label>
-        <label>to <input type="number" min="1" max=${frames} .value=${String(end)} aria-label="Last frame of ${title}" ?disabled=${this.app.busy}
-          @change=${(event: Event) => cutClip(this.app, key, first, value(event))} /></label>
+        <label>from <input type="number" min="1" max=${frames} .value=${String(first + 1)} aria-label="First frame of ${title}" ?disabled=${this.clips.locked}
+          @change=${(event: Event) => this.clips.cut(key, value(event) - 1, end)} /></label>
+        <label>to <input type="number" min="1" max=${frames} .value=${String(end)} aria-label="Last frame of ${title}" ?disabled=${this.clips.locked}
+          @change=${(event: Event) => this.clips.cut(key, first, value(event))} /></label>
         <span>of ${frames} frames</span>
       </div>`;
   }
 
   private row(clip: ClipEntry) {
     const { key, title, origin, ticked, loaded, first, end } = clip;
-    const { app } = this;
-    const shown = app.shown?.clip === key;
+    const { clips, stage } = this;
+    const shown = stage.clip === key;
     const { frameTime, warnings } = loaded.info;
     const seconds = ((end - first) * frameTime).toFixed(1);
     return html`
       <li class="clip ${shown ? "shown" : ""}">
         <label class="tick-label">
-          <input type="checkbox" aria-label="Train on ${title}" .checked=${ticked} ?disabled=${app.busy}
-            @change=${(event: Event) => void tickClip(app, key, (event.target as HTMLInputElement).checked)} />
+          <input type="checkbox" aria-label="Train on ${title}" .checked=${ticked} ?disabled=${clips.locked}
+            @change=${(event: Event) => void clips.tick(key, (event.target as HTMLInputElement).checked)} />
           <span class="clip-title" title=${title}>${title}</span>
         </label>
         <span class="clip-length">${seconds} s</span>
         <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.cutting.has(key) ? "true" : "false"} @click=${() => this.toggleCut(key)}>${icon("cut")}</button>
         <button class="round" aria-label=${shown ? `Stop showing ${title}` : `Show ${title}`} title=${shown ? "Back to the model" : "Show on the stage"} aria-pressed=${shown ? "true" : "false"}
-          @click=${() => (shown ? endPreview(app) : preview(app, key))}>${icon("eye")}</button>
+          @click=${() => (shown ? stage.endClip() : clips.show(key))}>${icon("eye")}</button>
         ${
           origin === "own"
-            ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${app.busy} @click=${() => void removeClip(app, key)}>${icon("close")}</button>`
+            ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${clips.locked} @click=${() => void clips.remove(key)}>${icon("close")}</button>`
             : html`<span class="round"></span>`
         }
         ${this.cutting.has(key) ? this.cutFields(clip) : nothing}
@@ -71,21 +75,25 @@ export class ClipsView extends View {
   }
 
   protected override render() {
-    const { app } = this;
-    const own = app.clips.filter(({ origin }) => origin === "own");
-    const made = app.clips.filter(({ origin }) => origin === "made");
-    const here = app.notices.filter(({ at }) => at === null);
+    const { clips, notices } = this;
+    const own = clips.all.filter(({ origin }) => origin === "own");
+    const made = clips.all.filter(({ origin }) => origin === "made");
+    const here = notices.all.filter(({ at }) => at === null);
     return html`
       <header class="panel-head">
         <h2>Clips</h2>
-        <label class="small file-button">
-          ${icon("open")} Open files
-          <input type="file" class="visually-hidden" data-testid="open-files" multiple accept=".bvh,.json,.BVH,.JSON,application/json"
-            aria-label="Open motion clips (.bvh) or a model (.json)" @change=${this.choose} />
-        </label>
+        ${fileButton({
+          label: "Open files",
+          meaning: "Open motion clips (.bvh) or a model (.json)",
+          testId: "open-files",
+          accept: ".bvh,.json,.BVH,.JSON,application/json",
+          multiple: true,
+          disabled: false,
+          chosen: (files) => this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true })),
+        })}
       </header>
-      ${here.map((notice) => noticeCard(app, notice))}
-      ${app.clash ? html`<p class="bad" role="alert" data-testid="clash">${app.clash}</p>` : nothing}
+      ${here.map((notice) => noticeCard(notices, notice))}
+      ${clips.clash ? html`<p class="bad" role="alert" data-testid="clash">${clips.clash}</p>` : nothing}
       ${
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
@@ -96,7 +104,7 @@ export class ClipsView extends View {
           ? html`<details class="made" ?open=${this.unfolded}>
             <summary>Made by this project: a procedural walker <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked</small></summary>
             <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
-          : app.engineState === "loading"
+          : this.engine.state === "loading"
             ? html`<p class="empty">Getting the sample clips ready</p>`
             : nothing
       }`;

@@ -1,48 +1,57 @@
 // Parts by hand: the joints as a tree, each with the part it belongs to. A change takes the whole branch along.
 import { html } from "lit";
-import { partsChanged } from "./clips";
-import { changeSettings } from "../settings/change";
-import { partColour } from "../ui/palette";
-import { completeSplit, moveBranch, partOfJoints } from "./parts";
+import type { PartSpec } from "../engine/protocol";
+import { partOfJoints } from "../scene/part-of-joints";
 import { MAX_PARTS } from "../settings/settings";
+import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
+import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
+import type { ClipsStore } from "./clips-store";
+import { completeSplit, moveBranch } from "./parts";
+import "./parts-editor.css";
 
 export class PartsEditor extends View {
-  static override topics = ["settings", "clips", "training"] as const;
+  declare settings: SettingsStore;
+  declare clips: ClipsStore;
 
-  private change(split: { name: string; joints: number[] }[]): void {
-    changeSettings(this.app, { split });
-    partsChanged(this.app);
+  protected override stores() {
+    return [this.settings, this.clips];
+  }
+
+  private change(split: PartSpec[]): void {
+    this.clips.setParts({ split });
   }
 
   private rename(index: number) {
     return (event: Event) => {
       const name = (event.target as HTMLInputElement).value.trim();
-      if (name) this.change(this.app.settings.split.map((part, i) => (i === index ? { ...part, name } : part)));
+      if (name) this.change(this.settings.values.split.map((part, i) => (i === index ? { ...part, name } : part)));
       this.requestUpdate();
     };
   }
 
   private removePart(index: number): void {
-    const { split } = this.app.settings;
+    const { split } = this.settings.values;
     const heir = index === 0 ? 1 : 0;
-    const joints = [...split[heir]!.joints, ...split[index]!.joints].sort((a, b) => a - b);
-    this.change(split.map((part, i) => (i === heir ? { ...part, joints } : part)).filter((_, i) => i !== index));
+    const orphans = split[index]?.joints ?? [];
+    const inherit = (part: PartSpec, i: number) =>
+      i === heir ? { ...part, joints: [...part.joints, ...orphans] } : part;
+    this.change(split.map(inherit).filter((_, i) => i !== index));
   }
 
   protected override render() {
-    const clip = this.app.tickedClips()[0];
+    const [clip] = this.clips.ticked;
     if (!clip) return html``;
     const { joints } = clip.loaded.info;
-    const { busy } = this.app;
-    const { split } = this.app.settings;
+    const { locked } = this.clips;
+    const { split } = this.settings.values;
     const whole = completeSplit(joints, split);
     const part = partOfJoints(joints.length, whole);
     const depth: number[] = [];
-    joints.forEach(({ parent }, joint) => (depth[joint] = parent === null ? 0 : depth[parent]! + 1));
+    for (const { parent } of joints) depth.push(parent === null ? 0 : (depth[parent] ?? 0) + 1);
     // Parts without joints are kept while editing, but are not in `whole`: find each joint's part by name and place.
-    const index = (joint: number) => split.findIndex(({ name }) => name === whole[part[joint]!]?.name);
+    const index = (joint: number) => split.findIndex(({ name }) => name === whole[part[joint] ?? -1]?.name);
     return html`
       <div class="parts-editor">
         <div class="part-names">
@@ -50,25 +59,25 @@ export class PartsEditor extends View {
             ({ name }, i) => html`
             <div style=${swatchStyle(partColour(i))}>
               <i class="swatch"></i>
-              <input type="text" maxlength="24" aria-label="Name of part ${i + 1}" .value=${name} ?disabled=${busy} @change=${this.rename(i)} />
-              <button class="round" aria-label="Remove part ${name}" ?disabled=${busy || split.length < 2} @click=${() => this.removePart(i)}>${icon("close")}</button>
+              <input type="text" maxlength="24" aria-label="Name of part ${i + 1}" .value=${name} ?disabled=${locked} @change=${this.rename(i)} />
+              <button class="round" aria-label="Remove part ${name}" ?disabled=${locked || split.length < 2} @click=${() => this.removePart(i)}>${icon("close")}</button>
             </div>`,
           )}
-          <button class="small" ?disabled=${busy || split.length >= MAX_PARTS}
+          <button class="small" ?disabled=${locked || split.length >= MAX_PARTS}
             @click=${() => this.change([...split, { name: freeName(split), joints: [] }])}>Add a part</button>
         </div>
         <p class="hint">Choose a joint’s part; the joints below it go along.</p>
         <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">
           ${joints.map(
             ({ name }, joint) => html`
-            <li style="${swatchStyle(partColour(Math.max(0, index(joint))))};--depth:${Math.min(depth[joint]!, 12)}">
+            <li style="${swatchStyle(partColour(Math.max(0, index(joint))))};--depth:${Math.min(depth[joint] ?? 0, 12)}">
               <i class="swatch"></i><span>${name}</span>
-              <select aria-label="Part of ${name}" ?disabled=${busy}
+              <select aria-label="Part of ${name}" ?disabled=${locked}
                 @change=${(event: Event) => {
                   const to = Number((event.target as HTMLSelectElement).value);
                   this.change(moveBranch(joints, fill(split, whole), joint, to));
                 }}>
-                ${split.map((one, i) => html`<option value=${i} ?selected=${i === index(joint)}>${one.name}</option>`)}
+                ${split.map((to, i) => html`<option value=${i} ?selected=${i === index(joint)}>${to.name}</option>`)}
               </select>
             </li>`,
           )}
@@ -78,13 +87,13 @@ export class PartsEditor extends View {
 }
 customElements.define("pg-parts-editor", PartsEditor);
 
-function freeName(split: { name: string }[]): string {
+function freeName(split: readonly PartSpec[]): string {
   for (let i = split.length + 1; ; i++) {
     if (!split.some(({ name }) => name === `part ${i}`)) return `part ${i}`;
   }
 }
 
 /** The split with the joints that `whole` gives each of its parts; parts without joints stay. */
-function fill(split: { name: string; joints: number[] }[], whole: { name: string; joints: number[] }[]) {
+function fill(split: readonly PartSpec[], whole: readonly PartSpec[]) {
   return split.map(({ name }) => ({ name, joints: whole.find((part) => part.name === name)?.joints ?? [] }));
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { completeSplit, moveBranch, partOfJoints, partsFor } from "./parts";
+import { partOfJoints } from "../scene/part-of-joints";
+import { completeSplit, moveBranch, partsFor } from "./parts";
 
 //   0 - 1 - 2
 //     \ 3 - 4

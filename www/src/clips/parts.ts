@@ -16,10 +16,10 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
     for (const joint of own) if (joint < joints.length) part[joint] = index;
   });
   joints.forEach(({ parent }, joint) => {
-    if (part[joint] === -1) part[joint] = parent === null ? 0 : part[parent]!;
+    if (part[joint] === -1) part[joint] = parent === null ? 0 : (part[parent] ?? 0);
   });
   return split
-    .map(({ name }, index) => ({ name, joints: part.flatMap((of, joint) => (of === index ? [joint] : [])) }))
+    .map(({ name }, index) => ({ name, joints: part.flatMap((other, joint) => (other === index ? [joint] : [])) }))
     .filter(({ joints: own }) => own.length > 0);
 }
 
@@ -35,14 +35,7 @@ export function moveBranch(
     if (parent !== null && moved.has(parent)) moved.add(child);
   });
   return split.map(({ name, joints: own }, index) => {
-    const kept = own.filter((one) => !moved.has(one));
+    const kept = own.filter((other) => !moved.has(other));
     return { name, joints: index === to ? [...kept, ...moved].sort((a, b) => a - b) : kept };
   });
-}
-
-/** The part of each joint, -1 where no part has it [joints]. */
-export function partOfJoints(count: number, parts: PartSpec[]): Int16Array {
-  const part = new Int16Array(count).fill(-1);
-  parts.forEach(({ joints }, index) => joints.forEach((joint) => joint < count && (part[joint] = index)));
-  return part;
 }

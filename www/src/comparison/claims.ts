@@ -1,11 +1,11 @@
 // What the papers say beside what this comparison finds.
 import { html } from "lit";
-import { ComparisonFigure } from "../figures/figure-element";
-import type { Comparison } from "../engine/protocol";
+import { FigureElement } from "../figures/figure-element";
+import type { Comparison } from "../engine/whole-protocol";
 
 const yes = (holds: boolean) => (holds ? "yes" : "no");
 
-export class ClaimsTable extends ComparisonFigure<Comparison> {
+export class ClaimsTable extends FigureElement<Comparison> {
   protected readonly heading = "What the papers say";
   protected readonly file = "claims-of-the-papers";
 

@@ -1,8 +1,8 @@
 // All figures of a comparison: <comparison-figures .comparison=${comparison}>. Files that could not be made are told as
 // `save-failed`, with a SaveFailure.
 import { html, LitElement } from "lit";
-import "../figures/figures.css";
-import type { Comparison } from "../engine/protocol";
+import "./comparison-figures.css";
+import type { Comparison } from "../engine/whole-protocol";
 import "./claims";
 import "./correlations";
 import "./growth";

@@ -1,299 +1,345 @@
-// Comparing models: start, follow, cancel; open and save results.
-import type { App } from "../app/app";
-import { comparing } from "../engine/whole-engine";
-import { download } from "../ui/download";
+// The comparison of this visit: what a press of Compare would do, how far its trainings are, its results, and what is looked at.
+import type { ClipsStore } from "../clips/clips-store";
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+import type { Evaluated, PlannedComparison } from "../engine/whole-protocol";
+import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
-import { partsFor } from "../clips/parts";
-import type { Comparison, Evaluated, Job, PartSpec, Results, TrainingClip } from "../engine/protocol";
-import { isCoupled, jobKey, jobs, openJobs, sameSetting, type Study, type StudyJob, studyKey } from "./jobs";
+import { Store } from "../ui/store";
+import { type ComparisonEntry, keepMotions, newEntry, type ReadonlyEntry } from "./comparison-entry";
+import { type JobProgress, openJobs, summary, waiting } from "./jobs";
+import { type Question, questionOf } from "./question";
 
-/** Studies that are kept, so that settings can be changed to and fro. */
-const MOST_STUDIES = 4;
-/** Motions that are kept of a study: some hundred kilobytes each. */
-const MOST_MOTIONS = 400;
+/** Comparisons that are kept, so that settings can be changed to and fro. */
+const MOST_ENTRIES = 4;
 
-/** What the settings ask to compare on. */
-interface Asked {
-  clips: TrainingClip[];
-  parts: PartSpec[];
-  framesPerSecond: number;
-  key: string;
-  jobs: Job[];
+/** The figure of learning time needs models that were trained on so many numbers of trials. */
+const NUMBERS_OF_TRIALS = 3;
+
+/** What a press of Compare would do. */
+export interface Outlook {
+  /** How many trainings the settings ask for. */
+  asked: number;
+  /** How many of them are not finished. */
+  open: number;
+  /** Whether it would go on with the comparison that is shown. */
+  goesOn: boolean;
+  /** Whether models would be trained on so many numbers of trials that the growth of their time can be seen. */
+  growth: boolean;
 }
 
-/** The comparison of this visit, and how it is going. */
-export class Studying {
-  study: Study | null = null;
-  comparison: Comparison | null = null;
-  status: "idle" | "starting" | "running" | "cancelling" = "idle";
-  /** How it ended, or why it could not start. */
-  ending = "";
-  failed = false;
-  /** What is looked at: the trial held out (0: the first there is), the models (null: the first of each kind), and whether it plays. */
-  readonly look: { fold: number; picked: string[] | null; playing: boolean | null } = {
-    fold: 0,
-    picked: null,
-    playing: null,
-  };
-  private readonly studies = new Map<string, { study: Study; comparison: Comparison | null }>();
-  private stop = new AbortController();
-  private counting: Promise<void> | null = null;
-  private workers = 1;
+/** What the visitor looks at. */
+export interface Look {
+  /** The trial held out; 0: the first there is. */
+  readonly fold: number;
+  /** The models; null: the first of each kind. */
+  readonly picked: readonly string[] | null;
+  /** Null: as the visitor's system asks. */
+  readonly playing: boolean | null;
+}
 
-  constructor(private readonly app: App) {}
+interface Asked {
+  question: Question;
+  /** The comparison that would be gone on with. */
+  known: ComparisonEntry | null;
+  /** The known results as they were when this was asked. */
+  text: string | null;
+}
+
+/** What it has to know of the other stores. */
+export type EngineState = Pick<EngineStore, "state" | "on">;
+export type SettingsNow = Pick<SettingsStore, "values" | "on">;
+export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
+
+export class ComparisonStore extends Store {
+  readonly #engine: EngineState;
+  readonly #settings: SettingsNow;
+  readonly #clips: ClipsNow;
+  readonly #whole: WholeProgram;
+  readonly #entries = new Map<string, ComparisonEntry>();
+  readonly #planning: Latest<Asked, PlannedComparison>;
+  #shown: ComparisonEntry | null = null;
+  #status: "idle" | "starting" | "running" | "cancelling" = "idle";
+  #ending = "";
+  #failed = false;
+  #stop = new AbortController();
+  #width = 1;
+  #look: Look = { fold: 0, picked: null, playing: null };
+  #asked: Asked | null = null;
+  #planned: { asked: Asked; planned: PlannedComparison } | null = null;
+  /** Why the plan cannot be carried out. */
+  #planProblem = "";
+  /** Outcomes are added one after the other: each goes on with the text of the one before. */
+  #adding: Promise<unknown> = Promise.resolve();
+
+  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeProgram) {
+    super();
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#clips = clips;
+    this.#whole = whole;
+    this.#planning = new Latest(
+      async (asked) => {
+        const { desk } = await whole.load();
+        return desk.run((worker) => plan(worker, asked));
+      },
+      (planned, asked) => this.#answered({ asked, planned }, ""),
+      // A program that was not loaded or a worker that died says nothing about the plan: Compare can be pressed all the same.
+      (problem) => this.#answered(null, isRefusal(problem) ? messageOf(problem) : ""),
+    );
+  }
+
+  get shown(): ReadonlyEntry | null {
+    return this.#shown;
+  }
+
+  get status(): "idle" | "starting" | "running" | "cancelling" {
+    return this.#status;
+  }
 
   get busy(): boolean {
-    return this.status !== "idle";
+    return this.#status !== "idle";
+  }
+
+  /** How the last comparison ended, or why it could not start. */
+  get ending(): string {
+    return this.#ending;
+  }
+
+  get failed(): boolean {
+    return this.#failed;
   }
 
   /** How many jobs are done at once. */
   get width(): number {
-    return this.workers;
+    return this.#width;
+  }
+
+  get look(): Look {
+    return this.#look;
+  }
+
+  /** Null until it is known. */
+  get outlook(): Outlook | null {
+    if (!this.#planned) return null;
+    const { asked, planned } = this.#planned;
+    const known = planned.goesOn ? asked.known : null;
+    const numbersOfTrials = new Set(planned.jobs.map(({ job }) => job.trainingTrials)).size;
+    return {
+      asked: planned.jobs.length,
+      open: openJobs(planned.jobs, known?.predictions ?? new Map()).length,
+      goesOn: this.#shown === null || this.#shown === known,
+      growth: numbersOfTrials >= NUMBERS_OF_TRIALS,
+    };
   }
 
   /** Why Compare cannot be pressed now; empty when it can. */
-  whyNot(): string {
-    const { app } = this;
-    if (app.engineState === "loading") return "Getting ready";
-    if (!app.engine) return "The models cannot run in this browser";
-    if (!app.samplesLoaded) return "Getting the sample clips ready";
-    const { models, heldOut } = app.settings;
-    const ticked = app.tickedClips().length;
+  get whyNot(): string {
+    const obstacle = this.#obstacle();
+    if (obstacle !== "") return obstacle;
+    if (this.#planned?.planned.jobs.length === 0) return "The ticked models need two parts or more";
+    return this.#planProblem;
+  }
+
+  /** What has to be done before there can be a plan. */
+  #obstacle(): string {
+    const { state } = this.#engine;
+    const clips = this.#clips;
+    if (state === "loading") return "Getting ready";
+    if (state === "failed") return "The models cannot run in this browser";
+    if (!clips.samplesLoaded) return "Getting the sample clips ready";
+    const { models, heldOut } = this.#settings.values;
+    const ticked = clips.ticked.length;
     if (ticked < 2) return "Tick at least two clips: one is held out, the others are trained on";
-    if (app.clash) return app.clash;
+    if (clips.clash) return clips.clash;
     if (heldOut > ticked) return `There is no trial ${heldOut}: ${ticked} clips are ticked`;
-    if (models.length === 0) return "Tick at least one model";
-    if (models.every(isCoupled) && this.parts().length < 2) return "The ticked models need two parts or more";
-    return "";
+    return models.length === 0 ? "Tick at least one model" : "";
   }
 
-  private parts(): PartSpec[] {
-    const [clip] = this.app.tickedClips();
-    const { parts, split } = this.app.settings;
-    return clip ? partsFor(clip.loaded.info, parts, split) : [];
-  }
-
-  private asked(): Asked {
-    const { app } = this;
-    const ticked = app.tickedClips();
-    const clips = ticked.map(({ loaded, source, first, end }): TrainingClip => ({ id: loaded.id, source, first, end }));
-    const parts = this.parts();
-    const { framesPerSecond } = app.settings;
-    return {
-      clips,
-      parts,
-      framesPerSecond,
-      key: studyKey(clips, parts, framesPerSecond),
-      jobs: jobs(app.settings, clips.length, parts.length),
+  /** Keeps the outlook in step with settings and clips, until the answer is called. */
+  follow(): () => void {
+    const stops = [this.#engine, this.#settings, this.#clips].map((store) => store.on(() => this.#ask()));
+    this.#ask();
+    return () => {
+      for (const stop of stops) stop();
     };
   }
 
-  /** What a press of Compare would do: how many trainings there are, how many of them are open, and whether it goes on with what is shown. */
-  outlook(): { all: number; open: number; goesOn: boolean } {
-    const asked = this.asked();
-    const known = this.studies.get(asked.key)?.study ?? null;
-    return {
-      all: asked.jobs.length,
-      open: openJobs(asked.jobs, known).length,
-      goesOn: !this.study || this.study.key === asked.key,
-    };
+  lookAt(change: Partial<Look>): void {
+    this.#look = { ...this.#look, ...change };
+    this.changed();
   }
 
   /** Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is kept. */
   async begin(): Promise<void> {
-    if (this.busy || this.whyNot()) return;
-    this.status = "starting";
-    [this.ending, this.failed, this.stop] = ["", false, new AbortController()];
-    const { signal } = this.stop;
-    this.app.tell("study");
+    const asked = this.#question();
+    if (this.busy || this.whyNot !== "" || !asked) return;
+    this.#status = "starting";
+    [this.#ending, this.#failed, this.#stop] = ["", false, new AbortController()];
+    const { signal } = this.#stop;
+    this.changed();
     try {
-      const { pool, desk } = await comparing();
-      this.workers = pool.width;
-      const asked = this.asked();
-      const { clips, parts, framesPerSecond } = asked;
-      const empty = await desk.run((worker) => worker.emptyResults(clips, { parts, framesPerSecond }), signal);
+      const { pool, desk } = await this.#whole.load();
+      this.#width = pool.width;
+      const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
-      const study = this.takeUp(asked, empty);
-      study.jobs = openJobs(asked.jobs, study).map((job) => ({
-        job,
-        state: "waiting",
-        fraction: 0,
-        elapsed: 0,
-        why: "",
-      }));
-      this.status = "running";
-      this.app.tell("study");
-      await Promise.all(study.jobs.map((one) => this.carryOut(study, one, signal)));
-      await this.counting;
-      this.ending = summary(study.jobs);
+      const entry = this.#takeUp(asked, planned);
+      const jobs = openJobs(planned.jobs, entry.predictions).map(waiting);
+      entry.jobs = jobs;
+      this.#status = "running";
+      this.changed();
+      await Promise.all(jobs.map((progress) => this.#carryOut(entry, asked.question, progress, signal)));
+      this.#ending = summary(jobs);
     } catch (problem) {
-      const stopped = signal.aborted;
-      [this.ending, this.failed] = stopped ? ["You cancelled before it began.", false] : [messageOf(problem), true];
+      this.#failed = !signal.aborted;
+      this.#ending = this.#failed ? messageOf(problem) : "You cancelled before it began.";
     }
-    this.status = "idle";
-    this.app.tell("study");
-  }
-
-  /** The study of what is asked for: as it was left, with the results of an opened file, or a new one. */
-  private takeUp({ clips, parts, framesPerSecond, key }: Asked, empty: Results): Study {
-    const known = this.studies.get(key);
-    const opened =
-      this.study?.clips.length === 0 && sameSetting(this.study.results.setting, empty.setting) ? this.study : null;
-    const ticked = this.app.tickedClips();
-    const { figure, joints } = ticked[0]!.loaded.info;
-    const study = known?.study ?? {
-      key,
-      clips,
-      framesPerSecond,
-      titles: ticked.map(({ title }) => title),
-      body: { figure, joints: joints.map(({ name }) => name), parts },
-      results: opened?.results ?? empty,
-      jobs: [],
-      predictions: new Map(),
-      actual: new Map(),
-    };
-    if (this.study?.key !== key) this.comparison = known?.comparison ?? (opened ? this.comparison : null);
-    this.study = study;
-    this.keep();
-    return study;
-  }
-
-  /** The newest studies stay, so that settings can be changed to and fro. */
-  private keep(): void {
-    const { study, comparison } = this;
-    if (!study || study.clips.length === 0) return;
-    this.studies.delete(study.key);
-    this.studies.set(study.key, { study, comparison });
-    for (const key of [...this.studies.keys()].slice(0, -MOST_STUDIES)) this.studies.delete(key);
-  }
-
-  private async carryOut(study: Study, one: StudyJob, signal: AbortSignal): Promise<void> {
-    const { job } = one;
-    try {
-      const { pool } = await comparing();
-      const evaluated = await pool.run((worker) => {
-        one.state = "running";
-        const start = performance.now();
-        const report = (fraction: number) => {
-          one.fraction = fraction;
-          one.elapsed = (performance.now() - start) / 1000;
-          this.app.tellSoon("study");
-        };
-        const { clips, framesPerSecond } = study;
-        const { candidate, held_out: heldOut, training_trials: trainingTrials, seed } = job;
-        const settings = { parts: study.body!.parts, framesPerSecond };
-        return worker.evaluate({ clips, settings, candidate, heldOut, trainingTrials, seed }, report, signal);
-      }, signal);
-      one.state = evaluated ? "done" : "cancelled";
-      if (evaluated) this.finish(study, job, evaluated);
-    } catch (problem) {
-      // Only what came of a training is a result; one that was stopped or could not be done may be asked for again.
-      one.state = signal.aborted ? "cancelled" : "failed";
-      one.why = messageOf(problem);
-    }
-    this.app.tellSoon("study");
-  }
-
-  private finish(study: Study, job: Job, { outcome, predicted, actual, frameTime }: Evaluated): void {
-    const key = jobKey(job);
-    const { results, predictions } = study;
-    if (job.training_trials === results.setting.trials.length - 1) {
-      predictions.set(key, { positions: predicted, frameTime });
-      study.actual.set(job.held_out, { positions: actual, frameTime });
-      if (predictions.size > MOST_MOTIONS) predictions.delete(predictions.keys().next().value!);
-    }
-    const before = results.finished.findIndex((finished) => jobKey(finished.job) === key);
-    if (before >= 0 && results.finished[before]!.outcome) return; // done again for its motion
-    if (before >= 0) results.finished.splice(before, 1);
-    results.finished.push({ job, engine: `vcgpdm ${this.app.version}`, outcome, failure: null });
-    this.counting ??= this.count(study);
-  }
-
-  /** Asks what the results say, again while more come in. */
-  private async count(study: Study): Promise<void> {
-    try {
-      const { desk } = await comparing();
-      for (let told = -1; told !== study.results.finished.length; ) {
-        told = study.results.finished.length;
-        const comparison = await desk.run((worker) => worker.compare(study.results));
-        if (this.study === study) this.comparison = comparison;
-      }
-      this.keep();
-    } catch (problem) {
-      this.app.notify({ kind: "error", title: "The tables could not be made", text: messageOf(problem), at: null });
-    } finally {
-      this.counting = null;
-      this.app.tellSoon("study");
-    }
+    this.#status = "idle";
+    this.#askAnew();
   }
 
   /** Stops; finished folds are kept. */
   cancel(): void {
-    if (this.status !== "running" && this.status !== "starting") return;
-    this.status = "cancelling";
-    this.stop.abort();
-    this.app.tell("study");
+    if (this.#status !== "running" && this.#status !== "starting") return;
+    this.#status = "cancelling";
+    this.#stop.abort();
+    this.changed();
   }
 
-  /** Shows the results that come with the page: all models on ten recorded walks. */
-  async openWalks(): Promise<void> {
-    const answer = await fetch(new URL("comparison/walks.results.json", document.baseURI));
-    if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
-    await this.open(await answer.text());
-  }
-
-  /** Shows the results that a file holds: from this page or from the terminal. */
+  /** Shows the results that a file holds: from this page or from the terminal. What is shown stays when they cannot be opened. */
   async open(text: string): Promise<void> {
+    this.#refuseWhileBusy();
+    const { desk } = await this.#whole.load();
+    const results = await desk.run((worker) => worker.openResults(text));
+    this.#refuseWhileBusy();
+    this.#shown = newEntry(null, results);
+    [this.#ending, this.#failed] = [`${results.finished.length} results opened.`, false];
+    this.#askAnew();
+  }
+
+  #refuseWhileBusy(): void {
     if (this.busy) throw new Error("A comparison is running: cancel it before opening results.");
-    const results = readResults(text);
-    const { desk } = await comparing();
-    const comparison = await desk.run((worker) => worker.compare(results));
-    const { trials, frames_per_second: framesPerSecond } = results.setting;
-    this.study = {
-      key: "",
-      clips: [],
-      titles: trials.map(({ name }) => name),
-      body: null,
-      framesPerSecond,
-      results,
-      jobs: [],
-      predictions: new Map(),
-      actual: new Map(),
+  }
+
+  /** What the settings and the ticked clips ask for now. */
+  #question(): Asked | null {
+    const question = questionOf(this.#clips, this.#settings.values);
+    if (!question) return null;
+    const opened = this.#shown?.question === null ? this.#shown : null;
+    const known = this.#entries.get(question.key) ?? opened;
+    return { question, known, text: known?.results.text ?? null };
+  }
+
+  #ask(): void {
+    const asked = this.#obstacle() === "" ? this.#question() : null;
+    if (!asked) {
+      this.#planning.drop();
+      this.#asked = null;
+      this.#answered(null, "");
+      return;
+    }
+    if (this.#asked && isSame(this.#asked, asked)) return;
+    this.#asked = asked;
+    this.#planning.request(asked);
+  }
+
+  /** After the results have changed: what was said about them is out of date. */
+  #askAnew(): void {
+    [this.#planned, this.#asked] = [null, null];
+    this.#ask();
+    this.changed();
+  }
+
+  #answered(planned: { asked: Asked; planned: PlannedComparison } | null, problem: string): void {
+    this.#planned = planned;
+    this.#planProblem = problem;
+    this.changed();
+  }
+
+  /** Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new one. */
+  #takeUp({ question, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
+    const own = goesOn && known?.question?.key === question.key ? known : null;
+    const entry = own ?? newEntry(question, results);
+    entry.results = results;
+    this.#shown = entry;
+    this.#entries.delete(question.key);
+    this.#entries.set(question.key, entry);
+    for (const oldest of this.#entries.keys()) {
+      if (this.#entries.size <= MOST_ENTRIES) break;
+      this.#entries.delete(oldest);
+    }
+    return entry;
+  }
+
+  async #carryOut(
+    entry: ComparisonEntry,
+    question: Question,
+    progress: JobProgress,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const { id, job } = progress;
+    const end = (state: JobProgress["state"], why = "") => {
+      [progress.state, progress.why] = [state, why];
+      this.changedSoon();
     };
-    this.comparison = comparison;
-    [this.ending, this.failed] = [`${results.finished.length} results opened.`, false];
-    this.app.tell("study");
+    let evaluated: Evaluated | null;
+    try {
+      evaluated = await this.#evaluate(question, progress, signal);
+    } catch (problem) {
+      // Only what came of a training is a result: one that was stopped or that failed may be asked for again.
+      return end(signal.aborted ? "cancelled" : "failed", messageOf(problem));
+    }
+    if (!evaluated) return end("cancelled");
+    try {
+      await this.#add(entry, progress, evaluated);
+      keepMotions(entry, id, job, evaluated);
+      end("done");
+    } catch (problem) {
+      end("failed", messageOf(problem));
+    }
   }
 
-  save(): void {
-    if (this.study)
-      download(
-        "comparison.results.json",
-        new Blob([`${JSON.stringify(this.study.results)}\n`], { type: "application/json" }),
-      );
+  async #evaluate(
+    { clips, settings }: Question,
+    progress: JobProgress,
+    signal: AbortSignal,
+  ): Promise<Evaluated | null> {
+    const { pool } = await this.#whole.load();
+    return pool.run((worker) => {
+      progress.state = "running";
+      const start = performance.now();
+      const report = (fraction: number) => {
+        progress.fraction = fraction;
+        progress.elapsed = (performance.now() - start) / 1000;
+        this.changedSoon();
+      };
+      return worker.evaluate({ clips, settings, ...progress.job }, report, signal);
+    }, signal);
+  }
+
+  #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
+    const added = this.#adding.then(async () => {
+      const { desk } = await this.#whole.load();
+      const add = () => desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
+      // The worker may have died: a fresh one needs nothing but the text.
+      entry.results = await add().catch(add);
+    });
+    this.#adding = added.catch(() => {});
+    return added;
   }
 }
 
-function summary(all: readonly StudyJob[]): string {
-  if (all.length === 0) return "All of this was finished before.";
-  const count = (state: StudyJob["state"]) => all.filter((one) => one.state === state).length;
-  const failed = count("failed") > 0 ? `, ${count("failed")} failed` : "";
-  return `${count("done")} of ${all.length} trainings done${failed}${count("cancelled") === 0 ? "." : "; the others were cancelled."}`;
+function plan(worker: WholeProgramWorker, { question, text }: Asked): Promise<PlannedComparison> {
+  return worker.planComparison(question.clips, question.settings, question.plan, text);
 }
 
-function readResults(text: string): Results {
-  try {
-    return JSON.parse(text) as Results;
-  } catch (problem) {
-    throw new Error(`Expected the results of an evaluation as JSON: ${messageOf(problem)}`);
-  }
+function isSame(a: Asked, b: Asked): boolean {
+  const words = ({ question: { key, plan } }: Asked) => JSON.stringify([key, plan]);
+  return a.known === b.known && a.text === b.text && words(a) === words(b);
 }
 
-const all = new WeakMap<App, Studying>();
-
-/** The comparison of this page's visit. */
-export function studying(app: App): Studying {
-  let one = all.get(app);
-  if (!one) all.set(app, (one = new Studying(app)));
-  return one;
+/** Whether the program itself says that something cannot be done. */
+function isRefusal(problem: unknown): boolean {
+  return problem instanceof Error && problem.name === "VcgpdmError";
 }

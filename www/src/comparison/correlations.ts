@@ -1,13 +1,14 @@
-// Figure 6B of Velychko et al. 2018: does a higher bound go with a smaller error? A panel for each model that has a bound.
+// Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model that has a bound.
 import { html, svg } from "lit";
-import { axes, inColour, MARK, mark, ticksAcross, ticksUp, widthOf } from "../figures/chart";
-import { ComparisonFigure } from "../figures/figure-element";
+import { axes, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { MARK_SIZE } from "../figures/marks";
+import { FigureElement } from "../figures/figure-element";
 import { correlationFinding, rankWords } from "./findings";
 import { beside, withoutCommonEnd } from "../figures/labels";
-import { modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "./model-style";
 import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
-import type { Comparison, Correlation } from "../engine/protocol";
+import type { Comparison, Correlation } from "../engine/whole-protocol";
 
 const GAP = 28;
 const LEAST = 250;
@@ -15,7 +16,7 @@ const LEAST = 250;
 const drawable = ({ points }: Correlation) =>
   points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
-export class CorrelationsFigure extends ComparisonFigure<Comparison> {
+export class CorrelationsFigure extends FigureElement<Comparison> {
   protected readonly heading = "Error against bound";
   protected readonly file = "error-against-bound";
 
@@ -63,7 +64,7 @@ export class CorrelationsFigure extends ComparisonFigure<Comparison> {
     );
     const across = ticksAcross(x, right - left, type);
     const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
-    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK * type, {
+    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK_SIZE * type, {
       x: left,
       y: top,
       width: right - left,
@@ -71,11 +72,11 @@ export class CorrelationsFigure extends ComparisonFigure<Comparison> {
     });
     return html`
       <div class="panel-figure" style=${inColour(model)}>
-        <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
+        <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span> <small>${[correlation.label, rankWords(correlation)].filter(Boolean).join(", ")}</small></p>
         <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
           ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
-          ${places.map((place) => mark(model, place.x, place.y, MARK * type))}
+          ${places.map((place) => modelMark(model, place.x, place.y, MARK_SIZE * type))}
           ${boxes.map((box, i) => svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>`)}
         </svg>
         ${end === "" ? "" : html`<small class="panel-note">Labels: ${end}.</small>`}

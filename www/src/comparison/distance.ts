@@ -1,10 +1,11 @@
 // How far each prediction is from the real trial, frame by frame: where a model goes wrong, and whether it stays so.
 import { html, svg } from "lit";
-import type { ModelId } from "../engine/protocol";
-import { axes, inColour, MARK, mark, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
-import { ComparisonFigure } from "../figures/figure-element";
+import type { ModelKind } from "../engine/whole-protocol";
+import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { MARK_SIZE } from "../figures/marks";
+import { FigureElement } from "../figures/figure-element";
 import { spread } from "../figures/labels";
-import { modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "./model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
@@ -14,16 +15,16 @@ export interface Distances {
   frameTime: number;
   /** The title of the trial held out. */
   trial: string;
-  lines: { model: ModelId; label: string /** [frames] */; metres: Float64Array }[];
+  lines: { model: ModelKind; label: string /** [frames] */; metres: Float64Array }[];
 }
 
 const LEAD = 14;
-/** Below it settings are left to the picture above. */
+/** In a narrower figure the lines have the names of their models only; the picture above tells the settings. */
 const NARROW = 640;
 
 const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-export class DistanceFigure extends ComparisonFigure<Distances> {
+export class DistanceFigure extends FigureElement<Distances> {
   protected readonly heading = "Distance from the real trial";
   protected readonly file = "distance-from-the-trial";
   private place: (frame: number) => number = () => 0;
@@ -65,15 +66,20 @@ export class DistanceFigure extends ComparisonFigure<Distances> {
     const beyond = LEAD + 1.2 * type + Math.max(...words.map((word) => textWidth(word, type)));
     const height = Math.round(Math.max(13 * type, lines.length * 1.45 * type + 6 * type));
     const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - beyond];
-    const y = linearScale([0, ...lines.flatMap(({ metres }) => [...metres].map((one) => 100 * one))], bottom, top);
+    const y = linearScale(
+      [0, ...lines.flatMap(({ metres }) => [...metres].map((distance) => 100 * distance))],
+      bottom,
+      top,
+    );
     const up = ticksUp(y, bottom - top, type).filter(({ value }) => value >= 0);
     const left = widthOf(up, type);
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
     this.place = (frame) => x.at(frame * frameTime);
-    const drawn = lines.map(({ model, metres }) => ({
+    const drawn = lines.map(({ model, metres }, i) => ({
       model,
-      places: [...metres].map((one, frame) => [x.at(frame * frameTime), y.at(100 * one)] as const),
+      name: words[i] ?? "",
+      places: [...metres].map((distance, frame) => [x.at(frame * frameTime), y.at(100 * distance)] as const),
     }));
     const ends = spread(
       drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
@@ -96,14 +102,16 @@ export class DistanceFigure extends ComparisonFigure<Distances> {
           { scale: y, ticks: up, title: "Mean distance of the joints, cm" },
         )}
         <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
-        ${drawn.map(
-          ({ model, places }, i) => svg`<g style=${inColour(model)} font-size=${type}>
-          ${path(places)}
-          <path class="leader" d="M${places.at(-1)?.[0] ?? right} ${places.at(-1)?.[1] ?? bottom}L${right + LEAD} ${ends[i]!}"></path>
-          ${mark(model, right + LEAD, ends[i]!, MARK * type)}
-          <text class="label" x=${right + LEAD + 0.85 * type} y=${ends[i]! + 0.35 * type}>${words[i]}</text>
-        </g>`,
-        )}
+        ${drawn.map(({ model, name, places }, i) => {
+          const [endX, endY] = places.at(-1) ?? [right, bottom];
+          const labelY = ends[i] ?? bottom;
+          return svg`<g style=${inColour(model)} font-size=${type}>
+            ${path(places)}
+            <path class="leader" d="M${endX} ${endY}L${right + LEAD} ${labelY}"></path>
+            ${modelMark(model, right + LEAD, labelY, MARK_SIZE * type)}
+            <text class="label" x=${right + LEAD + 0.85 * type} y=${labelY + 0.35 * type}>${name}</text>
+          </g>`;
+        })}
       </svg>
       <figcaption>Of a body 1.7 m tall, with the hips laid on the real ones. The error in the table is that of joint rotations and the root’s movement after warping in time: to be early or late counts here, and little there.</figcaption>`;
   }

@@ -1,9 +1,9 @@
 import { expect, it } from "vitest";
 import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
-import { bestOf, isSkewed, MEASURES, scaleOf } from "./measures";
-import type { Correlation, ModelSummary } from "../engine/protocol";
+import { bestOf, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
+import type { Correlation, ModelSummary } from "../engine/whole-protocol";
 
-const of = (rank: number, settings = 5): Correlation => ({
+const correlation = (rank: number, settings = 5): Correlation => ({
   model: "vcgpdm",
   label: "",
   rank,
@@ -25,19 +25,19 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
   folds,
   runs: folds,
 });
-const [ERROR, BOUND] = [MEASURES[0]!, MEASURES[1]!];
+const [ERROR, BOUND] = MEASURES as [Measure, Measure];
 
 it("says what a rank correlation says", () => {
-  expect(correlationFinding(of(-0.9))).toBe(
+  expect(correlationFinding(correlation(-0.9))).toBe(
     "vCGPDM, error against bound: rank correlation −0.90 over 5 settings; a higher bound goes with a smaller error.",
   );
-  expect(correlationFinding(of(0.8))).toContain("larger error");
-  expect(correlationFinding(of(-0.2))).toContain("says little");
+  expect(correlationFinding(correlation(0.8))).toContain("larger error");
+  expect(correlationFinding(correlation(-0.2))).toContain("says little");
 });
 
-it("says nothing of a rank correlation that is none", () => {
-  expect(rankWords(of(1, 1))).toBe("no rank correlation over 1 setting");
-  expect(correlationFinding(of(Number.NaN))).toContain("no rank correlation over 5 settings; too few");
+it("says nothing about a rank correlation that does not exist", () => {
+  expect(rankWords(correlation(1, 1))).toBe("no rank correlation over 1 setting");
+  expect(correlationFinding(correlation(Number.NaN))).toContain("no rank correlation over 5 settings; too few");
 });
 
 it("says how time grows", () => {

@@ -1,7 +1,7 @@
 // What the figures find, in words.
 import { modelStyle } from "./model-style";
 import { twoDecimals } from "../figures/numbers";
-import type { Correlation, Growth, ModelSummary } from "../engine/protocol";
+import type { Correlation, Growth, ModelSummary } from "../engine/whole-protocol";
 
 /** "rank correlation −0.90 over 5 settings" */
 export function rankWords({ rank, settings }: Correlation): string {
@@ -30,10 +30,10 @@ export function exponentWords({ exponent }: Growth): string {
 }
 
 export function growthFinding(growth: readonly Growth[]): string {
-  return `Seconds an iteration against frames, both on log scales: ${growth.map((of) => `${modelStyle(of.model).name}, ${exponentWords(of)}`).join("; ")}.`;
+  return `Seconds an iteration against frames, both on log scales: ${growth.map((line) => `${modelStyle(line.model).name}, ${exponentWords(line)}`).join("; ")}.`;
 }
 
-/** Over what the means are taken. */
+/** Over how many trials the means are taken. */
 export function foldWords(models: readonly ModelSummary[]): string {
   const folds = models.map((summary) => summary.folds);
   const [least, most] = [Math.min(...folds), Math.max(...folds)];

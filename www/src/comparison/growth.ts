@@ -1,16 +1,17 @@
-// Figure 2 of the supplement of Velychko et al. 2017: how the time of an iteration grows with the frames.
+// How the time of an iteration grows with the frames (figure 2 of the supplement of Velychko et al. 2017).
 import { html, svg } from "lit";
-import { axes, inColour, MARK, mark, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
-import { ComparisonFigure } from "../figures/figure-element";
+import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { MARK_SIZE } from "../figures/marks";
+import { FigureElement } from "../figures/figure-element";
 import { exponentWords, growthFinding } from "./findings";
 import { type Point, spread } from "../figures/labels";
-import { modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "./model-style";
 import { logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
-import type { Comparison, Growth } from "../engine/protocol";
+import type { Comparison, Growth } from "../engine/whole-protocol";
 
 const MOST = 860;
-/** Below it names and exponents stand in two lines. */
+/** In a narrower figure names and exponents stand in two lines. */
 const NARROW = 520;
 /** From the end of the axis to the marks beside the names. */
 const LEAD = 18;
@@ -20,12 +21,12 @@ const drawable = ({ points }: Growth) =>
     .filter(({ frames, seconds }) => frames > 0 && seconds > 0 && Number.isFinite(frames + seconds))
     .sort((a, b) => a.frames - b.frames);
 
-export class GrowthFigure extends ComparisonFigure<Comparison> {
+export class GrowthFigure extends FigureElement<Comparison> {
   protected readonly heading = "Learning time against frames";
   protected readonly file = "learning-time-against-frames";
 
   protected missing({ growth }: Comparison): string | null {
-    return growth.every((of) => drawable(of).length === 0)
+    return growth.every((line) => drawable(line).length === 0)
       ? "Needs a model trained on three or more numbers of trials."
       : null;
   }
@@ -39,7 +40,7 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
     };
   }
 
-  /** Its points, and at `end` its mark again with name and exponent: lines that lie on each other can be told there. */
+  /** A model's points, and at `end` its mark again with name and exponent, where lines that lie on each other can be told apart. */
   private line(
     { model }: Growth,
     places: readonly (readonly [number, number])[],
@@ -48,13 +49,13 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
     narrow: boolean,
   ) {
     const { type } = this;
-    const [lastX, lastY] = places.at(-1)!;
+    const [lastX, lastY] = places.at(-1) ?? [end.x, end.y];
     const text = end.x + 0.85 * type;
     return svg`<g style=${inColour(model)} font-size=${type}>
       <path class="leader" d="M${lastX} ${lastY}L${end.x} ${end.y}"></path>
       ${path(places)}
-      ${places.map(([x, y]) => mark(model, x, y, MARK * type))}
-      ${mark(model, end.x, end.y, MARK * type)}
+      ${places.map(([x, y]) => modelMark(model, x, y, MARK_SIZE * type))}
+      ${modelMark(model, end.x, end.y, MARK_SIZE * type)}
       ${
         narrow
           ? svg`<text class="label strong" x=${text} y=${end.y - 0.21 * type}>${words.name}</text><text class="label" x=${text} y=${end.y + 0.91 * type}>${words.exponent}</text>`
@@ -64,12 +65,17 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
   }
 
   protected figure({ growth }: Comparison) {
-    const lines = growth.map((of) => ({ of, points: drawable(of) })).filter(({ points }) => points.length > 0);
     const { type } = this;
     const width = Math.min(MOST, this.width);
     const narrow = width < NARROW;
-    const words = lines.map(({ of }) => ({ name: modelStyle(of.model).name, exponent: exponentWords(of) }));
-    const wide = words.map(({ name, exponent }) => {
+    const lines = growth
+      .map((line) => ({
+        line,
+        points: drawable(line),
+        words: { name: modelStyle(line.model).name, exponent: exponentWords(line) },
+      }))
+      .filter(({ points }) => points.length > 0);
+    const wide = lines.map(({ words: { name, exponent } }) => {
       const strong = textWidth(name, type, 600);
       return narrow ? Math.max(strong, textWidth(exponent, type)) : strong + textWidth(`, ${exponent}`, type);
     });
@@ -89,24 +95,25 @@ export class GrowthFigure extends ComparisonFigure<Comparison> {
       left,
       right,
     );
-    const drawn = lines.map(({ of, points }) => ({
-      of,
+    const drawn = lines.map(({ line, words, points }) => ({
+      line,
+      words,
       places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const),
     }));
     const ends = spread(
-      drawn.map(({ places }) => places.at(-1)![1]),
+      drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
       step,
       top + type,
       bottom - type,
     );
     return html`
-      <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${growthFinding(lines.map(({ of }) => of))}>
+      <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${growthFinding(lines.map(({ line }) => line))}>
         ${axes(
           { left, right, bottom, type },
           { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
           { scale: y, ticks: up, title: "Seconds an iteration, log scale" },
         )}
-        ${drawn.map(({ of, places }, i) => this.line(of, places, words[i]!, { x: right + LEAD, y: ends[i]! }, narrow)).reverse()}
+        ${drawn.map(({ line, places, words }, i) => this.line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
       </svg>
       <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;
   }

@@ -1,14 +1,15 @@
 // What the table of models compares.
 import { linearScale, logScale, type Scale } from "../figures/scale";
-import type { ModelSummary, Spread } from "../engine/protocol";
+import type { ModelSummary, Spread } from "../engine/whole-protocol";
 
-/** So that marks at the ends of a scale are whole, pixels. */
+/** Pixels kept free at the ends of a scale, so that marks there are whole. */
 const EDGE = 6;
 
 export interface Measure {
   title: string;
   unit: string;
-  of(summary: ModelSummary): Spread | null;
+  /** Its value of a model; null where the model has none. */
+  spread(summary: ModelSummary): Spread | null;
   scale: "linear" | "log";
   best: "least" | "greatest";
   /** What the best is called. */
@@ -16,13 +17,20 @@ export interface Measure {
 }
 
 export const MEASURES: Measure[] = [
-  { title: "Error", unit: "DTW MSE", of: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
-  { title: "Bound", unit: "nats", of: ({ bound }) => bound, scale: "linear", best: "greatest", word: "highest" },
-  { title: "Training", unit: "seconds", of: ({ seconds }) => seconds, scale: "log", best: "least", word: "quickest" },
+  { title: "Error", unit: "DTW MSE", spread: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
+  { title: "Bound", unit: "nats", spread: ({ bound }) => bound, scale: "linear", best: "greatest", word: "highest" },
+  {
+    title: "Training",
+    unit: "seconds",
+    spread: ({ seconds }) => seconds,
+    scale: "log",
+    best: "least",
+    word: "quickest",
+  },
   {
     title: "Size",
     unit: "numbers stored",
-    of: ({ storedNumbers }) => storedNumbers,
+    spread: ({ storedNumbers }) => storedNumbers,
     scale: "log",
     best: "least",
     word: "fewest",
@@ -41,7 +49,7 @@ const BELOW = 5;
 /** For a drawing of a width: all means with their error bars, and for the error what a prediction that does not move has. */
 export function scaleOf(measure: Measure, models: readonly ModelSummary[], width: number): Scale {
   const values = models.flatMap((summary) => {
-    const spread = measure.of(summary);
+    const spread = measure.spread(summary);
     if (!spread) return [];
     const [low, high] = ends(spread);
     const reference = measure.unit === "DTW MSE" ? [summary.variance] : [];
@@ -52,9 +60,7 @@ export function scaleOf(measure: Measure, models: readonly ModelSummary[], width
 
 /** The best mean; null where fewer than two can be compared. */
 export function bestOf(measure: Measure, models: readonly ModelSummary[]): number | null {
-  const means = models
-    .map((summary) => measure.of(summary)?.mean)
-    .filter((mean) => mean !== undefined && Number.isFinite(mean)) as number[];
+  const means = models.map((summary) => measure.spread(summary)?.mean ?? NaN).filter(Number.isFinite);
   if (means.length < 2) return null;
   return measure.best === "least" ? Math.min(...means) : Math.max(...means);
 }

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { LOOKS, markPath, modelStyle } from "./model-style";
-import type { ModelId } from "../engine/protocol";
+import { LOOKS, modelStyle } from "./model-style";
+import type { ModelKind } from "../engine/whole-protocol";
 
 type Triple = [number, number, number];
 
@@ -65,7 +65,7 @@ function oklab(colour: Triple): Triple {
   );
 }
 
-const IDS = Object.keys(LOOKS) as ModelId[];
+const IDS = Object.keys(LOOKS) as ModelKind[];
 const PAIRS = IDS.flatMap((a, i) => IDS.slice(i + 1).map((b) => [a, b] as const));
 
 it.each([
@@ -91,9 +91,4 @@ it("has a name, a colour and a mark of its own for each model", () => {
   for (const key of ["name", "colour", "mark"] as const)
     expect(new Set(styles.map((style) => style[key])).size).toBe(IDS.length);
   expect(modelStyle("vcgpdm")).toEqual({ name: "vCGPDM", colour: "light-dark(#075cb1, #639bdb)", mark: "circle" });
-});
-
-it("draws a mark around its point", () => {
-  expect(markPath("square", 10, 20, 5)).toBe("M5.70 15.70L14.30 15.70L14.30 24.30L5.70 24.30Z");
-  expect(markPath("circle", 10, 20, 5)).toContain("A5 5");
 });

@@ -1,14 +1,16 @@
-// Figure 4 of Velychko et al. 2018 as a table: error, bound, time and size of each model, with a dot and its error bar for each number.
+// Error, bound, time and size of each model: figure 4 of Velychko et al. 2018 as a table, with a dot and its error bar for each
+// number.
 import { html, nothing, svg } from "lit";
-import { errorBar, inColour, MARK, mark } from "../figures/chart";
-import { ComparisonFigure } from "../figures/figure-element";
+import { errorBar } from "../figures/chart";
+import { MARK_SIZE } from "../figures/marks";
+import { FigureElement } from "../figures/figure-element";
 import { foldWords } from "./findings";
 import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
-import { modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "./model-style";
 import { plain, spreadWords } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
-import type { Comparison, ModelSummary, Spread } from "../engine/protocol";
+import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
 
 /** The drawing in a cell, pixels; as wide as the page lets it. */
 const NARROWEST = 112;
@@ -26,8 +28,11 @@ function ticksOf(scale: Scale, width: number, type: number) {
       const x = scale.at(value);
       return { x, label, half, text: Math.min(Math.max(x, half), width - half) };
     });
-    if (ticks.every(({ text, half }, i) => i === 0 || text - half >= ticks[i - 1]!.text + ticks[i - 1]!.half + 5))
-      return ticks;
+    const apart = ticks.every(({ text, half }, i) => {
+      const before = ticks[i - 1];
+      return !before || text - half >= before.text + before.half + 5;
+    });
+    if (apart) return ticks;
   }
   return [];
 }
@@ -39,7 +44,7 @@ interface Drawn extends Measure {
   winner: number | null;
 }
 
-export class ModelsTable extends ComparisonFigure<Comparison> {
+export class ModelsTable extends FigureElement<Comparison> {
   protected readonly heading = "Error, bound, time and size of each model";
   protected readonly file = "models-compared";
 
@@ -53,7 +58,8 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
       `${name} standard error (${unit})`,
       `${name} count`,
     ];
-    const fields = (of: Spread | null) => (of ? [of.mean, of.standardError, of.count] : [null, null, null]);
+    const fields = (value: Spread | null) =>
+      value ? [value.mean, value.standardError, value.count] : [null, null, null];
     return {
       header: [
         "model",
@@ -101,8 +107,8 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
         </svg></div></th>`;
   }
 
-  private cell(summary: ModelSummary, { of, unit, word, drawing, width, ticks, winner }: Drawn) {
-    const spread = of(summary);
+  private cell(summary: ModelSummary, { unit, word, drawing, width, ticks, winner, ...measure }: Drawn) {
+    const spread = measure.spread(summary);
     if (!spread) return html`<td><div class="measure"><span class="number none">none</span></div></td>`;
     const { mean, error } = spreadWords(spread);
     const best = winner !== null && spread.mean === winner;
@@ -117,7 +123,7 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
           ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
           ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
-          ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${mark(summary.model, drawing.at(spread.mean), y, 0.88 * MARK * this.type)}` : nothing}
+          ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${modelMark(summary.model, drawing.at(spread.mean), y, 0.88 * MARK_SIZE * this.type)}` : nothing}
         </svg></div></td>`;
   }
 
@@ -141,9 +147,9 @@ export class ModelsTable extends ComparisonFigure<Comparison> {
           <tbody>${models.map((summary, i) => {
             const { model, label } = summary;
             return html`
-              <tr style=${inColour(model)} class=${i > 0 && models[i - 1]!.model !== model ? "next-model" : ""}>
+              <tr style=${inColour(model)} class=${i > 0 && models[i - 1]?.model !== model ? "next-model" : ""}>
                 <th scope="row" class="who"><div>
-                  <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${mark(model, 7, 7, 4.6)}</svg>
+                  <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
                   <span class="name">${modelStyle(model).name}</span><small>${label}</small></div></th>
                 ${measures.map((measure) => this.cell(summary, measure))}
               </tr>`;

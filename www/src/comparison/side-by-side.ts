@@ -1,285 +1,232 @@
 // Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
 import { html, nothing } from "lit";
-import { studying } from "./comparison-store";
+import { plain } from "../figures/numbers";
 import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
-import type { Finished, Motion } from "../engine/protocol";
-import { candidateKey, inOrder, jobKey, type Positions } from "./jobs";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import { type ColumnMotion, Columns } from "./columns";
+import type { ReadonlyEntry } from "./comparison-entry";
+import type { ComparisonStore } from "./comparison-store";
 import "./distance";
 import type { Distances, DistanceFigure } from "./distance";
 import { modelStyle } from "./model-style";
-import { plain } from "../figures/numbers";
+import { chosenOf, foldsOf, MOST_COLUMNS, motionOf, type Prediction, predictionsOf, toggled } from "./predictions";
 
-/** More would be too narrow to see. */
-const MOST = 4;
-
-interface Shown {
-  key: string;
-  finished: Finished;
-  predicted: Positions;
-}
-
-const motionOf = ({ positions, frameTime }: Positions, nodes: number): Motion => ({
-  positions,
-  nodes,
-  frameTime,
-  frames: positions.length / (3 * nodes),
-});
+const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
 
 export class SideBySide extends View {
-  static override topics = ["study"] as const;
+  declare comparison: ComparisonStore;
   /** The whole frame that the controls show, and where the clock was when the columns were last drawn. */
-  private frame = 0;
-  private drawnAt = -1;
-  private readonly player = new Player();
-  private columns: Columns | null = null;
-  private problem = "";
-  /** What the columns show: of which study, which trial, which models. */
-  private onStage: { of: unknown; what: string } = { of: null, what: "" };
-  private apart: Distances | null = null;
-  private lastTick = 0;
-  private timer = 0;
+  #frame = 0;
+  #drawnAt = -1;
+  readonly #player = new Player();
+  #columns: Columns | null = null;
+  #problem = "";
+  /** What the columns show now: of which comparison, which trial, which models. */
+  #loaded: { entry: ReadonlyEntry | null; words: string } = { entry: null, words: "" };
+  #distances: Distances | null = null;
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.player.playing = studying(this.app).look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  protected override stores() {
+    return [this.comparison];
+  }
+
+  protected override arrived(): void {
+    this.#player.playing = this.comparison.look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    let before = performance.now();
+    let timer = 0;
     const tick = (now: number) => {
-      this.timer = requestAnimationFrame(tick);
-      this.tick(Math.min(0.25, (now - this.lastTick) / 1000));
-      this.lastTick = now;
+      timer = requestAnimationFrame(tick);
+      this.#tick(Math.min(0.25, (now - before) / 1000));
+      before = now;
     };
-    this.lastTick = performance.now();
-    this.timer = requestAnimationFrame(tick);
+    timer = requestAnimationFrame(tick);
+    this.whenLeaving(() => {
+      cancelAnimationFrame(timer);
+      this.#leaveCanvas();
+    });
+    this.requestUpdate();
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    cancelAnimationFrame(this.timer);
-    this.leave();
-  }
-
-  /** Gives the canvas up. */
-  private leave(): void {
-    this.columns?.dispose();
-    this.columns = null;
-    this.onStage = { of: null, what: "" };
+  #leaveCanvas(): void {
+    this.#columns?.dispose();
+    this.#columns = null;
+    this.#loaded = { entry: null, words: "" };
   }
 
   togglePlay(): void {
-    if (this.player.playing) this.player.pause();
-    else this.player.play();
-    this.remember();
+    if (this.#player.playing) this.#player.pause();
+    else this.#player.play();
+    this.#remember();
   }
 
   step(direction: 1 | -1): void {
-    this.player.step(direction);
-    this.showFrame();
-    this.remember();
+    this.#player.step(direction);
+    this.#showFrame();
+    this.#remember();
   }
 
-  private scrub(event: Event): void {
-    this.player.pause();
-    this.player.scrub(Number((event.target as HTMLInputElement).value));
-    this.showFrame();
-    this.remember();
+  #scrub(event: Event): void {
+    this.#player.pause();
+    this.#player.scrub(Number((event.target as HTMLInputElement).value));
+    this.#showFrame();
+    this.#remember();
   }
 
-  /** Whether it plays is as it was left when the view is opened again. */
-  private remember(): void {
-    studying(this.app).look.playing = this.player.playing;
-    this.requestUpdate();
+  /** When the view is opened again it plays, or not, as it was left. */
+  #remember(): void {
+    this.comparison.lookAt({ playing: this.#player.playing });
   }
 
-  private tick(seconds: number): void {
-    this.player.advance(seconds);
-    const changed = this.player.frame !== this.drawnAt;
-    this.drawnAt = this.player.frame;
-    if (Math.floor(this.player.frame + 1e-6) !== this.frame) this.showFrame();
-    this.columns?.draw(this.player.frame, changed, seconds, this.player.playing);
+  #tick(seconds: number): void {
+    this.#player.advance(seconds);
+    const { frame, playing } = this.#player;
+    const changed = frame !== this.#drawnAt;
+    this.#drawnAt = frame;
+    if (this.#wholeFrame() !== this.#frame) this.#showFrame();
+    this.#columns?.draw(frame, changed, seconds, playing);
+  }
+
+  #wholeFrame(): number {
+    return Math.floor(this.#player.frame + 1e-6);
   }
 
   /** Moves what follows the clock; all else stays as it is drawn. */
-  private showFrame(): void {
-    const frame = Math.floor(this.player.frame + 1e-6);
-    this.frame = frame;
+  #showFrame(): void {
+    this.#frame = this.#wholeFrame();
     const [range, clock] = [this.querySelector<HTMLInputElement>(".scrub input"), this.querySelector(".clock b")];
     if (!range || !clock) return;
-    range.value = String(frame);
-    range.setAttribute("aria-valuetext", this.frameWords());
-    clock.textContent = String(frame + 1);
-    this.querySelector<DistanceFigure>("comparison-distance")?.at(frame);
+    range.value = String(this.#frame);
+    range.setAttribute("aria-valuetext", this.#frameWords());
+    clock.textContent = String(this.#frame + 1);
+    this.querySelector<DistanceFigure>("comparison-distance")?.at(this.#frame);
   }
 
-  private frameWords(): string {
-    return `Frame ${this.frame + 1} of ${this.player.last + 1}`;
+  #frameWords(): string {
+    return `Frame ${this.#frame + 1} of ${this.#player.last + 1}`;
   }
 
-  /** Trials of which there are predictions. */
-  private folds(): number[] {
-    const { study } = studying(this.app);
-    const known = (study?.results.finished ?? []).filter(({ job }) => study!.predictions.has(jobKey(job)));
-    return [...new Set(known.map(({ job }) => job.held_out))].sort((a, b) => a - b);
+  /** The trial that is looked at, or the first of which there are predictions. */
+  #foldNow(folds: readonly number[]): number {
+    const { fold } = this.comparison.look;
+    return folds.includes(fold) ? fold : (folds[0] ?? 0);
   }
 
-  /** What can be shown of a trial: models trained on all others. */
-  private candidates(fold: number): Shown[] {
-    const { study } = studying(this.app);
-    if (!study) return [];
-    const all = study.results.setting.trials.length - 1;
-    const found = study.results.finished.flatMap((finished) => {
-      const { job } = finished;
-      if (job.held_out !== fold || job.training_trials !== all) return [];
-      const predicted = study.predictions.get(jobKey(job));
-      return predicted ? [{ key: jobKey({ ...job, held_out: 0 }), finished, predicted }] : [];
-    });
-    return found.sort((a, b) => inOrder(a.finished.job, b.finished.job));
-  }
-
-  private chosen(of: readonly Shown[]): Shown[] {
-    const picked = studying(this.app).look.picked?.flatMap((key) => of.filter((one) => one.key === key)) ?? [];
-    if (picked.length > 0) return picked.slice(0, MOST);
-    const kinds = new Map<string, Shown>();
-    for (const one of of) {
-      const { model } = one.finished.job.candidate;
-      if (!kinds.has(model)) kinds.set(model, one);
-    }
-    return [...kinds.values()].slice(0, MOST);
-  }
-
-  private toggle(of: readonly Shown[], key: string): void {
-    const now = this.chosen(of).map((one) => one.key);
-    const next = now.includes(key) ? now.filter((one) => one !== key) : [...now, key];
-    if (next.length >= 1 && next.length <= MOST) studying(this.app).look.picked = next;
-    this.requestUpdate();
-  }
-
-  private nameOf({ finished: { job } }: Shown): string {
-    const { study, comparison } = studying(this.app);
-    const key = candidateKey(job.candidate);
-    const label = comparison?.models.find(({ candidate }) => candidateKey(candidate) === key)?.label ?? "";
-    const alike = study?.results.finished.filter((one) => one.job.candidate.model === job.candidate.model) ?? [];
-    const seed = new Set(alike.map((one) => one.job.seed)).size > 1 ? `seed ${job.seed}` : "";
-    return [label, seed].filter(Boolean).join(", ");
-  }
-
-  override updated(): void {
+  protected override updated(): void {
     const canvas = this.querySelector("canvas");
-    if (this.columns && this.columns.canvas !== canvas) this.leave();
+    if (this.#columns && this.#columns.canvas !== canvas) this.#leaveCanvas();
     if (!canvas) return;
-    if (!this.columns && !this.problem) {
+    if (!this.#columns && !this.#problem) {
       try {
-        this.columns = new Columns(canvas);
+        this.#columns = new Columns(canvas);
       } catch {
-        this.problem =
+        this.#problem =
           "This browser shows no 3-D graphics (WebGL), so the figures cannot be drawn. The tables below work all the same.";
         this.requestUpdate();
         return;
       }
     }
-    const { study } = studying(this.app);
-    const fold = this.foldNow();
-    const actual = study?.actual.get(fold);
-    if (!study?.body || !actual) return;
-    const shown = this.chosen(this.candidates(fold));
-    const what = JSON.stringify([fold, shown.map((one) => [one.key, this.nameOf(one)])]);
-    if (this.onStage.of === study && this.onStage.what === what) return;
-    this.onStage = { of: study, what };
-    const nodes = study.body.figure.nodes.length;
+    const { shown } = this.comparison;
+    if (shown) this.#load(shown);
+  }
+
+  /** Gives the columns and the figure below them what is to be shown, if that is not what they show now. */
+  #load(entry: ReadonlyEntry): void {
+    const fold = this.#foldNow(foldsOf(entry));
+    const actual = entry.actual.get(fold);
+    const body = entry.question?.body;
+    if (!body || !actual) return;
+    const chosen = chosenOf(predictionsOf(entry, fold), this.comparison.look.picked);
+    const words = JSON.stringify([fold, chosen.map(({ key, label }) => [key, label])]);
+    if (this.#loaded.entry === entry && this.#loaded.words === words) return;
+    this.#loaded = { entry, words };
+    const nodes = body.figure.nodes.length;
     const trial = motionOf(actual, nodes);
-    const motions = shown.map(
-      ({ predicted }): ColumnMotion => ({ predicted: motionOf(predicted, nodes), actual: trial }),
-    );
-    this.columns?.show(study.body, motions);
-    this.apart = {
-      frameTime: trial.frameTime,
-      trial: study.titles[fold - 1] ?? "",
-      lines: shown.map((one, i) => ({
-        model: one.finished.job.candidate.model,
-        label: this.nameOf(one),
-        metres: distances(motions[i]!.predicted, trial),
-      })),
-    };
-    this.player.load(trial.frames, trial.frameTime, trial.frames - 1);
+    const lines: Distances["lines"] = [];
+    const motions: ColumnMotion[] = [];
+    for (const prediction of chosen) {
+      const predicted = motionOf(prediction.predicted, nodes);
+      motions.push({ predicted, actual: trial });
+      const metres = distances(predicted, trial);
+      lines.push({ model: modelOf(prediction), label: prediction.label, metres });
+    }
+    this.#columns?.show(body, motions);
+    this.#distances = { frameTime: trial.frameTime, trial: entry.titles[fold - 1] ?? "", lines };
+    this.#player.load(trial.frames, trial.frameTime, trial.frames - 1);
     this.requestUpdate();
   }
 
-  private foldNow(): number {
-    const { fold } = studying(this.app).look;
-    const folds = this.folds();
-    return folds.includes(fold) ? fold : (folds[0] ?? 0);
-  }
-
-  private controls() {
-    const { player } = this;
+  #controls() {
+    const { playing, last } = this.#player;
     return html`
       <div class="timeline" role="group" aria-label="Time">
-        <button class="round primary" data-testid="compare-play" aria-label=${player.playing ? "Pause" : "Play"} title=${player.playing ? "Pause (space)" : "Play (space)"}
-          @click=${this.togglePlay}>${icon(player.playing ? "pause" : "play")}</button>
+        <button class="round primary" data-testid="compare-play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+          @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => this.step(-1)}>${icon("back")}</button>
         <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => this.step(1)}>${icon("forward")}</button>
         <div class="scrub">
-          <input type="range" aria-label="Frame" data-testid="compare-scrub" min="0" max=${player.last} step="1" .value=${String(this.frame)}
-            aria-valuetext=${this.frameWords()} @input=${this.scrub} />
+          <input type="range" aria-label="Frame" data-testid="compare-scrub" min="0" max=${last} step="1" .value=${String(this.#frame)}
+            aria-valuetext=${this.#frameWords()} @input=${(event: Event) => this.#scrub(event)} />
         </div>
-        <output class="clock" aria-hidden="true"><b .textContent=${String(this.frame + 1)}></b><span> of ${player.last + 1}</span></output>
+        <output class="clock" aria-hidden="true"><b .textContent=${String(this.#frame + 1)}></b><span> of ${last + 1}</span></output>
+      </div>`;
+  }
+
+  #choices(entry: ReadonlyEntry, folds: readonly number[], fold: number, chosen: readonly Prediction[]) {
+    const keys = chosen.map(({ key }) => key);
+    const full = chosen.length >= MOST_COLUMNS;
+    const chip = (prediction: Prediction) => {
+      const { key, label } = prediction;
+      const on = keys.includes(key);
+      const name = [modelStyle(modelOf(prediction)).name, label].filter(Boolean).join(", ");
+      return html`<button class="chip" aria-pressed=${on ? "true" : "false"} ?disabled=${!on && full}
+        title=${!on && full ? "Four at most: take one away first" : ""}
+        @click=${() => this.comparison.lookAt({ picked: toggled(keys, key) })}>${name}</button>`;
+    };
+    return html`
+      <div class="which">
+        <label>Trial held out
+          <select data-testid="compare-fold" @change=${(event: Event) =>
+            this.comparison.lookAt({ fold: Number((event.target as HTMLSelectElement).value) })}>
+            ${folds.map((number) => html`<option value=${number} ?selected=${number === fold}>${entry.titles[number - 1] ?? number}</option>`)}
+          </select>
+        </label>
+        <div class="picks" role="group" aria-label="Models to show, at most ${MOST_COLUMNS}">${predictionsOf(entry, fold).map(chip)}</div>
       </div>`;
   }
 
   protected override render() {
-    const { study } = studying(this.app);
-    const folds = this.folds();
-    if (!study || folds.length === 0) {
+    const { shown, look } = this.comparison;
+    const folds = shown ? foldsOf(shown) : [];
+    if (!shown || folds.length === 0) {
       return html`<p class="empty waiting">${
-        study && study.clips.length === 0
+        shown && !shown.question
           ? "A file of results holds no motions: press Compare with the clips to see the models move."
           : "The models will walk here side by side, each with the real trial as a grey ghost."
       }</p>`;
     }
-    const fold = this.foldNow();
-    const all = this.candidates(fold);
-    const shown = this.chosen(all);
-    const full = shown.length >= MOST;
+    const fold = this.#foldNow(folds);
+    const chosen = chosenOf(predictionsOf(shown, fold), look.picked);
     return html`
-      <div class="which">
-        <label>Trial held out
-          <select data-testid="compare-fold" @change=${(event: Event) => {
-            studying(this.app).look.fold = Number((event.target as HTMLSelectElement).value);
-            this.requestUpdate();
-          }}>
-            ${folds.map((k) => html`<option value=${k} ?selected=${k === fold}>${study.titles[k - 1] ?? k}</option>`)}
-          </select>
-        </label>
-        <div class="picks" role="group" aria-label="Models to show, at most ${MOST}">
-          ${all.map((one) => {
-            const on = shown.some(({ key }) => key === one.key);
-            const { name } = modelStyle(one.finished.job.candidate.model);
-            return html`<button class="chip" aria-pressed=${on ? "true" : "false"} ?disabled=${!on && full}
-              title=${!on && full ? "Four at most: take one away first" : ""} @click=${() => this.toggle(all, one.key)}>${[name, this.nameOf(one)].filter(Boolean).join(", ")}</button>`;
-          })}
-        </div>
-      </div>
-      <div class="columns" style="--columns:${shown.length}">
+      ${this.#choices(shown, folds, fold, chosen)}
+      <div class="columns" style="--columns:${chosen.length}">
         <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
-          aria-label="${shown.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."
-          @keydown=${(event: KeyboardEvent) => this.columns?.turnByKey(event)}></canvas>
-        ${this.problem ? html`<p class="stage-problem" role="alert">${this.problem}</p>` : nothing}
+          aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+        ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         <ol class="column-heads">
-          ${shown.map(
-            (one) => html`
+          ${chosen.map(
+            (prediction) => html`
             <li>
-              <strong>${modelStyle(one.finished.job.candidate.model).name}</strong>
-              <span>${this.nameOf(one)}</span>
-              <span>MSE ${plain(one.finished.outcome?.score.dtw_mse ?? NaN)}</span>
+              <strong>${modelStyle(modelOf(prediction)).name}</strong>
+              <span>${prediction.label}</span>
+              <span>MSE ${plain(prediction.finished.outcome?.score.dtwMse ?? NaN)}</span>
             </li>`,
           )}
         </ol>
       </div>
-      ${this.controls()}
+      ${this.#controls()}
       <p class="hint">In colour: what the model predicts from the trial’s first five frames. Grey: the real trial, laid on top.</p>
-      <comparison-distance .data=${this.apart}></comparison-distance>`;
+      <comparison-distance .data=${this.#distances}></comparison-distance>`;
   }
 }
 customElements.define("pg-side-by-side", SideBySide);

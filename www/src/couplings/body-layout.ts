@@ -1,4 +1,7 @@
-// Where the body map puts its nodes and arrows, in its own units.
+// Where the body map puts its nodes, bones and arrows, in its own units.
+import type { ModelInfo, Motion } from "../engine/protocol";
+import { HERE, poseAt } from "../scene/motion";
+import { partOfJoints } from "../scene/part-of-joints";
 
 export const WIDTH = 170;
 export const HEIGHT = 190;
@@ -10,14 +13,63 @@ export interface Spot {
   y: number;
 }
 
+/** A body from the front: a spot for each part, and the bones behind them. */
+export interface Body {
+  spots: Spot[];
+  bones: { a: Spot; b: Spot; part: number }[];
+}
+
+/** Frames from the first pose to the one that says where the body goes. */
+const HEADING_FRAMES = 45;
+
+/** The first pose from the front, and the middles of the parts drawn apart. */
+export function bodyOf({ figure, joints, parts }: ModelInfo, motion: Motion): Body {
+  const pose = pointsAt(motion, 0);
+  const later = pointsAt(motion, Math.min(motion.frames - 1, HEADING_FRAMES));
+  const [root = ORIGIN] = pose;
+  const [goal = ORIGIN] = later;
+  const heading = Math.atan2(goal.x - root.x, goal.z - root.z);
+  const scale = (HEIGHT - 30) / Math.max(...pose.map(({ y }) => y), 0.1);
+  const flat = pose.map(({ x, y, z }): Spot => {
+    const sideways = (x - root.x) * Math.cos(heading) - (z - root.z) * Math.sin(heading);
+    return { x: WIDTH / 2 - scale * sideways, y: HEIGHT - 14 - scale * y };
+  });
+  const part = partOfJoints(joints.length, parts);
+  const bones = figure.nodes.flatMap(({ parent }, node) => {
+    const [a, b] = [parent === null ? undefined : flat[parent], flat[node]];
+    const joint = parent === null ? undefined : figure.nodes[parent]?.joint;
+    return a && b && joint !== undefined ? [{ a, b, part: part[joint] ?? 0 }] : [];
+  });
+  const middles = parts.map((_, index) =>
+    middle(flat.filter((_, node) => part[figure.nodes[node]?.joint ?? -1] === index)),
+  );
+  return { spots: drawApart(middles), bones };
+}
+
+const ORIGIN = { x: 0, y: 0, z: 0 };
+
+/** The nodes of a motion at a frame. */
+function pointsAt(motion: Motion, frame: number): { x: number; y: number; z: number }[] {
+  const pose = poseAt(motion, frame, HERE, new Float32Array(motion.nodes * 3));
+  return Array.from({ length: motion.nodes }, (_, node) => {
+    const [x = 0, y = 0, z = 0] = pose.subarray(3 * node);
+    return { x, y, z };
+  });
+}
+
+function middle(spots: readonly Spot[]): Spot {
+  const count = Math.max(1, spots.length);
+  const sum = spots.reduce((sum, { x, y }) => ({ x: sum.x + x, y: sum.y + y }), { x: 0, y: 0 });
+  return { x: sum.x / count, y: sum.y / count };
+}
+
 /** Moves nodes that lie close together apart, within the map. */
 export function drawApart(spots: readonly Spot[]): Spot[] {
   const apart = spots.map(({ x, y }) => ({ x, y }));
   const least = 52;
   for (let round = 0; round < 60; round++) {
-    for (let i = 0; i < apart.length; i++) {
-      for (let j = i + 1; j < apart.length; j++) {
-        const [a, b] = [apart[i]!, apart[j]!];
+    for (const [i, a] of apart.entries()) {
+      for (const b of apart.slice(i + 1)) {
         let [dx, dy] = [b.x - a.x, b.y - a.y];
         const gap = Math.hypot(dx, dy);
         if (gap >= least) continue;

@@ -1,12 +1,16 @@
 // The couplings as a table of sliders: which part predicts which, and how much its prediction counts.
 import { html, nothing } from "lit";
-import { resetCoupling, resetCouplings, setCoupling, setReading, setStart } from "./rollouts";
-import { clipTitle, short, weight } from "../ui/format";
-import { partColour } from "../ui/palette";
+import type { EngineStore } from "../engine/engine-store";
+import type { ModelInfo } from "../engine/protocol";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
-import "./body-map";
+import type { SettingsStore } from "../settings/settings-store";
+import { clipTitle, short, weight } from "../ui/format";
 import { icon } from "../ui/icons";
+import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
+import "./body-map";
+import "./couplings.css";
+import type { ModelStore } from "./model-store";
 
 const LOG_MIN = Math.log10(ALPHA_MIN);
 const LOG_MAX = Math.log10(ALPHA_MAX);
@@ -18,30 +22,29 @@ function strength(alpha: number): number {
 }
 
 export class CouplingsView extends View {
-  static override topics = ["model", "rollout", "settings", "engine", "training"] as const;
+  declare model: ModelStore;
+  declare settings: SettingsStore;
+  declare engine: EngineStore;
 
-  private slide(source: number, target: number) {
-    return (event: Event) => {
-      const slider = event.target as HTMLInputElement;
-      setCoupling(this.app, source, target, 10 ** Number(slider.value));
-    };
+  protected override stores() {
+    return [this.model, this.settings, this.engine];
   }
 
   private keys(source: number, target: number) {
     return (event: KeyboardEvent) => {
       if (event.key !== "Backspace" && event.key !== "Delete") return;
       event.preventDefault();
-      resetCoupling(this.app, source, target);
+      this.model.resetCoupling(source, target);
     };
   }
 
-  private cell(source: number, target: number) {
-    const { model, rollout } = this.app;
-    const learned = model!.info.alpha[source]![target]!;
-    const alpha = this.app.couplings()[source]![target]!;
-    const w = rollout?.weights[source]?.[target] ?? 0;
-    const name = (part: number) => model!.info.parts[part]?.name ?? "";
-    const changed = this.app.settings.alpha[`${source}.${target}`] !== undefined;
+  private cell({ parts }: ModelInfo, source: number, target: number) {
+    const { model } = this;
+    const learned = model.learnedAlpha(source, target);
+    const alpha = model.alpha(source, target);
+    const w = model.weight(source, target);
+    const changed = model.isChanged(source, target);
+    const name = (part: number) => parts[part]?.name ?? "";
     const label = `${name(source)} to ${name(target)}`;
     return html`
       <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
@@ -52,8 +55,9 @@ export class CouplingsView extends View {
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
             title="${label}: drag to change, double click to reset"
-            @input=${this.slide(source, target)} @keydown=${this.keys(source, target)}
-            @dblclick=${() => resetCoupling(this.app, source, target)} />
+            @input=${(event: Event) => model.setCoupling(source, target, 10 ** (event.target as HTMLInputElement).valueAsNumber)}
+            @keydown=${this.keys(source, target)}
+            @dblclick=${() => model.resetCoupling(source, target)} />
         </div>
         <div class="numbers">
           <span title="alpha, the variance of this prediction: small means influential"><i>α</i> <output data-testid="alpha-${source}-${target}">${short(alpha)}</output></span>
@@ -62,8 +66,8 @@ export class CouplingsView extends View {
       </td>`;
   }
 
-  private table() {
-    const parts = this.app.model!.info.parts;
+  private table(info: ModelInfo) {
+    const { parts } = info;
     const head = (name: string, part: number) =>
       html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
     return html`
@@ -79,7 +83,7 @@ export class CouplingsView extends View {
             ({ name }, source) => html`
             <tr>
               <th scope="row">${head(name, source)}</th>
-              ${parts.map((_, target) => this.cell(source, target))}
+              ${parts.map((_, target) => this.cell(info, source, target))}
             </tr>`,
           )}
         </tbody>
@@ -87,57 +91,56 @@ export class CouplingsView extends View {
   }
 
   private readings() {
-    const { settings, altered } = this.app;
-    const inferred = settings.reading === "re-inferred";
+    const { model } = this;
+    const inferred = this.settings.values.reading === "re-inferred";
     return html`
       <fieldset class="readings">
         <legend>When a slider moves</legend>
         <div class="segments">
           <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"
-            @click=${() => setReading(this.app, "as learned")}>experts as learned</button>
+            @click=${() => model.setReading("as learned")}>experts as learned</button>
           <button type="button" aria-pressed=${inferred ? "true" : "false"} data-testid="reading-inferred"
-            @click=${() => setReading(this.app, "re-inferred")}>experts re-inferred</button>
+            @click=${() => model.setReading("re-inferred")}>experts re-inferred</button>
         </div>
         <p>${
           inferred
             ? "What the same data would have taught each part’s predictions under these couplings."
             : "Only the weights change: each part predicts as before, and counts for more or less."
         }</p>
-        <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!altered} @click=${() => resetCouplings(this.app)}>
+        <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.altered} @click=${() => model.resetCouplings()}>
           ${icon("reset")} Reset all <kbd>0</kbd></button>
       </fieldset>`;
   }
 
-  private starts() {
-    const sequences = this.app.model!.info.sequences;
+  private starts({ sequences }: ModelInfo) {
     if (sequences.length < 2) return nothing;
     return html`
       <label class="start">Start as
         <select aria-label="Start as in" @change=${(event: Event) =>
-          void setStart(this.app, Number((event.target as HTMLSelectElement).value))}>
-          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.app.settings.start}>${clipTitle(name)}</option>`)}
+          this.model.setStart(Number((event.target as HTMLSelectElement).value))}>
+          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.settings.values.start}>${clipTitle(name)}</option>`)}
         </select>
       </label>`;
   }
 
   protected override render() {
-    const { model, engineState } = this.app;
+    const info = this.model.model?.info;
     return html`
       <header class="panel-head">
         <h2>Couplings</h2>
         <p class="hint">Which part predicts which. Right is strong.</p>
-        ${model ? this.starts() : nothing}
+        ${info ? this.starts(info) : nothing}
       </header>
       ${
-        model
+        info
           ? html`
           <div class="couplings-body">
-            ${model.info.parts.length > 1 ? html`<pg-body-map .app=${this.app}></pg-body-map>` : nothing}
-            <div class="table-box">${this.table()}</div>
+            ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
+            <div class="table-box">${this.table(info)}</div>
             ${this.readings()}
           </div>`
           : html`<p class="empty">${
-              engineState === "failed"
+              this.engine.state === "failed"
                 ? "The model could not be started, so its couplings cannot be changed."
                 : "How the parts drive each other appears here."
             }</p>`

@@ -2,9 +2,7 @@
 import * as Comlink from "comlink";
 import { messageOf } from "../ui/format";
 import { type Hired, Pool } from "./pool";
-import type { Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
-
-export type Engine = Comlink.Remote<Workbench>;
+import type { Engine, Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
 /** Trains until it is done, or until the signal asks for the best so far. */
 export interface TrainingWorker {
@@ -75,13 +73,15 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
   };
 }
 
-/** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
-export async function startEngine(): Promise<{
+export interface StartedEngine {
   engine: Engine;
   pool: Pool<TrainingWorker>;
   version: string;
   samples: SampleInfo[];
-}> {
+}
+
+/** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
+export async function startEngine(): Promise<StartedEngine> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }

@@ -16,7 +16,7 @@ it("asks for the newest only, and one at a time", async () => {
     (result) => results.push(result),
     () => {},
   );
-  [1, 2, 3, 4].forEach((n) => latest.request(n));
+  for (const n of [1, 2, 3, 4]) latest.request(n);
   expect(open.map(({ request }) => request)).toEqual([1]);
   open[0]!.answer(10);
   await settle();

@@ -53,9 +53,13 @@ export class Pool<Worker> {
   }
 
   private next(): void {
-    while (this.busy < this.width && this.waiting.length > 0) void this.attend(this.waiting.shift()!);
+    while (this.busy < this.width) {
+      const job = this.waiting.shift();
+      if (!job) break;
+      void this.attend(job);
+    }
     // One stays for the next work; the memory of the others is given back.
-    if (this.busy === 0) while (this.idle.length > 1) this.idle.pop()!.dismiss();
+    if (this.busy === 0) while (this.idle.length > 1) this.idle.pop()?.dismiss();
   }
 
   private async attend({ work, signal, done, failed }: Waiting<Worker>): Promise<void> {
@@ -83,7 +87,7 @@ export class Pool<Worker> {
     const hired = this.hire();
     hired.broken.catch(() => {
       const at = this.idle.indexOf(hired);
-      if (at >= 0) this.idle.splice(at, 1)[0]!.dismiss();
+      if (at >= 0) this.idle.splice(at, 1)[0]?.dismiss();
     });
     return hired;
   }

@@ -1,51 +1,19 @@
 // What the page and its worker say to each other. Types only.
-import type {
-  Candidate,
-  ClipInfo,
-  Comparison,
-  ComparisonSettings,
-  ModelInfo,
-  Outcome,
-  Results,
-  SampleInfo,
-  SyntheticFindings,
-  SyntheticTruth,
-  TrainingProgress,
-  TrainingSettings,
-} from "vcgpdm";
+import type { ClipInfo, ModelInfo, SampleInfo, TrainingProgress, TrainingSettings } from "vcgpdm";
 
 export type {
-  Candidate,
-  Claim,
   ClipInfo,
-  Comparison,
-  ComparisonSettings,
-  Correlation,
   Figure,
   FigureNode,
-  Finished,
-  Growth,
-  Job,
   JointInfo,
   ModelInfo,
-  ModelSummary,
-  Outcome,
   PartSpec,
   PartsPreset,
   Provenance,
-  Results,
   SampleInfo,
-  Setting,
-  Spread,
-  SyntheticFindings,
-  SyntheticFit,
-  SyntheticTruth,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
-
-/** The kinds of models. */
-export type ModelId = Candidate["model"];
 
 /** What changed couplings do to the experts. */
 export type Reading = "as learned" | "re-inferred";
@@ -164,9 +132,10 @@ export interface TrainingReport {
 export type Report = (report: TrainingReport) => boolean | Promise<boolean>;
 
 export interface TrainingOutcome {
+  /** The best so far is kept. */
   cancelled: boolean;
-  /** Why training ended, in plain words. */
-  reason: string;
+  /** Why training ended; null when it was cancelled. */
+  reason: TrainingProgress["reason"];
 }
 
 export interface TrainingJob {
@@ -179,66 +148,6 @@ export interface Trainee {
   start(wasm: WebAssembly.Module): Promise<unknown>;
   train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
   cancelTraining(): void;
-}
-
-/** One model in one fold: what is trained, and on what. */
-export interface EvaluationJob {
-  /** All trials. */
-  clips: TrainingClip[];
-  settings: ComparisonSettings;
-  candidate: Candidate;
-  /** The trial held out, counted from 1. */
-  heldOut: number;
-  trainingTrials: number;
-  seed: number;
-}
-
-/** What came of one model in one fold. */
-export interface Evaluated {
-  outcome: Outcome;
-  /** World positions of the prediction and of the trial held out [frames x nodes x 3]. */
-  predicted: Float32Array;
-  actual: Float32Array;
-  /** Seconds between frames. */
-  frameTime: number;
-}
-
-/** One synthetic experiment: all about it follows from these. */
-export interface ExperimentJob {
-  /** Of the data and of the training. */
-  seed: number;
-  /** Whether the first part drives the second. */
-  driving: boolean;
-}
-
-/** Sent about ten times a second while an experiment trains, and when it ends. */
-export interface ExperimentReport {
-  progress: TrainingProgress;
-  /** Seconds since the start. */
-  elapsed: number;
-  /** At the best bound so far. */
-  findings: SyntheticFindings;
-}
-
-/** What a worker does for the synthetic lesson. */
-export interface Experimenter {
-  /** The data of an experiment, and the truth about them. */
-  draw(job: ExperimentJob): SyntheticTruth;
-  /** Trains until it is done or cancelled; the best so far comes with the last report. */
-  experiment(job: ExperimentJob, report: (report: ExperimentReport) => void): Promise<TrainingOutcome>;
-  cancelExperiment(): void;
-}
-
-/** The face of a worker of the whole program, which is loaded when models are compared or the synthetic lesson is opened. */
-export interface Comparer extends Experimenter {
-  start(wasm: WebAssembly.Module): Promise<unknown>;
-  /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
-  evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;
-  cancelEvaluation(): void;
-  /** Throws with the reason when these clips cannot be compared on. */
-  emptyResults(clips: TrainingClip[], settings: ComparisonSettings): Promise<Results>;
-  /** Throws with the reason when these are no results. */
-  compare(results: Results): Comparison;
 }
 
 /** The face of the worker that shows; every call answers with a promise on the page's side. */
@@ -256,3 +165,10 @@ export interface Workbench {
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
 }
+
+/** What the page asks of the worker that shows, once it has started. */
+export type Engine = {
+  [Call in Exclude<keyof Workbench, "start">]: (
+    ...args: Parameters<Workbench[Call]>
+  ) => Promise<ReturnType<Workbench[Call]>>;
+};

@@ -1,58 +1,64 @@
 // Promises over the workers of the whole program, which is loaded when it is asked for. No wasm import.
 import * as Comlink from "comlink";
-import { cancellable, compile, watched } from "./engine";
 import { messageOf } from "../ui/format";
+import { cancellable, compile, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
-import type {
-  Comparer,
-  Comparison,
-  ComparisonSettings,
-  Evaluated,
-  EvaluationJob,
-  ExperimentJob,
-  ExperimentReport,
-  Results,
-  SyntheticTruth,
-  TrainingClip,
-  TrainingOutcome,
-} from "./protocol";
+import type { TrainingOutcome } from "./protocol";
+import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
 
-/** What the page asks of a worker of the pool. */
-export interface ComparingWorker {
+/** A call to a worker answers with a promise. */
+type Remote<Call> = Call extends (...given: infer Given) => infer Answer
+  ? (...given: Given) => Promise<Awaited<Answer>>
+  : never;
+
+type Questions = "planComparison" | "addOutcome" | "openResults" | "drawExperiment";
+
+/** What the page asks of a worker of the whole program. */
+export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
   /** Answers null when the signal came first. */
   evaluate(job: EvaluationJob, report: (fraction: number) => void, signal: AbortSignal): Promise<Evaluated | null>;
-  emptyResults(clips: TrainingClip[], settings: ComparisonSettings): Promise<Results>;
-  compare(results: Results): Promise<Comparison>;
-  draw(job: ExperimentJob): Promise<SyntheticTruth>;
   /** Keeps the best so far when the signal comes. */
-  experiment(
-    job: ExperimentJob,
+  trainExperiment(
+    experiment: Experiment,
     report: (report: ExperimentReport) => void,
     signal: AbortSignal,
   ): Promise<TrainingOutcome>;
+};
+
+export interface WholeProgramWorkers {
+  /** Trains: as many at once as the machine has cores. */
+  pool: Pool<WholeProgramWorker>;
+  /** Answers at once, whatever the pool is doing. */
+  desk: Pool<WholeProgramWorker>;
 }
 
-function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
+export interface WholeProgram {
+  /** Its workers; loaded at the first time, and again after a download that failed. */
+  load(): Promise<WholeProgramWorkers>;
+}
+
+function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
   const { worker, broken } = watched(
-    new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name: "comparing" }),
+    new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name: "whole" }),
   );
-  const remote = Comlink.wrap<Comparer>(worker);
+  const remote = Comlink.wrap<WholeWorker>(worker);
   return {
     worker: {
+      planComparison: (...given) => remote.planComparison(...given),
+      addOutcome: (...given) => remote.addOutcome(...given),
+      openResults: (text) => remote.openResults(text),
       evaluate: (job, report, signal) =>
         cancellable(
           signal,
           () => remote.cancelEvaluation(),
           () => remote.evaluate(job, Comlink.proxy(report)),
         ),
-      emptyResults: (clips, settings) => remote.emptyResults(clips, settings),
-      compare: (results) => remote.compare(results),
-      draw: (job) => remote.draw(job),
-      experiment: (job, report, signal) =>
+      drawExperiment: (experiment) => remote.drawExperiment(experiment),
+      trainExperiment: (experiment, report, signal) =>
         cancellable(
           signal,
           () => remote.cancelExperiment(),
-          () => remote.experiment(job, Comlink.proxy(report)),
+          () => remote.trainExperiment(experiment, Comlink.proxy(report)),
         ),
     },
     ready: remote.start(wasm),
@@ -61,28 +67,23 @@ function hire(wasm: WebAssembly.Module): Hired<ComparingWorker> {
   };
 }
 
-/** The workers of the whole program. */
-export interface Workers {
-  /** Trains: as many at once as the machine has cores. */
-  pool: Pool<ComparingWorker>;
-  /** Answers at once, whatever the pool is doing. */
-  desk: Pool<ComparingWorker>;
-}
+export class WholeEngine implements WholeProgram {
+  #workers: Promise<WholeProgramWorkers> | null = null;
 
-let workers: Promise<Workers> | null = null;
+  load(): Promise<WholeProgramWorkers> {
+    this.#workers ??= this.#start();
+    return this.#workers;
+  }
 
-/** Loads the whole program, once. */
-export function comparing(): Promise<Workers> {
-  workers ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).then(
-    (wasm) => ({
-      pool: new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm)),
-      desk: new Pool(1, () => hire(wasm)),
-    }),
-    (problem: unknown) => {
-      throw new Error(`the program for it could not be loaded (${messageOf(problem)}). Try again when you are online.`);
-    },
-  );
-  // A failed download may be tried again.
-  workers.catch(() => (workers = null));
-  return workers;
+  async #start(): Promise<WholeProgramWorkers> {
+    try {
+      const wasm = await compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url));
+      const cores = Math.max(1, navigator.hardwareConcurrency || 1);
+      return { pool: new Pool(cores, () => hire(wasm)), desk: new Pool(1, () => hire(wasm)) };
+    } catch (problem) {
+      this.#workers = null;
+      const why = messageOf(problem);
+      throw new Error(`the program for it could not be loaded (${why}). Try again when you are online.`);
+    }
+  }
 }

@@ -1,143 +1,160 @@
-// The synthetic experiment: draw one, train on it, cancel.
-import type { App } from "../app/app";
-import { comparing } from "../engine/whole-engine";
-import { messageOf } from "../ui/format";
+// The synthetic experiments of this visit: the data of the one that is looked at, and the trainings on them.
 import { Latest } from "../engine/latest";
-import { isSame, newTry, type Try } from "./experiments";
-import type { ExperimentJob, SyntheticTruth } from "../engine/protocol";
+import type { WholeProgram } from "../engine/whole-engine";
+import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import { endingWords } from "../training/words";
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+import { type ExperimentRun, isSame, newRun } from "./experiments";
 
-/** The experiments of this visit, and how they are going. */
-export class Lesson {
-  tries: Try[] = [];
-  status: "idle" | "running" | "cancelling" = "idle";
-  /** Why the experiment could not be drawn; empty when it could. */
-  problem = "";
-  /** What the last press of a button asked for. */
-  asked: Try[] = [];
-  private drawn: { job: ExperimentJob; truth: SyntheticTruth } | null = null;
-  private wanted: ExperimentJob | null = null;
-  private stop = new AbortController();
-  private workers = 1;
-  private readonly drawing: Latest<ExperimentJob, SyntheticTruth>;
+export class ExperimentStore extends Store {
+  readonly #settings: Pick<SettingsStore, "values" | "on">;
+  readonly #whole: WholeProgram;
+  readonly #drawing: Latest<Experiment, SyntheticTruth>;
+  #runs: readonly ExperimentRun[] = [];
+  #asked: readonly ExperimentRun[] = [];
+  #status: "idle" | "running" | "cancelling" = "idle";
+  #problem = "";
+  /** The experiment whose data were asked for last, and the one whose data are there. */
+  #wanted: Experiment | null = null;
+  #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
+  #stop = new AbortController();
+  #width = 1;
 
-  constructor(private readonly app: App) {
-    this.drawing = new Latest(
-      async (job) => (await comparing()).desk.run((worker) => worker.draw(job)),
-      (truth, job) => this.drew(job, truth, ""),
-      (problem) => this.drew(null, null, messageOf(problem)),
+  constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeProgram) {
+    super();
+    this.#settings = settings;
+    this.#whole = whole;
+    this.#drawing = new Latest(
+      async (experiment) => (await whole.load()).desk.run((worker) => worker.drawExperiment(experiment)),
+      (truth, experiment) => {
+        this.#drawn = { experiment, truth };
+        this.#problem = "";
+        this.changed();
+      },
+      (problem) => {
+        this.#problem = messageOf(problem);
+        this.changed();
+      },
     );
   }
 
+  /** All trainings of this visit. */
+  get runs(): readonly ExperimentRun[] {
+    return this.#runs;
+  }
+
+  /** The trainings that the last press of a button asked for. */
+  get asked(): readonly ExperimentRun[] {
+    return this.#asked;
+  }
+
+  get status(): "idle" | "running" | "cancelling" {
+    return this.#status;
+  }
+
   get busy(): boolean {
-    return this.status !== "idle";
+    return this.#status !== "idle";
+  }
+
+  /** Why the data could not be drawn; empty when they could. */
+  get problem(): string {
+    return this.#problem;
   }
 
   /** How many trainings run at once. */
   get width(): number {
-    return this.workers;
+    return this.#width;
   }
 
   /** The experiment that the settings name. */
-  get job(): ExperimentJob {
-    const { drawn: seed, driving } = this.app.settings;
+  get experiment(): Experiment {
+    const { drawn: seed, driving } = this.#settings.values;
     return { seed, driving };
   }
 
-  /** What was tried of it. */
-  get shown(): Try | null {
-    return this.find(this.job) ?? null;
+  /** The training on it; null when there is none. */
+  get shown(): ExperimentRun | null {
+    return this.#find(this.experiment) ?? null;
   }
 
   /** Its data, and the truth about them; null until they are there. */
   get truth(): SyntheticTruth | null {
-    return this.drawn && isSame(this.drawn.job, this.job) ? this.drawn.truth : null;
-  }
-
-  private find(job: ExperimentJob): Try | undefined {
-    return this.tries.find((one) => isSame(one, job));
-  }
-
-  /** Draws the experiment that the settings name, if it is another one than before. Loads the program at the first time. */
-  draw(): void {
-    if (this.wanted && isSame(this.wanted, this.job)) return;
-    this.wanted = this.job;
-    this.problem = "";
-    this.drawing.request(this.job);
-  }
-
-  drawAgain(): void {
-    this.wanted = null;
-    this.draw();
-    this.app.tell("lesson");
-  }
-
-  private drew(job: ExperimentJob | null, truth: SyntheticTruth | null, problem: string): void {
-    if (job && truth) this.drawn = { job, truth };
-    this.problem = problem;
-    this.app.tell("lesson");
+    return this.#drawn && isSame(this.#drawn.experiment, this.experiment) ? this.#drawn.truth : null;
   }
 
   /** Those of these experiments that were not trained to the end. */
-  open(jobs: readonly ExperimentJob[]): ExperimentJob[] {
-    return jobs.filter((job) => this.find(job)?.state !== "done");
+  open(experiments: readonly Experiment[]): Experiment[] {
+    return experiments.filter((experiment) => this.#find(experiment)?.state !== "done");
   }
 
-  /** Trains those of these experiments that were not trained to the end: it would find the same again. */
-  async train(jobs: readonly ExperimentJob[]): Promise<void> {
-    if (this.busy) return;
-    const fresh = this.open(jobs).map(newTry);
-    if (fresh.length === 0) return;
-    this.tries = [...this.tries.filter((one) => !fresh.some((other) => isSame(one, other))), ...fresh];
-    this.asked = fresh;
-    this.stop = new AbortController();
-    this.status = "running";
-    this.app.tell("lesson");
-    await Promise.all(fresh.map((one) => this.carryOut(one)));
-    this.status = "idle";
-    this.app.tell("lesson");
+  /** Draws the experiment that the settings name, whenever it is another one, until the answer is called. Loads the program. */
+  follow(): () => void {
+    const draw = () => {
+      if (!this.#wanted || !isSame(this.#wanted, this.experiment)) this.draw();
+    };
+    draw();
+    return this.#settings.on(draw);
   }
 
-  /** Carries one training out. Its failure is its own. */
-  private async carryOut(one: Try): Promise<void> {
-    const { signal } = this.stop;
-    try {
-      const { pool } = await comparing();
-      this.workers = pool.width;
-      const { cancelled, reason } = await pool.run((worker) => {
-        one.state = "running";
-        return worker.experiment(
-          { seed: one.seed, driving: one.driving },
-          ({ progress, elapsed, findings }) => {
-            Object.assign(one, { iteration: progress.iteration, fraction: progress.fraction, elapsed, findings });
-            this.app.tellSoon("lesson");
-          },
-          signal,
-        );
-      }, signal);
-      one.state = cancelled ? "cancelled" : "done";
-      one.ending = reason;
-    } catch (problem) {
-      // What was cancelled before it began was not tried.
-      if (problem === signal.reason) this.tries = this.tries.filter((other) => other !== one);
-      else [one.state, one.ending] = ["failed", messageOf(problem)];
-    }
-    this.app.tellSoon("lesson");
+  draw(): void {
+    this.#wanted = this.experiment;
+    this.#problem = "";
+    this.#drawing.request(this.#wanted);
+    this.changed();
+  }
+
+  /** Trains those of these experiments that were not trained to the end: a training would find the same again. */
+  async train(experiments: readonly Experiment[]): Promise<void> {
+    const runs = this.open(experiments).map(newRun);
+    if (this.busy || runs.length === 0) return;
+    this.#runs = [...this.#runs.filter((before) => !runs.some((run) => isSame(run, before))), ...runs];
+    this.#asked = runs;
+    this.#stop = new AbortController();
+    this.#status = "running";
+    this.changed();
+    await Promise.all(runs.map((run) => this.#carryOut(run, this.#stop.signal)));
+    this.#status = "idle";
+    this.changed();
   }
 
   /** Stops; what is under way keeps its best so far. */
   cancel(): void {
-    if (this.status !== "running") return;
-    this.status = "cancelling";
-    this.stop.abort();
-    this.app.tell("lesson");
+    if (this.#status !== "running") return;
+    this.#status = "cancelling";
+    this.#stop.abort();
+    this.changed();
   }
-}
 
-const all = new WeakMap<App, Lesson>();
+  #find(experiment: Experiment): ExperimentRun | undefined {
+    return this.#runs.find((run) => isSame(run, experiment));
+  }
 
-/** The synthetic lesson of this page's visit. */
-export function lessonOf(app: App): Lesson {
-  let one = all.get(app);
-  if (!one) all.set(app, (one = new Lesson(app)));
-  return one;
+  /** Carries one training out. Its failure is its own. */
+  async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
+    const { seed, driving } = run;
+    try {
+      const { pool } = await this.#whole.load();
+      this.#width = pool.width;
+      const outcome = await pool.run((worker) => {
+        run.state = "running";
+        return worker.trainExperiment(
+          { seed, driving },
+          ({ progress: { iteration, fraction }, elapsed, findings }) => {
+            Object.assign(run, { iteration, fraction, elapsed, findings });
+            this.changedSoon();
+          },
+          signal,
+        );
+      }, signal);
+      run.state = outcome.cancelled ? "cancelled" : "done";
+      run.ending = endingWords(outcome);
+    } catch (problem) {
+      // What was cancelled before it began is as if it had not been asked for.
+      if (problem === signal.reason) this.#runs = this.#runs.filter((other) => other !== run);
+      else [run.state, run.ending] = ["failed", messageOf(problem)];
+    }
+    this.changedSoon();
+  }
 }

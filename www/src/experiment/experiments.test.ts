@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { headline, inOrder, newTry, readings, tally, times, type Try } from "./experiments";
+import { type ExperimentRun, headline, inOrder, newRun, readings, tally } from "./experiments";
 import { restOf, shareOf } from "../training/runs";
-import type { SyntheticFindings } from "../engine/protocol";
+import type { SyntheticFindings } from "../engine/whole-protocol";
 
 const RULES = { much: 10, alike: 4 };
 const DRIVEN = { ...RULES, drive: 0.1 };
@@ -27,8 +27,8 @@ function findings(back: number, forth: number, driving = true): SyntheticFinding
   };
 }
 
-const tried = (seed: number, more: Partial<Try> = {}): Try => ({
-  ...newTry({ seed, driving: true }),
+const ended = (seed: number, more: Partial<ExperimentRun> = {}): ExperimentRun => ({
+  ...newRun({ seed, driving: true }),
   state: "done",
   fraction: 1,
   ...more,
@@ -68,30 +68,26 @@ describe("the answer in words", () => {
       words: expect.stringContaining("a say in part 2, which it has not; 10 times or more"),
     });
   });
-
-  it("writes ratios as finely as they need", () => {
-    expect([4.176, 12.34, 1847.7].map(times)).toEqual(["4.18", "12.3", "1,848"]);
-  });
 });
 
-describe("what was tried", () => {
-  const tries = [
-    tried(8, { findings: findings(1900, 5) }),
-    tried(0, { findings: findings(1800, 2000, false), driving: false }),
-    tried(3, { findings: findings(1800, 2) }),
-    tried(5, { findings: findings(1800, 2), state: "cancelled" }),
-    tried(6, { state: "failed" }),
+describe("several trainings", () => {
+  const runs = [
+    ended(8, { findings: findings(1900, 5) }),
+    ended(0, { findings: findings(1800, 2000, false), driving: false }),
+    ended(3, { findings: findings(1800, 2) }),
+    ended(5, { findings: findings(1800, 2), state: "cancelled" }),
+    ended(6, { state: "failed" }),
   ];
 
-  it("counts what was found, not what was stopped or failed", () => {
-    expect(tally(tries)).toBe(
+  it("are counted by what was found, not what was stopped or failed", () => {
+    expect(tally(runs)).toBe(
       "Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.",
     );
     expect(tally([])).toBe("");
   });
 
-  it("stands in order: with driving first, then by seed", () => {
-    expect(inOrder(tries).map(({ seed, driving }) => [seed, driving])).toEqual([
+  it("stand in order: with driving first, then by seed", () => {
+    expect(inOrder(runs).map(({ seed, driving }) => [seed, driving])).toEqual([
       [3, true],
       [5, true],
       [6, true],
@@ -102,20 +98,20 @@ describe("what was tried", () => {
 });
 
 describe("how long it takes", () => {
-  const running = tried(1, { state: "running", fraction: 0.25, elapsed: 2 });
+  const running = ended(1, { state: "running", fraction: 0.25, elapsed: 2 });
 
   it("says nothing before there is something to go by", () => {
-    expect(restOf([newTry({ seed: 0, driving: true })], 1)).toBeNull();
+    expect(restOf([newRun({ seed: 0, driving: true })], 1)).toBeNull();
   });
 
   it("takes those that wait to be as long as those under way", () => {
     expect(restOf([running], 1)).toBeCloseTo(6);
-    expect(restOf([running, newTry({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
-    expect(restOf([running, newTry({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
+    expect(restOf([running, newRun({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
+    expect(restOf([running, newRun({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
   });
 
   it("counts what ended as done", () => {
-    expect(shareOf([running, tried(2), tried(3, { state: "failed", fraction: 0 })])).toBeCloseTo(0.75);
+    expect(shareOf([running, ended(2), ended(3, { state: "failed", fraction: 0 })])).toBeCloseTo(0.75);
     expect(shareOf([])).toBe(0);
   });
 });

@@ -1,9 +1,9 @@
 // What training found: the couplings as a table, and how well the model explains the data.
 import { html, nothing } from "lit";
 import { grouped, short, weight } from "../ui/format";
-import { headline, isFound, readings, type Try } from "./experiments";
+import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
-import type { SyntheticFindings, SyntheticTruth } from "../engine/protocol";
+import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import { swatchStyle } from "../ui/view";
 
 const PARTS = [0, 1];
@@ -20,8 +20,8 @@ export function alphaTable(findings: SyntheticFindings | null) {
       <td style="${swatchStyle(partColour(source))};--w:${(w ?? 0).toFixed(4)}">
         <span class="share" aria-hidden="true"></span>
         <div class="numbers">
-          <span><i>α</i> <output data-testid="lesson-alpha-${source}-${target}">${alpha === undefined ? "–" : short(alpha)}</output></span>
-          <span><i>w</i> <output data-testid="lesson-weight-${source}-${target}">${w === undefined ? "–" : weight(w)}</output></span>
+          <span><i>α</i> <output data-testid="experiment-alpha-${source}-${target}">${alpha === undefined ? "–" : short(alpha)}</output></span>
+          <span><i>w</i> <output data-testid="experiment-weight-${source}-${target}">${w === undefined ? "–" : weight(w)}</output></span>
         </div>
       </td>`;
   };
@@ -38,35 +38,35 @@ export function alphaTable(findings: SyntheticFindings | null) {
 }
 
 /** Bound and error, at the start of training and now. */
-export function fitTable(one: Try | null) {
-  const { start, now } = one?.findings ?? {};
-  const end = one?.state === "done" ? "End" : "Now";
+export function fitTable(run: ExperimentRun | null) {
+  const { start, now } = run?.findings ?? {};
+  const end = run?.state === "done" ? "End" : "Now";
   return html`
     <table class="fits">
       <caption class="visually-hidden">How well the model explains the data</caption>
       <thead><tr><td></td><th scope="col">Start</th><th scope="col">${end}</th></tr></thead>
       <tbody>
         <tr><th scope="row" title="The evidence lower bound, in nats: the higher, the better">Bound</th>
-          <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="lesson-bound">${now ? grouped(now.bound) : "–"}</td></tr>
+          <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="experiment-bound">${now ? grouped(now.bound) : "–"}</td></tr>
         <tr><th scope="row" title="Mean squared error of a rollout of all frames, after dynamic time warping of each part">MSE</th>
-          <td>${start ? short(start.mse) : "–"}</td><td data-testid="lesson-mse">${now ? short(now.mse) : "–"}</td></tr>
+          <td>${start ? short(start.mse) : "–"}</td><td data-testid="experiment-mse">${now ? short(now.mse) : "–"}</td></tr>
       </tbody>
     </table>`;
 }
 
 /** The answer in words. */
-export function verdictWords(one: Try | null, truth: SyntheticTruth | null) {
-  if (one?.state === "failed") return html`<p class="bad">Training failed. ${one.ending}</p>`;
-  if (!one?.findings || !truth)
-    return html`<p class="empty">${one ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
-  const { findings, driving, state, iteration } = one;
-  const so =
+export function verdictWords(run: ExperimentRun | null, truth: SyntheticTruth | null) {
+  if (run?.state === "failed") return html`<p class="bad">Training failed. ${run.ending}</p>`;
+  if (!run?.findings || !truth)
+    return html`<p class="empty">${run ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
+  const { findings, driving, state, iteration } = run;
+  const soFar =
     state === "done"
       ? nothing
       : html`<small>${state === "cancelled" ? "Stopped" : "So far,"} after ${grouped(iteration)} iterations</small>`;
   return html`
     <div class="verdict">
-      <p class="headline ${isFound(findings) ? "" : "bad"}" data-testid="lesson-verdict">${headline(findings, driving)} ${so}</p>
+      <p class="headline ${isFound(findings) ? "" : "bad"}" data-testid="experiment-verdict">${headline(findings, driving)} ${soFar}</p>
       <ul>${readings(findings, truth).map(({ words, right }) => html`<li class=${right ? "" : "bad"}>${words}</li>`)}</ul>
     </div>`;
 }

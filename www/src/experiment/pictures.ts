@@ -1,7 +1,8 @@
-// The pictures of the lesson: true and learned latents, and the curves that the model sees.
+// The pictures of an experiment: true and learned latents, and the curves that the model sees.
 import { html, nothing, svg } from "lit";
+import { percent } from "../figures/numbers";
 import { partColour } from "../ui/palette";
-import type { SyntheticTruth } from "../engine/protocol";
+import type { SyntheticTruth } from "../engine/whole-protocol";
 import { swatchStyle } from "../ui/view";
 import { curvePaths, frameOf, linePath } from "./paths";
 
@@ -44,9 +45,4 @@ export function curvesPicture(part: number, truth: SyntheticTruth | null) {
       </svg>
       <figcaption><i class="swatch"></i>Part ${part + 1}</figcaption>
     </figure>`;
-}
-
-/** A share as "99.2 %"; a fit can be worse than none. */
-export function percent(share: number): string {
-  return `${(100 * share).toFixed(1).replace("-", "\u2212")} %`;
 }

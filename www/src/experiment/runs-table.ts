@@ -1,11 +1,11 @@
-// What each tried seed found, in a table that grows.
+// What the training with each seed found, in a table that grows.
 import { html, nothing } from "lit";
 import { grouped, short } from "../ui/format";
-import { inOrder, isFound, times, type Try } from "./experiments";
-import { percent } from "./pictures";
+import { type ExperimentRun, inOrder, isFound } from "./experiments";
+import { percent, ratio } from "../figures/numbers";
 
 /** Whether the truth was found, or how far training is. */
-function answer({ state, findings, fraction, seed, ending }: Try) {
+function answer({ state, findings, fraction, seed, ending }: ExperimentRun) {
   switch (state) {
     case "waiting":
       return "waiting";
@@ -20,22 +20,22 @@ function answer({ state, findings, fraction, seed, ending }: Try) {
   }
 }
 
-function row(one: Try, shown: Try | null, show: (one: Try) => void) {
-  const { seed, driving, iteration, findings } = one;
-  const ratio = (value: number, right: boolean) =>
-    right ? times(value) : html`<strong class="bad">${times(value)}</strong>`;
+function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: ExperimentRun) => void) {
+  const { seed, driving, iteration, findings } = run;
+  const answered = (value: number, right: boolean) =>
+    right ? ratio(value) : html`<strong class="bad">${ratio(value)}</strong>`;
   const course = (start: string, now: string) => html`${start} <span aria-label="to">→</span> ${now}`;
   return html`
-    <tr data-testid="lesson-try" data-state=${one.state} class=${one === shown ? "chosen" : ""}>
-      <th scope="row"><button class="seed-link" aria-pressed=${one === shown ? "true" : "false"} title="Look at this one"
-        aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(one)}>${seed}</button></th>
+    <tr data-testid="experiment-run" data-state=${run.state} class=${run === shown ? "chosen" : ""}>
+      <th scope="row"><button class="seed-link" aria-pressed=${run === shown ? "true" : "false"} title="Look at this one"
+        aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(run)}>${seed}</button></th>
       <td>${driving ? "yes" : "no"}</td>
-      <td class="answer">${answer(one)}</td>
+      <td class="answer">${answer(run)}</td>
       ${
         findings
           ? html`
-          <td>${ratio(findings.verdict.back, findings.verdict.backIsRight)}</td>
-          <td>${ratio(findings.verdict.forth, findings.verdict.forthIsRight)}</td>
+          <td>${answered(findings.verdict.back, findings.verdict.backIsRight)}</td>
+          <td>${answered(findings.verdict.forth, findings.verdict.forthIsRight)}</td>
           <td>${course(grouped(findings.start.bound), grouped(findings.now.bound))}</td>
           <td>${course(short(findings.start.mse), short(findings.now.mse))}</td>
           <td>${findings.explained.map(percent).join(", ")}</td>
@@ -45,11 +45,15 @@ function row(one: Try, shown: Try | null, show: (one: Try) => void) {
     </tr>`;
 }
 
-export function triesTable(tries: readonly Try[], shown: Try | null, show: (one: Try) => void) {
-  if (tries.length === 0) return nothing;
+export function runsTable(
+  runs: readonly ExperimentRun[],
+  shown: ExperimentRun | null,
+  show: (run: ExperimentRun) => void,
+) {
+  if (runs.length === 0) return nothing;
   return html`
     <div class="table-box" tabindex="0" role="region" aria-label="What each seed found">
-      <table class="tries" data-testid="lesson-tries">
+      <table class="experiment-runs" data-testid="experiment-runs">
         <thead><tr>
           <th scope="col">Seed</th>
           <th scope="col" title="Whether part 1 drives part 2">1 drives 2</th>
@@ -61,7 +65,7 @@ export function triesTable(tries: readonly Try[], shown: Try | null, show: (one:
           <th scope="col" title="Share of the true latents of part 1 and of part 2 that the learned ones explain">Latents explained</th>
           <th scope="col">Iterations</th>
         </tr></thead>
-        <tbody>${inOrder(tries).map((one) => row(one, shown, show))}</tbody>
+        <tbody>${inOrder(runs).map((run) => row(run, shown, show))}</tbody>
       </table>
     </div>`;
 }

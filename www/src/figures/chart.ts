@@ -1,9 +1,8 @@
-// Axes, marks and error bars in SVG. One unit is one pixel; colours come from the stylesheet, and of a model from `--model`.
+// Axes, lines and error bars in SVG. One unit is one pixel; colours come from the stylesheet, that of a series of data from
+// `--series`.
 import { nothing, svg } from "lit";
-import { markPath, modelStyle } from "../comparison/model-style";
 import type { Scale, Tick } from "./scale";
 import { textWidth } from "./text-width";
-import type { ModelId } from "../engine/protocol";
 
 /** The room inside the axes, and the size of the type. */
 export interface Plot {
@@ -13,15 +12,16 @@ export interface Plot {
   type: number;
 }
 
-const between = (ticks: Tick[], type: number) => Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
+/** The width of the widest label. */
+const widest = (ticks: Tick[], type: number) => Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
 
 /** The ticks of a horizontal axis: as many as stand beside each other. */
 export function ticksAcross(scale: Scale, room: number, type: number): Tick[] {
   for (let most = 8; most > 2; most--) {
     const ticks = scale.ticks(most);
     const places = ticks.map(({ value }) => scale.at(value));
-    const least = Math.min(...places.slice(1).map((place, i) => place - places[i]!));
-    if (ticks.length < 2 || (least >= between(ticks, type) + type && ticks.length * type < room)) return ticks;
+    const least = Math.min(...places.slice(1).map((place, i) => place - (places[i] ?? place)));
+    if (ticks.length < 2 || (least >= widest(ticks, type) + type && ticks.length * type < room)) return ticks;
   }
   return scale.ticks(2);
 }
@@ -33,7 +33,7 @@ export function ticksUp(scale: Scale, room: number, type: number): Tick[] {
 
 /** The room that the labels of an upright axis take. */
 export function widthOf(ticks: Tick[], type: number): number {
-  return between(ticks, type) + 10;
+  return widest(ticks, type) + 10;
 }
 
 /** Both axes with their grid; titles say quantity, unit and whether the scale is logarithmic. */
@@ -61,13 +61,6 @@ export function axes(
     </g>`;
 }
 
-/** The half width of a mark beside type of a size. */
-export const MARK = 0.38;
-
-export function mark(model: ModelId, x: number, y: number, size: number) {
-  return svg`<path class="dot" d=${markPath(modelStyle(model).mark, x, y, size)}></path>`;
-}
-
 /** From one end to the other, with caps; nothing where that is less than a pixel. */
 export function errorBar(from: number, to: number, y: number, cap: number) {
   if (Math.abs(to - from) < 1) return nothing;
@@ -77,9 +70,4 @@ export function errorBar(from: number, to: number, y: number, cap: number) {
 /** A line through points [x, y]. */
 export function path(points: readonly (readonly [number, number])[]) {
   return svg`<path class="course" d=${points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(2)} ${y.toFixed(2)}`).join("")}></path>`;
-}
-
-/** Gives an element and all in it the colour of a model. */
-export function inColour(model: ModelId): string {
-  return `--model:${modelStyle(model).colour}`;
 }

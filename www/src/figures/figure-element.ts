@@ -1,13 +1,14 @@
 // The base of the figures: title, the two files that can be saved of it, and how wide it is.
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { download } from "../ui/download";
+import "./figures.css";
 import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
 import { messageOf } from "../ui/format";
 
-/** Told (bubbling, as the event `save-failed`) when a file could not be made. */
+/** What the bubbling event `save-failed` tells: a file could not be made. */
 export interface SaveFailure {
-  /** Of the file. */
+  /** The file's name. */
   name: string;
   message: string;
 }
@@ -17,11 +18,11 @@ const TYPE = 14;
 /** What a sheet of A4 has room for, pixels. */
 const PAPER = 680;
 
-export abstract class ComparisonFigure<Data> extends LitElement {
+export abstract class FigureElement<Data> extends LitElement {
   static override properties = { data: { attribute: false }, width: { state: true }, type: { state: true } };
   /** What it shows. */
   declare data: Data | null;
-  /** Of the figure, pixels. */
+  /** The figure's width, pixels. */
   declare width: number;
   /** The size of a drawing's type, pixels. */
   declare type: number;
@@ -35,7 +36,7 @@ export abstract class ComparisonFigure<Data> extends LitElement {
   }
 
   protected abstract readonly heading: string;
-  /** Of its files, without an ending. */
+  /** The name of its files, without an ending. */
   protected abstract readonly file: string;
   protected abstract figure(data: Data): TemplateResult;
   protected abstract table(data: Data): Table;
@@ -74,12 +75,15 @@ export abstract class ComparisonFigure<Data> extends LitElement {
   };
 
   private async save(ending: "csv" | "png"): Promise<void> {
+    const { data } = this;
+    const figure = this.querySelector("figure");
+    if (!data || !figure) return;
     const name = `${this.file}.${ending}`;
     try {
       const content =
         ending === "png"
-          ? await pictureOf(this.querySelector("figure")!)
-          : new Blob([csv(this.table(this.data!))], { type: "text/csv;charset=utf-8" });
+          ? await pictureOf(figure)
+          : new Blob([csv(this.table(data))], { type: "text/csv;charset=utf-8" });
       download(name, content);
     } catch (problem) {
       const detail: SaveFailure = { name, message: messageOf(problem) };
@@ -92,7 +96,7 @@ export abstract class ComparisonFigure<Data> extends LitElement {
     if (!data) return nothing;
     const missing = this.missing(data);
     return html`
-      <figure class="comparison-figure">
+      <figure class="figure-card">
         <div class="figure-head">
           <h3>${this.heading}</h3>
           ${

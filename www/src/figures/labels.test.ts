@@ -21,7 +21,7 @@ describe("labels beside the ends of lines", () => {
 
   it("keep their distance when several groups meet a border", () => {
     const places = spread([0, 1, 2, 30, 31, 95, 97, 99], 10, 0, 100).sort((a, b) => a - b);
-    places.slice(1).forEach((place, i) => expect(place - places[i]!).toBeGreaterThan(10 - 1e-9));
+    for (const [i, place] of places.slice(1).entries()) expect(place - places[i]!).toBeGreaterThan(10 - 1e-9);
     expect(places[0]).toBeGreaterThanOrEqual(0);
     expect(places.at(-1)).toBeLessThanOrEqual(100 + 1e-9);
   });
@@ -57,10 +57,12 @@ describe("labels of points", () => {
     const apart = (a: (typeof boxes)[0], b: (typeof boxes)[0]) =>
       a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
     boxes.forEach((box, i) => {
-      boxes.forEach((other, j) => expect(i === j || apart(box, other), `labels ${i}, ${j}`).toBe(true));
-      points.forEach(({ x, y }, j) =>
-        expect(apart(box, { x: x - 4, y: y - 4, width: 8, height: 8 }), `label ${i}, mark ${j}`).toBe(true),
-      );
+      boxes.forEach((other, j) => {
+        expect(i === j || apart(box, other), `labels ${i}, ${j}`).toBe(true);
+      });
+      points.forEach(({ x, y }, j) => {
+        expect(apart(box, { x: x - 4, y: y - 4, width: 8, height: 8 }), `label ${i}, mark ${j}`).toBe(true);
+      });
     });
   });
 });

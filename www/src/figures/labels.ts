@@ -5,28 +5,26 @@
  * (least squares). Too many for the room lie evenly over it.
  */
 export function spread(wanted: readonly number[], gap: number, low: number, high: number): number[] {
-  const count = wanted.length;
-  if (count === 0) return [];
-  const step = Math.min(gap, (high - low) / Math.max(1, count - 1));
-  const order = wanted.map((_, i) => i).sort((a, b) => wanted[a]! - wanted[b]!);
+  const steps = Math.max(1, wanted.length - 1);
+  const step = Math.min(gap, (high - low) / steps);
+  const ascending = wanted.map((place, index) => ({ place, index })).sort((a, b) => a.place - b.place);
   // With i steps taken off the i-th, what is left only has to ascend: neighbours that do not are pooled at their mean.
   const pools: { sum: number; count: number }[] = [];
-  order.forEach((index, rank) => {
-    pools.push({ sum: wanted[index]! - rank * step, count: 1 });
-    for (
-      let [before, last] = pools.slice(-2);
-      pools.length > 1 && before!.sum / before!.count > last!.sum / last!.count;
-      [before, last] = pools.slice(-2)
-    ) {
-      pools.splice(-2, 2, { sum: before!.sum + last!.sum, count: before!.count + last!.count });
+  const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
+  ascending.forEach(({ place }, rank) => {
+    let pool = { sum: place - rank * step, count: 1 };
+    for (let before = pools.at(-1); before && mean(before) > mean(pool); before = pools.at(-1)) {
+      pool = { sum: before.sum + pool.sum, count: before.count + pool.count };
+      pools.pop();
     }
+    pools.push(pool);
   });
-  const places = new Array<number>(count);
-  let rank = 0;
-  for (const { sum, count: pooled } of pools) {
-    const start = Math.min(Math.max(sum / pooled, low), high - (count - 1) * step);
-    for (let i = 0; i < pooled; i++, rank++) places[order[rank]!] = start + rank * step;
-  }
+  const most = high - (wanted.length - 1) * step;
+  const starts = pools.flatMap((pool) => new Array<number>(pool.count).fill(Math.min(Math.max(mean(pool), low), most)));
+  const places = new Array<number>(wanted.length).fill(low);
+  ascending.forEach(({ index }, rank) => {
+    places[index] = (starts[rank] ?? low) + rank * step;
+  });
   return places;
 }
 
@@ -64,7 +62,7 @@ export function beside(
   const around = reach + CLEAR;
   const marks = points.map(({ x, y }) => ({ x: x - around, y: y - around, width: 2 * around, height: 2 * around }));
   const choices = points.map(({ x, y }, i) => {
-    const width = widths[i]!;
+    const width = widths[i] ?? 0;
     const [right, left] = [x + reach + 3, x - reach - 3 - width];
     const [above, middle, below] = [y - reach - height, y - height / 2, y + reach];
     const corners: [number, number][] = [
@@ -79,7 +77,7 @@ export function beside(
     ];
     return corners.map(([bx, by]): Box => ({ x: bx, y: by, width, height }));
   });
-  const placed = choices.map((boxes) => boxes[0]!);
+  const placed = choices.flatMap((boxes) => boxes.slice(0, 1));
   for (let round = 0; round < ROUNDS; round++) {
     choices.forEach((boxes, i) => {
       const others = [...marks, ...placed].filter((_, other) => other % points.length !== i);
@@ -95,17 +93,18 @@ export function beside(
 
 /** The labels without the words that all of them end in: "4 + 4 inducing points" becomes "4 + 4". */
 export function withoutCommonEnd(labels: readonly string[]): { short: string[]; end: string } {
-  const words = labels.map((label) => label.split(" "));
-  const most = Math.min(...words.map(({ length }) => length)) - 1;
+  const texts = labels.map((label) => label.split(" "));
+  const [first = []] = texts;
+  const most = Math.min(...texts.map(({ length }) => length)) - 1;
   let common = 0;
-  while (labels.length > 1 && common < most && words.every((of) => of.at(-1 - common) === words[0]!.at(-1 - common)))
+  while (labels.length > 1 && common < most && texts.every((words) => words.at(-1 - common) === first.at(-1 - common)))
     common++;
   // "4 + 8" and "8 + 8" end in the same number, which says something.
-  const end = words[0]?.slice(words[0].length - common) ?? [];
+  const end = first.slice(first.length - common);
   const lastNumber = end.findLastIndex((word) => !/^\p{L}/u.test(word));
   common -= lastNumber + 1;
   return {
-    short: words.map((of) => of.slice(0, of.length - common).join(" ")),
+    short: texts.map((words) => words.slice(0, words.length - common).join(" ")),
     end: end.slice(lastNumber + 1).join(" "),
   };
 }

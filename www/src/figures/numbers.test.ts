@@ -1,10 +1,10 @@
 import { expect, it } from "vitest";
-import { evenLabels, plain, powerLabels, spreadWords, twoDecimals } from "./numbers";
+import { evenLabels, percent, plain, powerLabels, ratio, spreadWords, twoDecimals } from "./numbers";
 
 it.each([
   [0, "0.00"],
   [0.0011, "0.00110"],
-  [3.14159, "3.14"],
+  [2.34567, "2.35"],
   [33.4, "33.4"],
   [431.7, "432"],
   [101234, "101,234"],
@@ -38,6 +38,11 @@ it("labels even steps alike, and powers each by itself", () => {
   expect(labels(evenLabels([0, 0.5, 1]))).toEqual(["0.0", "0.5", "1.0"]);
   expect(labels(powerLabels([0.001, 0.01, 1, 1000]))).toEqual(["0.001", "0.01", "1", "1,000"]);
   expect(labels(powerLabels([2e-8, 1e9]))).toEqual(["2 × 10⁻⁸", "10⁹"]);
+});
+
+it("writes ratios as finely as they need, and shares with one decimal", () => {
+  expect([4.176, 12.34, 1847.7].map(ratio)).toEqual(["4.18", "12.3", "1,848"]);
+  expect([0.99234, 1, -0.125].map(percent)).toEqual(["99.2 %", "100.0 %", "−12.5 %"]);
 });
 
 it("writes a rank correlation or an exponent", () => {

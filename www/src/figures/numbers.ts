@@ -1,14 +1,13 @@
-// Numbers as the figures write them.
-import type { Spread } from "../engine/protocol";
+// Numbers as figures and their tables write them: as many digits as say something.
+import { grouped } from "../ui/format";
 
-const MINUS = "\u2212";
 const MOST_DECIMALS = 8;
 
-function fixed(value: number, decimals: number): string {
-  const text = new Intl.NumberFormat("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(
-    value,
-  );
-  return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
+/** A mean, and what is known about its error. */
+export interface Estimate {
+  mean: number;
+  standardError: number | null;
+  count: number;
 }
 
 /** The power of ten of a number's first digit. */
@@ -18,7 +17,7 @@ function magnitude(value: number): number {
 
 function byPower(value: number, digits: number): string {
   const [factor, power] = value.toExponential(digits - 1).split("e") as [string, string];
-  return `${factor.replace("-", MINUS)} × 10${superscript(Number(power))}`;
+  return `${factor.replace("-", "\u2212")} × 10${superscript(Number(power))}`;
 }
 
 function superscript(power: number): string {
@@ -29,18 +28,18 @@ function superscript(power: number): string {
 export function plain(value: number): string {
   if (!Number.isFinite(value)) return "unknown";
   const size = magnitude(value);
-  return size < -6 || size > 11 ? byPower(value, 3) : fixed(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
+  return size < -6 || size > 11 ? byPower(value, 3) : grouped(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
 }
 
 /** A mean, and what is known about its error: as many digits as the error leaves. */
-export function spreadWords({ mean, standardError, count }: Spread): { mean: string; error: string } {
+export function spreadWords({ mean, standardError, count }: Estimate): { mean: string; error: string } {
   if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
   if (standardError === null || !Number.isFinite(standardError))
     return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
   const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
   if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };
-  return { mean: fixed(mean, Math.max(0, decimals)), error: `± ${fixed(standardError, Math.max(0, decimals))}` };
+  return { mean: grouped(mean, Math.max(0, decimals)), error: `± ${grouped(standardError, Math.max(0, decimals))}` };
 }
 
 const decimalsOf = (value: number) =>
@@ -64,10 +63,20 @@ function tickLabel(value: number, decimals: number): string {
     const text = byPower(value, digits);
     return text.replace(/^1 × /, "");
   }
-  return fixed(value, Math.min(MOST_DECIMALS, decimals));
+  return grouped(value, Math.min(MOST_DECIMALS, decimals));
+}
+
+/** A ratio of two numbers. */
+export function ratio(value: number): string {
+  return value >= 100 ? grouped(value) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
+}
+
+/** A share as "99.2 %"; that which a fit explains may be negative. */
+export function percent(share: number): string {
+  return `${grouped(100 * share, 1)} %`;
 }
 
 /** A rank correlation or an exponent. */
 export function twoDecimals(value: number): string {
-  return Number.isFinite(value) ? fixed(value, 2) : "unknown";
+  return Number.isFinite(value) ? grouped(value, 2) : "unknown";
 }

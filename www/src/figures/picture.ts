@@ -81,7 +81,7 @@ function styled(element: Element): Element | null {
 
 /** The width at which nothing in it has to be scrolled. */
 function wholeWidth(element: HTMLElement): number {
-  const scrolls = (of: Element) => /auto|scroll/.test(getComputedStyle(of).overflowX);
+  const scrolls = (part: Element) => /auto|scroll/.test(getComputedStyle(part).overflowX);
   const beyond = [...element.querySelectorAll("div")]
     .filter(scrolls)
     .map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);

@@ -48,9 +48,9 @@ describe("a linear scale", () => {
   });
 
   it("takes one value, none, and values that are no numbers", () => {
-    const one = linearScale([5, Number.NaN, Infinity], 0, 100);
-    expect(one.at(5)).toBeCloseTo(50);
-    expect(one.ticks(4).length).toBeGreaterThan(0);
+    const single = linearScale([5, Number.NaN, Infinity], 0, 100);
+    expect(single.at(5)).toBeCloseTo(50);
+    expect(single.ticks(4).length).toBeGreaterThan(0);
     expect(linearScale([], 0, 100).at(0.5)).toBeCloseTo(50);
     expect(linearScale([0, 0], 0, 100).at(0)).toBeCloseTo(50);
   });

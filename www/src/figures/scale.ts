@@ -16,10 +16,10 @@ export interface Scale {
   ticks(most: number): Tick[];
 }
 
-/** How much of an axis stays free beyond the outermost values, a side. */
+/** Share of the values' range that stays free beyond the outermost ones, at each side. */
 const MARGIN = 0.06;
 
-/** The outermost of the values that a logarithm, or anything, can be taken of. */
+/** The outermost of the finite values above `least`. */
 function extent(values: readonly number[], least: number): [number, number] | null {
   const drawn = values.filter((value) => Number.isFinite(value) && value > least);
   return drawn.length === 0 ? null : [Math.min(...drawn), Math.max(...drawn)];
@@ -48,7 +48,7 @@ function byPowers(low: number, high: number, most: number): number[] {
   const dense = (times: readonly number[], every: number) => {
     const powers = Array.from({ length: last - first + 1 }, (_, i) => first + i);
     const values = powers
-      .flatMap((power) => times.map((of) => Number(`${of}e${power}`)))
+      .flatMap((power) => times.map((factor) => Number(`${factor}e${power}`)))
       .filter((value) => value >= low && value <= high);
     return values.filter((_, i) => i % every === 0);
   };
@@ -69,7 +69,7 @@ export function linearScale(values: readonly number[], from: number, to: number)
   };
 }
 
-/** Of positive values; others lie at its lower end. */
+/** For positive values; others lie at its lower end. */
 export function logScale(values: readonly number[], from: number, to: number): Scale {
   const [least, greatest] = extent(values, 0) ?? [1, 10];
   // Values that are nearly the same keep some room around them.

@@ -1,16 +1,19 @@
 // The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and keyboard.
 import { html } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { pointAt } from "./pointing";
+import type { ModelStore } from "../couplings/model-store";
+import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import type { Playback } from "../stage/playback";
+import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour } from "../ui/palette";
-import type { InducingPoint } from "../engine/protocol";
-import { principalAxes, project, type Projection, type Turn } from "./projection";
-import { changeSettings } from "../settings/change";
-import { drawLatents, type LatentPicture, Plane } from "./latent-drawing";
 import { swatchStyle, View } from "../ui/view";
+import { drawLatents, type LatentPicture, Plane } from "./latent-drawing";
+import { type PointingStore, samePoint } from "./pointing-store";
+import { type Projection, principalAxes, project, type Turn } from "./projection";
 
-/** What the plots show besides paths. */
-export interface Marks {
+/** The inducing points that the plots show. */
+export interface Layers {
   pose: boolean;
   dynamics: boolean;
   between: boolean;
@@ -29,55 +32,54 @@ interface Mark {
 }
 
 export class LatentPlot extends View {
-  static override topics = ["model", "rollout", "pointed", "settings", "shown"] as const;
-  static override properties = { bodyPart: { type: Number }, marks: { attribute: false } };
+  static override properties = { bodyPart: { type: Number }, layers: { attribute: false } };
   declare bodyPart: number;
-  declare marks: Marks;
-  private turn: Turn = { ...FLAT };
+  declare layers: Layers;
+  declare model: ModelStore;
+  declare pointing: PointingStore;
+  declare settings: SettingsStore;
+  declare stage: StageStore;
+  declare playback: Playback;
+  private turn: Turn = FLAT;
   private projection: Projection | null = null;
-  private projectionOf: unknown = null;
+  /** The rollout as learned that decided the axes. */
+  private projected: RolloutResult | null = null;
   private drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   private list: Mark[] = [];
-  private stopTick: (() => void) | undefined;
 
   constructor() {
     super();
     this.bodyPart = 0;
-    this.marks = { pose: true, dynamics: true, between: false };
+    this.layers = { pose: true, dynamics: true, between: false };
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.stopTick = this.app.on(["tick"], () => this.paint());
-    onThemeChange(() => this.requestUpdate());
+  protected override stores() {
+    return [this.model, this.pointing, this.settings, this.stage];
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.stopTick?.();
-  }
-
-  override firstUpdated(): void {
-    new ResizeObserver(() => this.requestUpdate()).observe(this.querySelector(".plot")!);
-    if (this.app.settings.plot === "3d") this.turn = { ...TILTED };
+  protected override arrived(): void {
+    this.whenLeaving(this.playback.on(() => this.paint()));
+    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
+    const box = this.querySelector(".plot");
+    if (box) this.watchSize(box, () => this.requestUpdate());
   }
 
   override willUpdate(): void {
-    const { model, learned, settings } = this.app;
-    if (model && learned && this.projectionOf !== learned) {
+    const { model, learned } = this.model;
+    if (model && learned && this.projected !== learned) {
       const q = model.info.parts[this.bodyPart]?.latent ?? 0;
       this.projection = principalAxes(this.cloud(q), q, this.projection);
       this.projection.reach = Math.max(this.projection.reach, this.reachOfMarks(this.projection));
-      this.projectionOf = learned;
+      this.projected = learned;
     }
-    if (settings.plot === "2d") this.turn = { ...FLAT };
-    else if (this.turn.about === 0 && this.turn.tilt === 0) this.turn = { ...TILTED };
+    if (this.settings.values.plot === "2d") this.turn = FLAT;
+    else if (this.turn.about === 0 && this.turn.tilt === 0) this.turn = TILTED;
     this.list = this.listMarks();
   }
 
   /** The points that decide the axes and the scale: the rollout as learned, and the training latents. */
   private cloud(q: number): Float64Array {
-    const { model, learned } = this.app;
+    const { model, learned } = this.model;
     const path = learned?.latents[this.bodyPart] ?? new Float64Array(0);
     const training = model?.trainingLatents?.[this.bodyPart] ?? new Float64Array(0);
     const cloud = new Float64Array(path.length + training.length);
@@ -88,22 +90,22 @@ export class LatentPlot extends View {
 
   /** How far out this part's inducing points lie, but no further than half again the path: one stray point must not shrink the rest. */
   private reachOfMarks(projection: Projection): number {
-    const { model } = this.app;
+    const { model } = this.model;
     const own = model?.dynamicsInducing[this.bodyPart]?.[this.bodyPart];
     const at = new Float64Array(3);
     let reach = 0;
     for (const points of [model?.poseInducing[this.bodyPart], own?.inputs, own?.outputs]) {
-      const count = (points?.length ?? 0) / projection.dimensions;
-      for (let i = 0; i < count; i++) {
-        project(projection, points!, i, at);
-        reach = Math.max(reach, Math.hypot(at[0]!, at[1]!));
+      if (!points) continue;
+      for (let i = 0; i < points.length / projection.dimensions; i++) {
+        const [x = 0, y = 0] = project(projection, points, i, at);
+        reach = Math.max(reach, Math.hypot(x, y));
       }
     }
     return Math.min(reach, 1.5 * projection.reach);
   }
 
   private listMarks(): Mark[] {
-    const { model } = this.app;
+    const { model } = this.model;
     if (!model) return [];
     const part = this.bodyPart;
     const { parts, order } = model.info;
@@ -112,7 +114,7 @@ export class LatentPlot extends View {
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
-      if (!inducing || !(own ? this.marks.dynamics : this.marks.between)) return;
+      if (!inducing || !(own ? this.layers.dynamics : this.layers.between)) return;
       for (let i = 0; i < inducing.count; i++) {
         marks.push({
           key: `d${target}-${i}`,
@@ -125,7 +127,7 @@ export class LatentPlot extends View {
     });
     // Last, so that they lie on top, as they are drawn.
     const poses = model.poseInducing[part];
-    for (let i = 0; this.marks.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
+    for (let i = 0; this.layers.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
       const label = `Pose inducing point ${i + 1} of ${name(part)}`;
       marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
     }
@@ -137,15 +139,18 @@ export class LatentPlot extends View {
     this.placeButtons();
   }
 
-  private picture(canvas: HTMLCanvasElement): LatentPicture | null {
-    const { model, rollout, learned, pointed, player, shown, altered } = this.app;
-    const { bodyPart: part, projection, turn, marks } = this;
+  private picture(box: HTMLElement): LatentPicture | null {
+    const { bodyPart: part, projection, turn, layers, playback } = this;
+    const { model, rollout, learned, altered } = this.model;
     const latents = rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
-    const box = canvas.parentElement!;
-    const lit =
-      pointed !== null && part === (pointed.point.kind === "pose" ? pointed.point.part : pointed.point.source);
-    const others = model.info.parts.flatMap((_, other) => (other === part || !marks.between ? [] : [other]));
+    const { report } = this.pointing;
+    const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
+    const between = (of: (other: number) => DynamicsInducing | undefined) =>
+      model.info.parts.flatMap((_, other) => {
+        const points = other === part || !layers.between ? undefined : of(other);
+        return points ? [{ inducing: points, other, colour: partColour(other) }] : [];
+      });
     return {
       width: box.clientWidth,
       height: box.clientHeight,
@@ -156,31 +161,24 @@ export class LatentPlot extends View {
       rollout: latents,
       learned: altered ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
-      poses: marks.pose ? (model.poseInducing[part] ?? null) : null,
-      dynamics: marks.dynamics ? (model.dynamicsInducing[part]?.[part] ?? null) : null,
-      outgoing: others.map((other) => ({
-        inducing: model.dynamicsInducing[part]![other]!,
-        other,
-        colour: partColour(other),
-      })),
-      incoming: others.map((other) => ({
-        inducing: model.dynamicsInducing[other]![part]!,
-        other,
-        colour: partColour(other),
-      })),
+      poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
+      dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
+      outgoing: between((other) => inducing(part, other)),
+      incoming: between((other) => inducing(other, part)),
       order: model.info.order,
-      frame: player.frame,
-      live: shown?.kind === "model",
-      report: pointed,
-      lit,
+      frame: playback.frame,
+      live: this.stage.shown?.kind === "model",
+      report,
+      lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
     };
   }
 
   private paint(): void {
     const canvas = this.querySelector("canvas");
     const draw = canvas?.getContext("2d");
-    if (!canvas || !draw || canvas.parentElement!.clientWidth === 0) return;
-    const picture = this.picture(canvas);
+    const box = canvas?.parentElement;
+    if (!canvas || !draw || !box || box.clientWidth === 0) return;
+    const picture = this.picture(box);
     if (!picture) {
       draw.clearRect(0, 0, canvas.width, canvas.height);
       return;
@@ -206,7 +204,7 @@ export class LatentPlot extends View {
 
   private grab(event: PointerEvent): void {
     if (event.button !== 0) return;
-    this.drag = { x: event.clientX, y: event.clientY, turn: { ...this.turn }, moved: false };
+    this.drag = { x: event.clientX, y: event.clientY, turn: this.turn, moved: false };
   }
 
   private move(event: PointerEvent): void {
@@ -223,7 +221,7 @@ export class LatentPlot extends View {
 
   private turnTo(turn: Turn): void {
     this.turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
-    if (this.app.settings.plot === "2d") changeSettings(this.app, { plot: "3d" });
+    if (this.settings.values.plot === "2d") this.settings.change({ plot: "3d" });
     this.paint();
     this.placeButtons();
   }
@@ -236,7 +234,7 @@ export class LatentPlot extends View {
   private keys(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     if (!step) {
-      if (event.key === "Escape") pointAt(this.app, null);
+      if (event.key === "Escape") this.pointing.pointAt(null);
       return;
     }
     event.preventDefault();
@@ -244,9 +242,9 @@ export class LatentPlot extends View {
     const buttons = [...this.querySelectorAll<HTMLElement>("button.mark")];
     const at = buttons.indexOf(event.target as HTMLElement);
     if (at >= 0) {
-      const next = buttons[(at + step + buttons.length) % buttons.length]!;
-      buttons.forEach((button) => (button.tabIndex = button === next ? 0 : -1));
-      next.focus();
+      const next = buttons.at((at + step) % buttons.length);
+      for (const button of buttons) button.tabIndex = button === next ? 0 : -1;
+      next?.focus();
     } else {
       const sideways = event.key === "ArrowLeft" || event.key === "ArrowRight";
       const { about, tilt } = this.turn;
@@ -255,10 +253,9 @@ export class LatentPlot extends View {
   }
 
   protected override render() {
-    const { model, pointing } = this.app;
-    const name = model?.info.parts[this.bodyPart]?.name ?? "";
-    const chosen = JSON.stringify(pointing);
-    const point = (to: InducingPoint | null) => () => pointAt(this.app, to);
+    const { pointing } = this;
+    const name = this.model.model?.info.parts[this.bodyPart]?.name ?? "";
+    const point = (to: InducingPoint | null) => () => pointing.pointAt(to);
     return html`
       <figure class="latent" style=${swatchStyle(partColour(this.bodyPart))}>
         <figcaption><i class="swatch"></i>${name}</figcaption>
@@ -272,7 +269,7 @@ export class LatentPlot extends View {
             ({ key }) => key,
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
-              aria-pressed=${JSON.stringify(to) === chosen ? "true" : "false"}
+              aria-pressed=${samePoint(to, pointing.point) ? "true" : "false"}
               @pointerenter=${point(to)} @pointerleave=${point(null)}
               @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
           )}

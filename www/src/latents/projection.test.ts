@@ -28,7 +28,7 @@ describe("principal axes", () => {
     const [a, b] = [new Float64Array(3), new Float64Array(3)];
     project(before, ellipse(60), 7, a);
     project(after, ellipse(60), 7, b);
-    [...a].forEach((value, k) => expect(b[k]).toBeCloseTo(value, 8));
+    for (const [k, value] of a.entries()) expect(b[k]).toBeCloseTo(value, 8);
   });
 
   it("takes one dimension, more than three, and points all in one place", () => {

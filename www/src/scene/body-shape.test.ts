@@ -4,9 +4,8 @@ import { shapeOf } from "./body-shape";
 function body(names: [string, number | null, [number, number, number]][], end?: [number, [number, number, number]]) {
   const nodes = names.map(([, parent], joint) => ({ joint, parent, endSite: false }));
   const at: number[][] = [];
-  names.forEach(
-    ([, parent, offset], i) => (at[i] = offset.map((value, k) => value + (parent === null ? 0 : at[parent]![k]!))),
-  );
+  for (const [, parent, offset] of names)
+    at.push(offset.map((value, k) => value + (parent === null ? 0 : at[parent]![k]!)));
   if (end) {
     nodes.push({ joint: end[0], parent: end[0], endSite: true });
     at.push(end[1].map((value, k) => value + at[end[0]]![k]!));

@@ -3,7 +3,6 @@ import {
   AlwaysStencilFunc,
   Group,
   LatheGeometry,
-  type Material,
   Matrix4,
   Mesh,
   MeshStandardMaterial,
@@ -14,7 +13,7 @@ import {
   Vector3,
 } from "three";
 import { partColour, theme } from "../ui/palette";
-import { partOfJoints } from "../clips/parts";
+import { partOfJoints } from "./part-of-joints";
 import type { Figure, PartSpec } from "../engine/protocol";
 import { type Ball, type Capsule, shapeOf } from "./body-shape";
 
@@ -28,7 +27,7 @@ const UP = new Vector3(0, 1, 0);
 /** A trunk is wider than it is deep. */
 const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
-/** Solid bodies mark their pixels; pale ones draw each pixel once, and none that is marked: flat shades without seams. */
+/** Solid bodies mark their pixels. Pale bodies leave marked pixels out and draw each pixel once: flat shades without seams. */
 function stencil(material: MeshStandardMaterial, pale: boolean): void {
   material.stencilWrite = true;
   material.stencilRef = 1;
@@ -70,7 +69,7 @@ export class FigureView {
     style: FigureStyle,
   ) {
     const shape = shapeOf(figure, joints, pose);
-    const part = partOfJoints(joints.length, parts as PartSpec[]);
+    const part = partOfJoints(joints.length, parts);
     const materials = new Map<number, MeshStandardMaterial>();
     const materialOf = (joint: number) => {
       const index = part[joint] ?? -1;
@@ -168,7 +167,7 @@ export class FigureView {
 
   dispose(): void {
     for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
-    this.materials.forEach((material: Material) => material.dispose());
+    for (const material of this.materials) material.dispose();
     this.group.removeFromParent();
   }
 }

@@ -1,8 +1,13 @@
-// Where a figure stands: the height of its ground, and what touches it.
+// Where a figure stands and goes: the height of its ground, what touches it, and the direction of its walk.
 import type { Motion } from "../engine/protocol";
 
 /** From the lowest node, inside a foot, to the ground. */
 export const SOLE = 0.03;
+/** From the ground to the middle of a figure, which a camera looks at. */
+export const MIDDLE = 0.88;
+/** A walk has a direction when it leads so many metres away within its first frames. */
+const LEAST_WAY = 0.2;
+const FIRST_FRAMES = 60;
 
 /** The height on which the figure stands: of the lowest node of each frame, the middle one. */
 export function floorOf({ positions, frames, nodes }: Motion): number {
@@ -24,4 +29,11 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
     }
   }
   return [...lowest.keys()].filter((node) => lowest[node]! < floor + 0.12).slice(0, 8);
+}
+
+/** The direction in which the figure walks, seen from above, radians; 0 when it stays in its place. */
+export function headingOf({ positions, frames, nodes }: Motion): number {
+  const end = Math.min(frames - 1, FIRST_FRAMES) * nodes * 3;
+  const [dx, dz] = [positions[end]! - positions[0]!, positions[end + 2]! - positions[2]!];
+  return Math.hypot(dx, dz) > LEAST_WAY ? Math.atan2(dx, dz) : 0;
 }

@@ -1,13 +1,5 @@
 import { describe, expect, it } from "vitest";
-import {
-  ALPHA_MAX,
-  initialSettings,
-  isEmbedded,
-  readSettings,
-  SETTINGS,
-  withinLimits,
-  writeSettings,
-} from "./settings";
+import { ALPHA_MAX, initialSettings, isEmbedded, limited, readSettings, SETTINGS, writeSettings } from "./settings";
 
 describe("settings in the URL", () => {
   it("leaves the settings of the start out", () => {
@@ -89,9 +81,16 @@ describe("settings in the URL", () => {
 
 describe("limits", () => {
   it("holds for controls as well", () => {
-    expect(withinLimits("latent", 0)).toBe(1);
-    expect(withinLimits("latent", 2.4)).toBe(2);
-    expect(withinLimits("latent", Number.NaN)).toBeNull();
+    expect(limited({ latent: 0 })).toEqual({ latent: 1 });
+    expect(limited({ latent: 2.4 })).toEqual({ latent: 2 });
+    expect(limited({ latent: Number.NaN, order: 3 })).toEqual({ order: 3 });
+    expect(limited({ ips: [], alpha: { "0.1": 1e9 } })).toEqual({ alpha: { "0.1": ALPHA_MAX } });
+  });
+
+  it("keeps couplings exactly, and rounds them only in the text", () => {
+    const alpha = { "0.1": 1.23456789 };
+    expect(limited({ alpha })).toEqual({ alpha });
+    expect(writeSettings({ ...initialSettings(), alpha })).toBe("alpha=0.1:1.235");
   });
 });
 

@@ -6,9 +6,11 @@ interface Setting<T> {
   /** The name in the URL. */
   key: string;
   initial: T;
-  /** The value a text stands for, within the limits; null when it stands for none. */
+  /** The value that a text stands for, not yet limited; null when it is not one. */
   read(text: string): T | null;
   write(value: T): string;
+  /** The nearest value within the limits; null when the value is not valid. */
+  limit(value: T): T | null;
 }
 
 export interface NumberSetting extends Setting<number> {
@@ -24,11 +26,9 @@ function whole(key: string, initial: number, min: number, max: number, step = 1)
     min,
     max,
     step,
-    read(text) {
-      if (!/^\s*[-+]?\d+(\.\d*)?(e\d+)?\s*$/i.test(text)) return null;
-      return Math.round(Math.min(max, Math.max(min, Number(text))));
-    },
+    read: (text) => (/^\s*[-+]?\d+(\.\d*)?(e\d+)?\s*$/i.test(text) ? Number(text) : null),
     write: String,
+    limit: (value) => (Number.isFinite(value) ? Math.round(Math.min(max, Math.max(min, value))) : null),
   };
 }
 
@@ -43,6 +43,7 @@ function choice<T extends string | number>(
     values,
     read: (text) => values.find((value) => String(value) === text) ?? null,
     write: String,
+    limit: (value) => (values.includes(value) ? value : null),
   };
 }
 
@@ -52,6 +53,7 @@ function flag(key: string, initial: boolean): Setting<boolean> {
     initial,
     read: (text) => (text === "1" || text === "" ? true : text === "0" ? false : null),
     write: (value) => (value ? "1" : "0"),
+    limit: (value) => value,
   };
 }
 
@@ -71,18 +73,25 @@ const changedCouplings: Setting<ChangedCouplings> = {
   read(text) {
     const changed: ChangedCouplings = {};
     for (const item of text.split(",").filter(Boolean)) {
-      const match = /^(\d)\.(\d):([\d.e+-]+)$/i.exec(item);
-      const value = Number(match?.[3]);
-      if (!match || !Number.isFinite(value) || value <= 0) return null;
-      if (Number(match[1]) >= MAX_PARTS || Number(match[2]) >= MAX_PARTS) return null;
-      changed[`${match[1]}.${match[2]}`] = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, value));
+      const [, source, target, value] = /^(\d)\.(\d):([\d.e+-]+)$/i.exec(item) ?? [];
+      if (Number(source ?? MAX_PARTS) >= MAX_PARTS || Number(target) >= MAX_PARTS) return null;
+      changed[`${source}.${target}`] = Number(value);
     }
     return changed;
   },
+  /** A coupling is kept exactly; only its text is rounded. */
   write: (changed) =>
     Object.entries(changed)
       .map(([pair, alpha]) => `${pair}:${Number(alpha.toPrecision(4))}`)
       .join(","),
+  limit(changed) {
+    const within: ChangedCouplings = {};
+    for (const [pair, alpha] of Object.entries(changed)) {
+      if (!Number.isFinite(alpha) || alpha <= 0) return null;
+      within[pair] = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha));
+    }
+    return within;
+  },
 };
 
 /** Joints of one part as "0-8.12": places in the skeleton. */
@@ -91,7 +100,7 @@ function writeJoints(joints: readonly number[]): string {
   const runs: string[] = [];
   for (let i = 0; i < sorted.length; ) {
     let j = i;
-    while (sorted[j + 1] === sorted[j]! + 1) j += 1;
+    while (sorted[j + 1] === (sorted[j] ?? NaN) + 1) j += 1;
     runs.push(i === j ? `${sorted[i]}` : `${sorted[i]}-${sorted[j]}`);
     i = j + 1;
   }
@@ -116,25 +125,36 @@ const split: Setting<PartSpec[]> = {
   initial: [],
   read(text) {
     const parts: PartSpec[] = [];
-    const taken = new Set<number>();
     for (const item of text.split(";").filter(Boolean)) {
       const colon = item.lastIndexOf(":");
       const joints = readJoints(item.slice(colon + 1));
-      const name = item.slice(0, Math.max(0, colon)).trim().slice(0, MAX_NAME);
-      if (colon < 1 || !name || !joints || joints.some((joint) => taken.has(joint))) return null;
-      joints.forEach((joint) => taken.add(joint));
-      parts.push({ name, joints });
+      if (colon < 1 || !joints) return null;
+      parts.push({ name: item.slice(0, colon), joints });
     }
-    return parts.length <= MAX_PARTS ? parts : null;
+    return parts;
   },
-  write: (parts) => parts.map(({ name, joints }) => `${name.replace(/[;:]/g, " ")}:${writeJoints(joints)}`).join(";"),
+  write: (parts) => parts.map(({ name, joints }) => `${name}:${writeJoints(joints)}`).join(";"),
+  limit(parts) {
+    const taken = new Set<number>();
+    for (const joint of parts.flatMap(({ joints }) => joints)) {
+      if (taken.has(joint) || joint > MAX_JOINT) return null;
+      taken.add(joint);
+    }
+    // The text has colons and semicolons between names and joints.
+    const named = parts.map(({ name, joints }) => ({
+      name: name.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME),
+      joints: [...joints].sort((a, b) => a - b),
+    }));
+    return named.length <= MAX_PARTS && named.every(({ name }) => name) ? named : null;
+  },
 };
 
 const preset: Setting<string> = {
   key: "parts",
   initial: "lower-upper",
-  read: (text) => (/^[a-z0-9-]{1,40}$/.test(text) ? text : null),
+  read: (text) => text,
   write: (value) => value,
+  limit: (value) => (/^[a-z0-9-]{1,40}$/.test(value) ? value : null),
 };
 
 const reading: Setting<Reading> = {
@@ -142,6 +162,7 @@ const reading: Setting<Reading> = {
   initial: "as learned",
   read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
   write: (value) => (value === "as learned" ? "learned" : "inferred"),
+  limit: (value) => value,
 };
 
 /** Several of some words, in the order of the words. */
@@ -154,11 +175,10 @@ function several<T extends string>(
     key,
     initial,
     values,
-    read(text) {
-      const words = text.split(",").filter(Boolean);
-      return words.every((word) => values.includes(word as T)) ? values.filter((value) => words.includes(value)) : null;
-    },
+    read: (text) => text.split(",").filter(Boolean) as T[],
     write: (chosen) => chosen.join(","),
+    limit: (chosen) =>
+      chosen.every((value) => values.includes(value)) ? values.filter((value) => chosen.includes(value)) : null,
   };
 }
 
@@ -175,11 +195,14 @@ function counts(
     initial,
     read(text) {
       const words = text.split(/[\s,]+/).filter(Boolean);
-      if (words.length === 0 || !words.every((word) => /^\d{1,6}$/.test(word))) return null;
-      const within = words.map((word) => Math.min(max, Math.max(min, Number(word))));
-      return [...new Set(within)].sort((a, b) => a - b).slice(0, most);
+      return words.every((word) => /^\d{1,6}$/.test(word)) ? words.map(Number) : null;
     },
     write: (numbers) => numbers.join(","),
+    limit(numbers) {
+      if (numbers.length === 0 || !numbers.every((number) => Number.isInteger(number) && number >= 0)) return null;
+      const within = numbers.map((number) => Math.min(max, Math.max(min, number)));
+      return [...new Set(within)].sort((a, b) => a - b).slice(0, most);
+    },
   };
 }
 
@@ -240,16 +263,16 @@ export function initialSettings(): Settings {
   return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
 }
 
-/** The settings a URL fragment stands for; what it does not say, or says wrongly, is as at the start. */
+/** The settings that a URL fragment stands for; what it does not say, or says wrongly, is as at the start. */
 export function readSettings(fragment: string): Settings {
   const given = new URLSearchParams(fragment.replace(/^#/, ""));
-  const settings = initialSettings();
+  const read: [string, unknown][] = [];
   for (const [name, row] of ROWS) {
     const text = given.get(row.key);
     const value = text === null ? null : row.read(text);
-    if (value !== null) Object.assign(settings, { [name]: value });
+    if (value !== null) read.push([name, value]);
   }
-  return settings;
+  return { ...initialSettings(), ...limited(Object.fromEntries(read)) };
 }
 
 /** The URL fragment of these settings, without "#"; settings as at the start are left out. */
@@ -262,10 +285,15 @@ export function writeSettings(settings: Settings): string {
   return given.toString().replace(/%3A/gi, ":").replace(/%2C/gi, ",").replace(/%3B/gi, ";");
 }
 
-/** The value within the limits of its setting; null when it is none. */
-export function withinLimits<Name extends SettingName>(name: Name, value: Settings[Name]): Settings[Name] | null {
-  const row = SETTINGS[name] as unknown as Setting<Settings[Name]>;
-  return row.read(row.write(value));
+/** These values within the limits of their settings, without those that are not valid. */
+export function limited(values: Partial<Settings>): Partial<Settings> {
+  const within: [string, unknown][] = [];
+  for (const [name, row] of ROWS) {
+    const value = values[name];
+    const limit = value === undefined ? null : row.limit(value);
+    if (limit !== null) within.push([name, limit]);
+  }
+  return Object.fromEntries(within) as Partial<Settings>;
 }
 
 /** `?embed` shows the stage, the latent plots and the couplings only, in large type. */

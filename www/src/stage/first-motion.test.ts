@@ -17,7 +17,8 @@ describe("the first motion", () => {
     const motion = walker();
     const back = decodeFirstMotion(encodeFirstMotion(motion).buffer as ArrayBuffer);
     expect({ ...back, positions: null }).toEqual({ ...motion, positions: null });
-    back.positions.forEach((value, i) => expect(Math.abs(value - motion.positions[i]!)).toBeLessThan(0.00026));
+    for (const [i, value] of back.positions.entries())
+      expect(Math.abs(value - motion.positions[i]!)).toBeLessThan(0.00026);
   });
 
   it("refuses what is cut short", () => {

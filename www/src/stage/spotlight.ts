@@ -3,9 +3,10 @@
 /** Brightness of each frame, 0 to 1, from how much the point says about it: the frames it says most about stand out. */
 export function spotlight(shares: Float64Array): Float64Array {
   const spoken = shares.filter((share) => share > 0).sort();
-  if (spoken.length === 0) return new Float64Array(shares.length);
-  const top = spoken[spoken.length - 1]!;
-  const low = Math.min(spoken[Math.floor(spoken.length / 2)]!, 0.97 * top);
+  const top = spoken.at(-1);
+  if (top === undefined) return new Float64Array(shares.length);
+  const middle = spoken[Math.floor(spoken.length / 2)] ?? top;
+  const low = Math.min(middle, 0.97 * top);
   return shares.map((share) => {
     const above = Math.max(0, (share - low) / (top - low));
     // A point far from every frame says little about any.

@@ -1,15 +1,16 @@
 // The stage: figure, ghost and ground, seen by a camera that follows the walk.
 import { PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { App, Shown } from "../app/app";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
-import { onThemeChange, theme } from "../ui/palette";
+import { theme } from "../ui/palette";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
 import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
 import { type Fineness, Pace } from "../scene/pace";
 import { feetOf, floorOf, SOLE } from "../scene/standing";
+import type { Playback } from "./playback";
+import type { Marks, Shown, StageStore } from "./stage-store";
 
 const LOOK_AT_HEIGHT = 0.88;
 /** Pixels drawn for each of the page's, at most. */
@@ -25,7 +26,9 @@ export class Stage {
   private figure: FigureView | null = null;
   private ghost: FigureView | null = null;
   private marked: FigureView[] = [];
+  /** What the figure, and the marked poses, were made for. */
   private figureOf: Shown | null = null;
+  private markedOf: Marks | null = null;
   private feet: number[] = [];
   private floor = 0;
   private readonly focus = new Vector3(0, LOOK_AT_HEIGHT, 0);
@@ -40,7 +43,8 @@ export class Stage {
 
   /** Throws where the browser has no WebGL. */
   constructor(
-    private readonly app: App,
+    private readonly store: StageStore,
+    private readonly playback: Playback,
     readonly canvas: HTMLCanvasElement,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: "low-power" });
@@ -62,26 +66,34 @@ export class Stage {
     });
     this.controls.target.copy(this.focus);
     this.controls.addEventListener("change", () => (this.dirty = true));
-    canvas.addEventListener("keydown", (event) => this.turnByKey(event));
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
-    onThemeChange(() => this.recolour());
-    app.on(["shown"], () => this.rebuild());
-    app.on(["rollout", "model"], () => this.rebuildGhost());
-    app.on(["pointed"], () => this.rebuildMarked());
-    app.on(["tick"], () => (this.dirty = true));
     this.resize();
     this.recolour();
   }
 
-  private recolour(): void {
+  /** Gives the graphics memory back. */
+  dispose(): void {
+    this.clear();
+    this.lights.dispose();
+    this.ground.dispose();
+    this.controls.dispose();
+    this.renderer.dispose();
+  }
+
+  /** Takes the colours of the page over. */
+  recolour(): void {
     this.renderer.setClearColor(theme().ground);
     this.lights.recolour();
     this.ground.recolour();
-    this.figureOf = null;
-    this.rebuild();
+    this.clear();
+    this.update();
   }
 
-  private resize(): void {
+  /** Another frame is to be drawn. */
+  tick(): void {
+    this.dirty = true;
+  }
+
+  resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(PIXELS[this.fineness], devicePixelRatio));
@@ -98,72 +110,67 @@ export class Stage {
     return view;
   }
 
-  private rebuild(): void {
-    const { shown } = this.app;
+  /** Takes away all figures. */
+  private clear(): void {
+    for (const figure of [this.figure, this.ghost, ...this.marked]) figure?.dispose();
+    [this.figure, this.ghost, this.marked] = [null, null, []];
+    [this.figureOf, this.markedOf] = [null, null];
+  }
+
+  /** Makes the figures of what is shown now. */
+  update(): void {
     this.dirty = true;
+    const { shown } = this.store;
     if (!shown) return;
+    this.updateFigure(shown);
+    this.updateGhost(shown);
+    this.updateMarked(shown);
+  }
+
+  private updateFigure(shown: Shown): void {
     const before = this.figureOf;
-    const same =
-      before !== null &&
-      JSON.stringify([before.figure, before.joints, before.parts]) ===
-        JSON.stringify([shown.figure, shown.joints, shown.parts]);
+    if (before === shown) return;
     this.figureOf = shown;
-    if (!same) {
-      this.figure?.dispose();
+    if (!before || !sameBody(before, shown)) {
+      this.clear();
+      this.figureOf = shown;
       this.figure = this.make(shown, { kind: "solid" });
       this.floor = floorOf(shown.motion) - SOLE;
       this.feet = feetOf(shown.motion, this.floor + SOLE);
       this.ground.group.position.y = this.floor;
+    }
+    if (!this.placed || (before && before.motion.nodes !== shown.motion.nodes)) this.placeCamera(shown);
+  }
+
+  private updateGhost(shown: Shown): void {
+    if (shown.kind === "model" && this.store.ghost) {
+      this.ghost ??= this.make(shown, { kind: "ghost" });
+    } else {
       this.ghost?.dispose();
       this.ghost = null;
     }
-    this.rebuildGhost();
-    this.rebuildMarked();
-    if (!this.placed || (before && before.motion.nodes !== shown.motion.nodes)) this.placeCamera();
   }
 
-  private rebuildGhost(): void {
-    const { app } = this;
-    const wanted = app.shown?.kind === "model" && app.altered && app.learned !== null;
-    this.dirty = true;
-    if (!wanted) {
-      this.ghost?.dispose();
-      this.ghost = null;
-    } else if (!this.ghost && app.shown) {
-      this.ghost = this.make(app.shown, { kind: "ghost" });
-    }
-  }
-
-  /** The pose of the inducing point that is pointed at; for a dynamics point also the pose it predicts. */
-  private rebuildMarked(): void {
-    const { pointed, shown } = this.app;
-    this.marked.forEach((figure) => figure.dispose());
-    this.marked = [];
-    this.dirty = true;
-    if (pointed && shown?.kind === "model") {
-      const { point } = pointed;
-      const parts = point.kind === "pose" ? [point.part] : [point.source, point.target];
-      this.marked = pointed.poses.map((_, i) =>
-        this.make(shown, {
-          kind: "accent",
-          part: parts[i] ?? 0,
-          opacity: point.kind === "dynamics" && i === 0 ? 0.5 : 1,
-        }),
-      );
-    }
+  /** The poses that an inducing point stands for. */
+  private updateMarked(shown: Shown): void {
+    const marks = shown.kind === "model" ? this.store.marks : null;
+    if (this.markedOf === marks) return;
+    this.markedOf = marks;
+    for (const figure of this.marked) figure.dispose();
+    this.marked = (marks?.poses ?? []).map(({ part, opacity }) => this.make(shown, { kind: "accent", part, opacity }));
     this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
   }
 
   /** Looks at the walk from the side and a little from the front. */
-  private placeCamera(): void {
-    const { shown, walk, player } = this.app;
-    if (!shown || !walk) return;
-    const { positions, frames, nodes } = shown.motion;
-    const end = Math.min(frames - 1, 60) * nodes * 3;
-    const [dx, dz] = [positions[end]! - positions[0]!, positions[end + 2]! - positions[2]!];
+  private placeCamera({ motion }: Shown): void {
+    const { pose } = this.playback;
+    if (!pose) return;
+    const [before, after] = [new Vector3(), new Vector3()];
+    before.fromArray(motion.positions);
+    after.fromArray(motion.positions, Math.min(motion.frames - 1, 60) * motion.nodes * 3);
+    const [dx, dz] = [after.x - before.x, after.z - before.z];
     const heading = Math.hypot(dx, dz) > 0.2 ? Math.atan2(dx, dz) : 0;
-    const pose = walk.at(player.frame);
-    this.focus.set(pose[0]!, this.floor + LOOK_AT_HEIGHT, pose[2]!);
+    this.focus.fromArray(pose).setY(this.floor + LOOK_AT_HEIGHT);
     this.root.copy(this.focus);
     const away = this.camera.aspect < 0.9 ? 5.6 : 4.7;
     const angle = heading + 0.95;
@@ -177,16 +184,21 @@ export class Stage {
     this.placed = true;
   }
 
-  private turnByKey(event: KeyboardEvent): void {
-    const turn = { a: [-0.12, 0], d: [0.12, 0], w: [0, -0.08], s: [0, 0.08] }[event.key];
+  turnByKey(event: KeyboardEvent): void {
+    const turn = {
+      a: { sideways: -0.12, upwards: 0 },
+      d: { sideways: 0.12, upwards: 0 },
+      w: { sideways: 0, upwards: -0.08 },
+      s: { sideways: 0, upwards: 0.08 },
+    }[event.key];
     const zoom = { "+": 0.9, "-": 1.1 }[event.key];
     if (!turn && !zoom) return;
     const offset = this.camera.position.clone().sub(this.controls.target);
     if (zoom) offset.multiplyScalar(zoom);
     if (turn) {
-      offset.applyAxisAngle(new Vector3(0, 1, 0), turn[0]!);
+      offset.applyAxisAngle(new Vector3(0, 1, 0), turn.sideways);
       const side = new Vector3(0, 1, 0).cross(offset).normalize();
-      offset.applyAxisAngle(side, turn[1]!);
+      offset.applyAxisAngle(side, turn.upwards);
     }
     this.camera.position.copy(this.controls.target).add(offset);
     this.dirty = true;
@@ -196,12 +208,13 @@ export class Stage {
   /** Draws when something changed. `seconds` since the last call. */
   draw(seconds: number): void {
     this.controls.update();
-    const { app } = this;
-    this.setFineness(this.pace.next(seconds, this.dirty, app.player.playing));
+    this.setFineness(this.pace.next(seconds, this.dirty, this.playback.playing));
     if (!this.dirty) return;
-    if (app.walk && this.figure) this.poseAll(app.walk.at(app.player.frame), seconds);
+    const { pose } = this.playback;
+    if (pose && this.figure) this.poseAll(pose, seconds);
     this.renderer.render(this.scene, this.camera);
-    if (this.figure) this.canvas.dataset["framesDrawn"] = String(++this.drawn);
+    this.drawn += 1;
+    if (this.figure) this.canvas.dataset.framesDrawn = String(this.drawn);
     this.pace.drawn();
     this.dirty = false;
   }
@@ -209,7 +222,10 @@ export class Stage {
   private poseAll(pose: Float32Array, seconds: number): void {
     this.figure?.pose(pose);
     this.poseGhost(pose);
-    this.app.pointed?.poses.forEach((marked, i) => this.marked[i]?.pose(placed(marked, pose)));
+    this.marked.forEach((figure, i) => {
+      const marked = this.markedOf?.poses[i];
+      if (marked) figure.pose(placed(marked.positions, pose));
+    });
     this.followWalk(pose, seconds);
     this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
   }
@@ -226,21 +242,21 @@ export class Stage {
   }
 
   private poseGhost(pose: Float32Array): void {
-    const motion: Motion | undefined = this.app.learned?.motion;
+    const motion = this.store.ghost;
     if (!this.ghost || !motion || motion.nodes * 3 !== pose.length) return;
     if (this.ghostPose.length !== pose.length) this.ghostPose = new Float32Array(pose.length);
-    const frame = this.app.player.frame;
+    const { frame } = this.playback;
     poseAt(motion, frame, HERE, this.ghostPose);
     this.ghost.pose(poseAt(motion, frame, placeOnto(this.ghostPose, pose), this.ghostPose));
   }
 
   /** Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it is stepped or scrubbed. */
   private followWalk(pose: Float32Array, seconds: number): void {
-    const [x, z] = [pose[0]!, pose[2]!];
+    const { x, z } = new Vector3().fromArray(pose);
     let [dx, dz] = [x - this.focus.x, z - this.focus.z];
     if (Math.hypot(dx, dz) < 3) {
       const part = 1 - Math.exp(-9 * Math.min(seconds, 0.1));
-      [dx, dz] = this.app.player.playing ? [part * dx, part * dz] : [x - this.root.x, z - this.root.z];
+      [dx, dz] = this.playback.playing ? [part * dx, part * dz] : [x - this.root.x, z - this.root.z];
     }
     this.root.set(x, 0, z);
     this.focus.x += dx;
@@ -257,4 +273,9 @@ export class Stage {
 function placed(marked: Float32Array, pose: Float32Array): Float32Array {
   const motion: Motion = { positions: marked, frames: 1, nodes: marked.length / 3, frameTime: 1 };
   return poseAt(motion, 0, placeOnto(marked, pose), new Float32Array(marked.length));
+}
+
+/** Whether a figure made for one can show the other. */
+function sameBody(a: Shown, b: Shown): boolean {
+  return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }

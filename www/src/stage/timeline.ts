@@ -1,90 +1,63 @@
 // The clock's controls: play, step, scrub, speed, loop; and the frames an inducing point speaks for.
 import { html } from "lit";
-import { changeSettings } from "../settings/change";
-import { partColour, theme } from "../ui/palette";
 import { SETTINGS } from "../settings/settings";
+import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
-import { spotlight } from "./spotlight";
+import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
+import type { Playback } from "./playback";
+import { spotlight } from "./spotlight";
+import type { Marks, StageStore } from "./stage-store";
 
 export class TimelineView extends View {
-  static override topics = ["playback", "shown", "tick", "pointed"] as const;
-  private drawnFor: unknown = null;
+  declare stage: StageStore;
+  declare playback: Playback;
+  declare settings: SettingsStore;
+  private drawn: { marks: Marks | null; width: number } | null = null;
 
-  togglePlay(): void {
-    const { player } = this.app;
-    if (player.playing) player.pause();
-    else player.play();
-    this.app.tell("playback", "tick");
-  }
-
-  step(direction: 1 | -1): void {
-    this.app.player.step(direction);
-    this.app.goTo(this.app.player.frame);
-    this.app.tell("playback");
-  }
-
-  private scrub(event: Event): void {
-    this.app.player.pause();
-    this.app.goTo(Number((event.target as HTMLInputElement).value));
-    this.app.tell("playback");
+  protected override stores() {
+    return [this.stage, this.playback, this.settings];
   }
 
   override updated(): void {
-    const { pointed } = this.app;
-    const canvas = this.querySelector("canvas")!;
-    const key = `${canvas.clientWidth}`;
-    if (this.drawnFor === (pointed ?? key)) return;
-    this.drawnFor = pointed ?? key;
-    this.drawMarks(canvas);
-  }
-
-  /** Lights up the frames that the pointed-at inducing point speaks for. */
-  private drawMarks(canvas: HTMLCanvasElement): void {
-    const { pointed } = this.app;
-    const ratio = Math.min(2, devicePixelRatio);
-    canvas.width = Math.max(1, canvas.clientWidth * ratio);
-    canvas.height = Math.max(1, canvas.clientHeight * ratio);
-    const draw = canvas.getContext("2d");
-    if (!draw) return;
-    draw.clearRect(0, 0, canvas.width, canvas.height);
-    if (!pointed) return;
-    const { point } = pointed;
-    const frames = spotlight(pointed.frames);
-    draw.fillStyle = point ? partColour(point.kind === "pose" ? point.part : point.source) : theme().ink;
-    const width = canvas.width / Math.max(1, frames.length);
-    frames.forEach((share, frame) => {
-      if (share < 0.02) return;
-      draw.globalAlpha = share;
-      draw.fillRect(frame * width, 0, Math.max(1, width + 0.5), canvas.height);
-    });
+    const canvas = this.querySelector("canvas");
+    if (!canvas) return;
+    const { marks } = this.stage;
+    const width = canvas.clientWidth;
+    if (this.drawn?.marks === marks && this.drawn.width === width) return;
+    this.drawn = { marks, width };
+    drawMarks(canvas, marks);
   }
 
   protected override render() {
-    const { player, shown, settings } = this.app;
-    const frameTime = shown?.motion.frameTime ?? 1 / 30;
-    const frame = Math.min(Math.floor(player.frame + 1e-6), player.last);
+    const { playback, settings } = this;
+    const { playing, lastFrame } = playback;
+    const { loop, speed: now } = settings.values;
+    const frameTime = this.stage.shown?.motion.frameTime ?? 1 / 30;
+    const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => (value * frameTime).toFixed(1);
-    const playing = player.playing;
     return html`
       <div class="timeline" role="group" aria-label="Time">
         <button class="round primary" data-testid="play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
-          @click=${this.togglePlay}>${icon(playing ? "pause" : "play")}</button>
-        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => this.step(-1)}>${icon("back")}</button>
-        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => this.step(1)}>${icon("forward")}</button>
+          @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
+        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
+        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
-          <input type="range" aria-label="Frame" data-testid="scrub" min="0" max=${player.last} step="1" .value=${String(frame)}
-            aria-valuetext="Frame ${frame + 1} of ${player.last + 1}" @input=${this.scrub} />
+          <input type="range" aria-label="Frame" data-testid="scrub" min="0" max=${lastFrame} step="1" .value=${String(frame)}
+            aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
+            @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
-        <output class="clock" aria-hidden="true">${seconds(frame)}<span> / ${seconds(player.last)} s</span></output>
-        <button class="round toggle" aria-label="Loop" title="Loop" aria-pressed=${player.loops ? "true" : "false"}
-          @click=${() => changeSettings(this.app, { loop: !settings.loop })}>${icon("loop")}</button>
+        <output class="clock" aria-hidden="true">${seconds(frame)}<span> / ${seconds(lastFrame)} s</span></output>
+        <button class="round toggle" aria-label="Loop" title="Loop" aria-pressed=${loop ? "true" : "false"}
+          @click=${() => settings.change({ loop: !loop })}>${icon("loop")}</button>
         <label class="speed"><span class="hidden">Speed</span>
-          <select aria-label="Speed" @change=${(event: Event) =>
-            changeSettings(this.app, { speed: Number((event.target as HTMLSelectElement).value) as 1 })}>
+          <select aria-label="Speed" @change=${(event: Event) => {
+            const chosen = SETTINGS.speed.read((event.target as HTMLSelectElement).value);
+            if (chosen !== null) settings.change({ speed: chosen });
+          }}>
             ${SETTINGS.speed.values.map(
-              (speed) => html`<option value=${speed} ?selected=${speed === settings.speed}>${speed}×</option>`,
+              (speed) => html`<option value=${speed} ?selected=${speed === now}>${speed}×</option>`,
             )}
           </select>
         </label>
@@ -93,3 +66,19 @@ export class TimelineView extends View {
   }
 }
 customElements.define("pg-timeline", TimelineView);
+
+/** Lights up the frames that an inducing point speaks for. */
+function drawMarks(canvas: HTMLCanvasElement, marks: Marks | null): void {
+  const ratio = Math.min(2, devicePixelRatio);
+  canvas.width = Math.max(1, canvas.clientWidth * ratio);
+  canvas.height = Math.max(1, canvas.clientHeight * ratio);
+  const draw = canvas.getContext("2d");
+  if (!draw || !marks) return;
+  draw.fillStyle = partColour(marks.part);
+  const width = canvas.width / Math.max(1, marks.frames.length);
+  spotlight(marks.frames).forEach((share, frame) => {
+    if (share < 0.02) return;
+    draw.globalAlpha = share;
+    draw.fillRect(frame * width, 0, Math.max(1, width + 0.5), canvas.height);
+  });
+}

@@ -1,13 +1,15 @@
 // The bounds of the trainings while they rise, and the terms of the one that is looked at beneath.
 import { html, nothing } from "lit";
 import type uPlot from "uplot";
+import type { TrainingProgress } from "../engine/protocol";
 import { grouped } from "../ui/format";
 import { onThemeChange, partColour, theme } from "../ui/palette";
-import type { TrainingProgress } from "../engine/protocol";
-import { dataOf, type Run } from "./runs";
-import { boundRange } from "./bound-range";
-import "./runs-table";
 import { swatchStyle, View } from "../ui/view";
+import { boundRange } from "./bound-range";
+import { dataOf, type Run } from "./runs";
+import "./runs-table";
+import type { TrainingStore } from "./training-store";
+import { phaseWords } from "./words";
 
 interface Stroke {
   label: string;
@@ -21,14 +23,14 @@ interface Line extends Stroke {
 }
 
 /** A line for each run whose bound can be compared with this one's; this one's lies above the others. */
-function boundRuns(told: Run, runs: readonly Run[]): Run[] {
-  const data = dataOf(told);
-  return [...runs.filter((run) => run !== told && run.steps.length > 0 && dataOf(run) === data), told];
+function boundRuns(charted: Run, runs: readonly Run[]): Run[] {
+  const data = dataOf(charted);
+  return [...runs.filter((run) => run !== charted && run.steps.length > 0 && dataOf(run) === data), charted];
 }
 
-function boundStroke(run: Run, told: Run): Stroke {
+function boundStroke(run: Run, charted: Run): Stroke {
   const { ink, faint } = theme();
-  return { label: `seed ${run.settings.seed}`, ...(run === told ? { colour: ink } : { colour: faint, width: 1 }) };
+  return { label: `seed ${run.settings.seed}`, ...(run === charted ? { colour: ink } : { colour: faint, width: 1 }) };
 }
 
 /** Values by iteration; nothing where a run has not been. */
@@ -65,6 +67,10 @@ function termLines(parts: readonly string[]): Line[] {
   ];
 }
 
+/** Pixels. */
+const BOUND_HEIGHT = 132;
+const TERMS_HEIGHT = 92;
+
 type Charts = typeof uPlot;
 
 /** The chart library comes when the first training starts: the first visit does without. */
@@ -74,18 +80,29 @@ async function loadCharts(): Promise<Charts> {
 }
 
 export class BoundChart extends View {
-  static override topics = ["training"] as const;
+  declare training: TrainingStore;
   private charts: Charts | "loading" | null = null;
   private bound: uPlot | null = null;
   private terms: uPlot | null = null;
-  private of = "";
+  /** What the charts were made for. */
+  private made = "";
 
-  override firstUpdated(): void {
-    onThemeChange(() => {
-      this.of = "";
+  protected override stores() {
+    return [this.training];
+  }
+
+  protected override arrived(): void {
+    const redraw = () => {
+      this.made = "";
       this.fill();
+    };
+    this.whenLeaving(onThemeChange(redraw));
+    this.whenLeaving(() => {
+      this.bound?.destroy();
+      this.terms?.destroy();
+      [this.bound, this.terms] = [null, null];
     });
-    new ResizeObserver(() => this.fit()).observe(this);
+    this.watchSize(this, () => this.fit());
   }
 
   override updated(): void {
@@ -95,8 +112,8 @@ export class BoundChart extends View {
   private fit(): void {
     const width = this.clientWidth;
     if (width === 0) return;
-    this.bound?.setSize({ width, height: 132 });
-    this.terms?.setSize({ width, height: 92 });
+    this.bound?.setSize({ width, height: BOUND_HEIGHT });
+    this.terms?.setSize({ width, height: TERMS_HEIGHT });
   }
 
   private make(Chart: Charts, box: HTMLElement, lines: Stroke[], height: number): uPlot {
@@ -144,8 +161,8 @@ export class BoundChart extends View {
   }
 
   private fill(): void {
-    const { told, runs } = this.app;
-    if (this.app.busy && this.charts === null) {
+    const { charted, runs, busy } = this.training;
+    if (busy && this.charts === null) {
       this.charts = "loading";
       loadCharts().then(
         (charts) => {
@@ -153,25 +170,26 @@ export class BoundChart extends View {
           this.fill();
         },
         // Without a chart the numbers beneath still tell the course; the next step asks again.
-        () => (this.charts = null),
+        () => {
+          this.charts = null;
+        },
       );
     }
     const Chart = this.charts;
-    if (!told || told.steps.length === 0 || this.clientWidth === 0 || Chart === null || Chart === "loading") return;
-    const lines = termLines(told.settings.parts.map(({ name }) => name));
-    const drawn = boundRuns(told, runs);
+    if (!charted || charted.steps.length === 0 || this.clientWidth === 0 || Chart === null || Chart === "loading")
+      return;
+    const lines = termLines(charted.settings.parts.map(({ name }) => name));
+    const drawn = boundRuns(charted, runs);
     const key = `${drawn.map(({ id }) => id)}|${theme().dark}`;
-    if (this.of !== key || !this.bound || !this.terms) {
-      this.of = key;
+    if (this.made !== key || !this.bound || !this.terms) {
+      const boxes = [this.querySelector<HTMLElement>(".bound"), this.querySelector<HTMLElement>(".terms")] as const;
+      if (!boxes[0] || !boxes[1]) return;
+      this.made = key;
       this.bound?.destroy();
       this.terms?.destroy();
-      this.bound = this.make(
-        Chart,
-        this.querySelector(".bound")!,
-        drawn.map((run) => boundStroke(run, told)),
-        132,
-      );
-      this.terms = this.make(Chart, this.querySelector(".terms")!, lines, 92);
+      const strokes = drawn.map((run) => boundStroke(run, charted));
+      this.bound = this.make(Chart, boxes[0], strokes, BOUND_HEIGHT);
+      this.terms = this.make(Chart, boxes[1], lines, TERMS_HEIGHT);
     }
     const last = ({ steps }: Run) => steps.at(-1)?.iteration ?? 0;
     const iterations = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
@@ -180,30 +198,30 @@ export class BoundChart extends View {
       iterations(longest),
       ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound)),
     ]);
-    const length = last(told);
-    this.terms.setData([iterations(length), ...lines.map(({ value }) => byIteration(told.steps, length, value))]);
+    const length = last(charted);
+    this.terms.setData([iterations(length), ...lines.map(({ value }) => byIteration(charted.steps, length, value))]);
   }
 
   protected override render() {
-    const { told, learning, runs } = this.app;
-    const steps = told?.steps ?? [];
-    const last = steps.at(-1);
+    const { charted, learning, runs } = this.training;
+    const last = charted?.steps.at(-1);
+    const parts = charted?.settings.parts.map(({ name }) => name) ?? [];
     // One line has room for one of the two.
-    const of = runs.length > 1 ? `, seed ${told?.settings.seed}` : learning && last ? `, ${last.phase}` : "";
+    const phase = learning && last ? `, ${phaseWords(last.phase)}` : "";
+    const which = runs.length > 1 ? `, seed ${charted?.settings.seed}` : phase;
     // While a next training sets up, the room of the last one stays.
-    const none = runs.every(({ steps }) => steps.length === 0);
-    const parts = told?.settings.parts.map(({ name }) => name) ?? [];
+    const isEmpty = runs.every(({ steps }) => steps.length === 0);
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span>Evidence lower bound<small>${of}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span>Evidence lower bound<small>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
-          ${none ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+          ${isEmpty ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
-        <pg-runs .app=${this.app}></pg-runs>
-        <figcaption ?hidden=${none}>Its terms</figcaption>
-        <div class="terms" ?hidden=${none} role="img" aria-label="The terms of the bound over the iterations"></div>
-        <ul ?hidden=${none} class="term-list">
+        <pg-runs .training=${this.training}></pg-runs>
+        <figcaption ?hidden=${isEmpty}>Its terms</figcaption>
+        <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`
             <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>

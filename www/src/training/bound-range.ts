@@ -11,8 +11,8 @@ export function boundRange(values: readonly (number | null)[]): [number, number]
   );
   if (finite.length === 0) return [0, 1];
   const sorted = [...finite].sort((a, b) => a - b);
-  const top = sorted.at(-1)!;
-  const low = sorted[Math.floor(sorted.length * (sorted.length > 30 ? 0.12 : 0))]!;
+  const top = sorted.at(-1) ?? 0;
+  const low = sorted[Math.floor(sorted.length * (sorted.length > 30 ? 0.12 : 0))] ?? top;
   const pad = Math.max(1, 0.08 * (top - low));
   return [low - pad, top + pad];
 }

@@ -1,28 +1,35 @@
 // The trainings of this visit in a table: what they differ in, how far they are, and which one is on the stage.
 import { html, nothing } from "lit";
-import { canRemove, chooseRun, clearRuns, removeRun } from "./staging";
 import { duration, grouped, sentence } from "../ui/format";
-import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "./runs";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
+import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "./runs";
+import "./runs-table.css";
+import type { TrainingStore } from "./training-store";
+import { phaseWords } from "./words";
 
 export class RunsView extends View {
-  static override topics = ["training"] as const;
+  declare training: TrainingStore;
+
+  protected override stores() {
+    return [this.training];
+  }
 
   private state(run: Run) {
     const { state, settings, steps, ending } = run;
+    const last = steps.at(-1);
     return state === "running"
-      ? html`<progress max="1" .value=${steps.at(-1)?.fraction ?? 0} aria-label="Training of seed ${settings.seed}" title=${steps.at(-1)?.phase ?? "setting up"}></progress>`
+      ? html`<progress max="1" .value=${last?.fraction ?? 0} aria-label="Training of seed ${settings.seed}" title=${last ? phaseWords(last.phase) : "setting up"}></progress>`
       : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${state}</span>`;
   }
 
   private row(run: Run, columns: readonly Column[], best: boolean) {
-    const { app } = this;
+    const { training } = this;
     const { settings, state, steps, elapsed, ending } = run;
     const { seed } = settings;
-    const chosen = app.chosen === run;
+    const chosen = training.chosen === run;
     const open = run.model !== null || state === "running";
-    const choose = () => chooseRun(app, run);
+    const choose = () => training.choose(run);
     return html`
       <tr class=${chosen ? "chosen" : ""} data-state=${state} data-testid="run" @click=${(event: Event) => {
         if (open && !chosen && !(event.target as Element).closest("label, button")) choose();
@@ -35,8 +42,8 @@ export class RunsView extends View {
         <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
         <td class="state">${this.state(run)}</td>
         <td>${
-          canRemove(app, run)
-            ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => removeRun(app, run)}>${icon("close")}</button>`
+          training.canRemove(run)
+            ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => training.remove(run)}>${icon("close")}</button>`
             : nothing
         }</td>
       </tr>
@@ -44,17 +51,17 @@ export class RunsView extends View {
   }
 
   protected override render() {
-    const { app } = this;
-    const { runs, told } = app;
-    if (runs.length === 0 || !told) return nothing;
+    const { training } = this;
+    const { runs, charted } = training;
+    if (!charted) return nothing;
     const columns = differences(runs);
-    const data = dataOf(told);
+    const data = dataOf(charted);
     const alike = runs.filter((run) => dataOf(run) === data);
     const best = alike.length > 1 ? bestRun(alike.filter(({ model }) => model !== null)) : null;
     return html`
       <header class="panel-head">
         <h3>Trainings</h3>
-        <button class="small" data-testid="clear-runs" ?disabled=${!runs.some((run) => canRemove(app, run))} @click=${() => clearRuns(app)}>Clear</button>
+        <button class="small" data-testid="clear-runs" ?disabled=${!runs.some((run) => training.canRemove(run))} @click=${() => training.clear()}>Clear</button>
       </header>
       <div class="table-box" tabindex="0" role="region" aria-label="Trainings">
         <table data-testid="runs">

@@ -66,7 +66,7 @@ const COLUMNS: Column[] = [
   {
     head: "Clips",
     meaning: "Clips",
-    text: ({ clips }) => (clips.length === 1 ? clips[0]!.title : String(clips.length)),
+    text: ({ clips }) => (clips.length === 1 ? (clips[0]?.title ?? "") : String(clips.length)),
     key: ({ clips }) => clips.map(({ title, first, end }) => `${title} ${first + 1}-${end}`).join(", "),
   },
   {
@@ -113,7 +113,7 @@ export const secondsLeft = (runs: readonly Run[], workers: number): number | nul
 /** The share of all their iterations that is behind these trainings, 0 to 1. */
 export function shareOf(courses: readonly Course[]): number {
   const behind = courses.map((course) => (isOver(course) ? 1 : course.fraction));
-  return behind.reduce((sum, one) => sum + one, 0) / Math.max(1, courses.length);
+  return behind.reduce((sum, fraction) => sum + fraction, 0) / Math.max(1, courses.length);
 }
 
 /** Seconds that trainings take at most, so many at once; null while it is too early to say. */
@@ -129,8 +129,10 @@ export function restOf(courses: readonly Course[], workers: number): number | nu
   const busy = courses.filter(({ state }) => state === "running").map(({ fraction }) => whole * (1 - fraction));
   while (busy.length < workers) busy.push(0);
   for (const { state } of courses) {
+    if (state !== "waiting") continue;
     // The next one that waits goes where it can begin first.
-    if (state === "waiting") busy[busy.indexOf(Math.min(...busy))]! += whole;
+    const soonest = Math.min(...busy);
+    busy[busy.indexOf(soonest)] = soonest + whole;
   }
   return Math.max(...busy);
 }

@@ -1,133 +1,123 @@
 // Train, follow and cancel; and what to train.
 import { html, nothing } from "lit";
-import { partsChanged } from "../clips/clips";
-import { changeSettings } from "../settings/change";
-import { cancelTraining, newSeed, train, whyNotTrain } from "./training";
-import { sentence, timeLeft } from "../ui/format";
-import { partColour } from "../ui/palette";
-import { partsFor } from "../clips/parts";
-import { isOver, secondsLeft, share } from "./runs";
-import { BY_HAND, type NumberSetting, SETTINGS } from "../settings/settings";
-import "./bound-chart";
-import { icon } from "../ui/icons";
 import "../clips/parts-editor";
+import type { ClipsStore } from "../clips/clips-store";
+import type { EngineStore } from "../engine/engine-store";
+import { type NumberName, settingField, settingInput } from "../settings/setting-field";
+import { BY_HAND } from "../settings/settings";
+import type { SettingsStore } from "../settings/settings-store";
+import { sentence, timeLeft } from "../ui/format";
+import { icon } from "../ui/icons";
+import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
-
-type Count =
-  | "latent"
-  | "dynamicsIps"
-  | "poseIps"
-  | "framesPerSecond"
-  | "seed"
-  | "maxIterations"
-  | "order"
-  | "trainings";
+import "./bound-chart";
+import { isOver, secondsLeft, share } from "./runs";
+import "./training.css";
+import type { TrainingStore } from "./training-store";
 
 export class TrainingView extends View {
-  static override topics = ["training", "settings", "clips", "engine"] as const;
+  declare training: TrainingStore;
+  declare settings: SettingsStore;
+  declare clips: ClipsStore;
+  declare engine: EngineStore;
 
-  private count(name: Count, label: string, hint: string) {
-    const { min, max, step } = SETTINGS[name] as NumberSetting;
-    const { settings, busy } = this.app;
+  protected override stores() {
+    return [this.training, this.settings, this.clips, this.engine];
+  }
+
+  private count(name: NumberName, label: string, hint: string) {
     // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
-    const held = busy && name === "framesPerSecond";
-    return html`
-      <label class="field" title=${hint}>
-        <span>${label}</span>
-        <input type="number" data-testid="setting-${name}" min=${min} max=${max} step=${step} .value=${String(settings[name])} ?disabled=${held}
-          @change=${(event: Event) => {
-            const input = event.target as HTMLInputElement;
-            changeSettings(this.app, { [name]: input.valueAsNumber });
-            input.value = String(this.app.settings[name]);
-          }} />
-      </label>`;
+    const disabled = this.training.busy && name === "framesPerSecond";
+    return settingField(this.settings, name, { label, hint, testId: `setting-${name}`, disabled });
   }
 
   private partsField() {
-    const { app } = this;
-    const clip = app.tickedClips()[0];
+    const { clips } = this;
+    const [clip] = clips.ticked;
     const presets = clip?.loaded.info.presets ?? [];
-    const { parts, split } = app.settings;
-    const hand = parts === BY_HAND;
-    const chosen = hand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
-    const now = clip ? partsFor(clip.loaded.info, parts, split) : [];
+    const { parts } = this.settings.values;
+    const byHand = parts === BY_HAND;
+    const chosen = byHand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
     const choose = (event: Event) => {
-      const value = (event.target as HTMLSelectElement).value;
-      changeSettings(app, value === BY_HAND ? { parts: BY_HAND, split: now } : { parts: value });
-      partsChanged(app);
+      const { value } = event.target as HTMLSelectElement;
+      clips.setParts(value === BY_HAND ? { parts: BY_HAND, split: clips.parts } : { parts: value });
     };
     return html`
       <label class="field wide">
         <span>Parts</span>
-        <select data-testid="setting-parts" aria-label="Parts" ?disabled=${app.busy || !clip} @change=${choose}>
+        <select data-testid="setting-parts" aria-label="Parts" ?disabled=${clips.locked || !clip} @change=${choose}>
           ${presets.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
-          <option value=${BY_HAND} ?selected=${hand}>By hand</option>
+          <option value=${BY_HAND} ?selected=${byHand}>By hand</option>
         </select>
       </label>
       <ul class="part-row" aria-label="The parts to train">
-        ${now.map(
+        ${clips.parts.map(
           ({ name, joints }, part) => html`
           <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
         )}
       </ul>
-      ${hand && clip ? html`<pg-parts-editor .app=${app}></pg-parts-editor>` : nothing}`;
+      ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;
   }
 
   /** Beside the button: what would happen, what is happening, or how it ended. */
   private words(why: string) {
-    const { app } = this;
-    const { runs, ending, failed } = app.training;
-    const last = runs.length === 1 ? runs[0]!.steps.at(-1) : undefined;
+    const { training } = this;
+    const { asked, busy, ending } = training;
+    const last = asked.length === 1 ? asked[0]?.steps.at(-1) : undefined;
     const iteration = last
-      ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}${app.busy ? "" : "."}</span>`
+      ? html`<span>Iteration ${last.iteration} of ${last.maxIterations}${busy ? "" : "."}</span>`
       : nothing;
-    if (app.busy) {
-      if (runs.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
+    if (busy) {
+      if (asked.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
       const done =
-        runs.length > 1 ? html`<span>${runs.filter(isOver).length} of ${runs.length} trainings done</span>` : iteration;
-      return html`${done}<span>${sentence(timeLeft(secondsLeft(runs, app.pool?.width ?? 1)))}</span>`;
+        asked.length > 1
+          ? html`<span>${asked.filter(isOver).length} of ${asked.length} trainings done</span>`
+          : iteration;
+      return html`${done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
     }
     if (why) return sentence(why);
-    if (failed) return html`<span class="bad">Training failed. ${sentence(ending)}</span>`;
-    if (ending) return html`${iteration}<span>${sentence(ending)}</span>`;
-    const ticked = app.tickedClips().length;
-    const { trainings } = app.settings;
+    if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
+    if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
+    const ticked = this.clips.ticked.length;
+    const { trainings } = this.settings.values;
     const models = trainings === 1 ? "A new model" : `${trainings} new models`;
     return `${models}, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
   private announcement(): string {
-    const { status, runs, ending } = this.app.training;
+    const { status, asked, ending } = this.training;
     if (status === "running") {
-      const done = Math.floor(share(runs) * 10) * 10;
-      return runs.some(({ steps }) => steps.length > 0)
+      const done = Math.floor(share(asked) * 10) * 10;
+      return asked.some(({ steps }) => steps.length > 0)
         ? `Training, ${done} per cent of the iterations`
         : "Training started";
     }
     if (status === "cancelling") return "Cancelling";
-    return ending ? `Training ended. ${sentence(ending)}` : "";
+    return ending.words ? `Training ended. ${sentence(ending.words)}` : "";
   }
 
   protected override render() {
-    const { app } = this;
-    const why = whyNotTrain(app);
+    const { training, settings } = this;
+    const { busy } = training;
+    const cancelling = training.status === "cancelling";
+    const why = training.whyNot();
     return html`
       <header class="panel-head"><h2>Training</h2></header>
       <div class="train-row">
         ${
-          app.busy
-            ? html`<button class="primary big" data-testid="cancel" ?disabled=${app.training.status === "cancelling"}
-              title="Stops here and keeps what was learned so far" @click=${() => cancelTraining(app)}>Cancel</button>
-              <button data-testid="add" ?disabled=${app.training.status === "cancelling"}
-              title="Trains with the settings below too, beside the others" @click=${() => void train(app)}>Add</button>`
+          busy
+            ? html`<button class="primary big" data-testid="cancel" ?disabled=${cancelling}
+              title="Stops here and keeps what was learned so far" @click=${() => training.cancel()}>Cancel</button>
+              <button data-testid="add" ?disabled=${cancelling}
+              title="Trains with the settings below too, beside the others" @click=${() => void training.start()}>Add</button>`
             : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
-              @click=${() => void train(app)}>Train</button>`
+              @click=${() => void training.start()}>Train</button>`
         }
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
-      <progress max="1" .value=${app.busy ? share(app.training.runs) : 0} aria-label="Training"
-        class=${app.busy ? "" : "resting"} aria-hidden=${app.busy ? "false" : "true"}></progress>
+      <progress max="1" .value=${busy ? share(training.asked) : 0} aria-label="Training"
+        class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
       <div class="fields main-fields">
         ${this.partsField()}
@@ -141,20 +131,15 @@ export class TrainingView extends View {
         <div class="fields">
           <div class="field seed">
             <label for="seed-input">Seed</label>
-            <input id="seed-input" type="number" data-testid="setting-seed" min="0" max=${SETTINGS.seed.max} .value=${String(app.settings.seed)}
-              @change=${(event: Event) => {
-                const input = event.target as HTMLInputElement;
-                changeSettings(app, { seed: input.valueAsNumber });
-                input.value = String(app.settings.seed);
-              }} />
-            <button class="round" aria-label="New seed" title="New seed" ?disabled=${!app.engine} @click=${() => void newSeed(app)}>${icon("dice")}</button>
+            ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
+            <button class="round" aria-label="New seed" title="New seed" ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
           </div>
           ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores")}
           ${this.count("order", "Frames of history", "The order p of the dynamics")}
           ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
         </div>
       </details>
-      <pg-bound-chart .app=${app}></pg-bound-chart>`;
+      <pg-bound-chart .training=${training}></pg-bound-chart>`;
   }
 }
 customElements.define("pg-training", TrainingView);

@@ -14,6 +14,7 @@ it("writes numbers shortly", () => {
   ]);
   expect([0, 0.001, 0.5, 1].map(weight)).toEqual(["0.00", "<0.01", "0.50", "1.00"]);
   expect(grouped(-124275.4)).toBe("−124,275");
+  expect([grouped(1234.567, 2), grouped(-0.001, 2)]).toEqual(["1,234.57", "0.00"]);
   expect([4.4, 80, 7510].map(duration)).toEqual(["4 s", "1 min 20 s", "2 h 5 min"]);
 });
 

@@ -13,10 +13,11 @@ export function weight(value: number): string {
   return value > 0 && value < 0.005 ? "<0.01" : value.toFixed(2);
 }
 
-const groups = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
-
-export function grouped(value: number): string {
-  return groups.format(value).replace("-", "\u2212");
+/** All digits before the point, in groups of three, and so many after it. */
+export function grouped(value: number, decimals = 0): string {
+  const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
+  const text = value.toLocaleString("en", digits);
+  return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 
 /** "3 s", "1 min 20 s", "2 h 5 min" */
@@ -42,7 +43,7 @@ export function clipTitle(name: string): string {
 export function sentence(words: string): string {
   const text = words.trim();
   if (text === "") return "";
-  return `${text[0]!.toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
 }
 
 /** What a caught problem says. */

@@ -6,8 +6,9 @@ interface Shades {
   dark: string;
 }
 
+const BLUE: Shades = { light: "#0072b2", dark: "#3ea3e6" };
 const PARTS: Shades[] = [
-  { light: "#0072b2", dark: "#3ea3e6" }, // blue
+  BLUE,
   { light: "#e08a00", dark: "#f0a52a" }, // orange
   { light: "#009e73", dark: "#1fbf92" }, // bluish green
   { light: "#c0609a", dark: "#d98bb8" }, // reddish purple
@@ -53,7 +54,7 @@ export function theme(): Theme {
 }
 
 export function partColour(part: number): string {
-  const shades = PARTS[part % PARTS.length]!;
+  const shades = PARTS[part % PARTS.length] ?? BLUE;
   return darkScheme?.matches ? shades.dark : shades.light;
 }
 

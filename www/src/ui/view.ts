@@ -1,11 +1,34 @@
-// The base of all components: draws again when one of its topics changes. Light DOM, so that the page has one stylesheet.
+// The base of all components: redraws when one of its stores changes. Light DOM, so that the page has one stylesheet.
 import { LitElement } from "lit";
-import type { App, Topic } from "../app/app";
+import type { Store } from "./store";
 
 export abstract class View extends LitElement {
-  static topics: readonly Topic[] = [];
-  declare app: App;
-  private stop: (() => void) | undefined;
+  readonly #leaving: (() => void)[] = [];
+
+  /** The stores whose changes redraw this view. */
+  protected abstract stores(): readonly Store[];
+
+  /** The view is drawn and on the page: here it begins to listen to anything but its stores. */
+  protected arrived(): void {}
+
+  /** Does this when the view leaves the page. */
+  protected whenLeaving(stop: () => void): void {
+    this.#leaving.push(stop);
+  }
+
+  /** Listens to an event until the view leaves the page. */
+  protected listen(target: EventTarget, type: string, handler: (event: Event) => void): void {
+    const ended = new AbortController();
+    target.addEventListener(type, handler, { signal: ended.signal });
+    this.whenLeaving(() => ended.abort());
+  }
+
+  /** Calls back when the size of an element changes, until the view leaves the page. */
+  protected watchSize(element: Element, resized: () => void): void {
+    const observer = new ResizeObserver(resized);
+    observer.observe(element);
+    this.whenLeaving(() => observer.disconnect());
+  }
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -13,12 +36,17 @@ export abstract class View extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.stop = this.app.on((this.constructor as typeof View).topics, () => this.requestUpdate());
+    for (const store of this.stores()) this.whenLeaving(store.on(() => this.requestUpdate()));
+    if (this.hasUpdated) this.arrived();
+  }
+
+  protected override firstUpdated(): void {
+    this.arrived();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.stop?.();
+    for (const stop of this.#leaving.splice(0)) stop();
   }
 }
 

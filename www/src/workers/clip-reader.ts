@@ -41,22 +41,22 @@ export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
   /** These clips, or their pieces, as a set; whoever asks frees it. Other clips are forgotten. */
   async set(chosen: readonly TrainingClip[]): Promise<TrainingSet> {
     for (const [id, clip] of this.read) {
-      if (chosen.some((one) => one.id === id)) continue;
+      if (chosen.some((clip) => clip.id === id)) continue;
       this.read.delete(id);
       clip.free();
     }
     const set = new this.from.TrainingSet();
     try {
-      for (const one of chosen) {
-        const clip = await this.clip(one);
-        if (one.first <= 0 && one.end >= clip.info().frames) {
+      for (const piece of chosen) {
+        const clip = await this.clip(piece);
+        if (piece.first <= 0 && piece.end >= clip.info().frames) {
           set.add(clip);
         } else {
-          const piece = clip.cut(one.first, one.end);
+          const cut = clip.cut(piece.first, piece.end);
           try {
-            set.add(piece);
+            set.add(cut);
           } finally {
-            piece.free();
+            cut.free();
           }
         }
       }

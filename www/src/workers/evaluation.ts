@@ -1,72 +1,104 @@
-// What a worker does to compare models: trains one in one fold, step by step, and scores its prediction. No DOM.
+// What a worker does for comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
 import * as Comlink from "comlink";
-import { Clip, compare, emptyResults, Evaluation, Fold, TrainingSet } from "vcgpdm";
+import { Clip, Evaluation, Fold, Results, TrainingSet } from "vcgpdm";
+import type { TrainingClip } from "../engine/protocol";
+import type {
+  ComparisonSettings,
+  ComparisonWorker,
+  Evaluated,
+  EvaluationJob,
+  ResultsView,
+} from "../engine/whole-protocol";
 import { ClipReader } from "./clip-reader";
-import type { Comparer, Evaluated, EvaluationJob, Experimenter } from "../engine/protocol";
-import { breathe, SLICE } from "./slices";
+import { OneTask, type Task } from "./slices";
 
 const clips = new ClipReader({ Clip, TrainingSet });
-let evaluation: { cancelled: boolean } | null = null;
+const evaluation = new OneTask();
+
+/** Uses a value of the wasm program and gives its memory back. */
+function using<Value extends { free(): void }, Result>(value: Value, use: (value: Value) => Result): Result {
+  try {
+    return use(value);
+  } finally {
+    value.free();
+  }
+}
+
+async function usingAsync<Value extends { free(): void }, Result>(
+  value: Value,
+  use: (value: Value) => Promise<Result>,
+): Promise<Result> {
+  try {
+    return await use(value);
+  } finally {
+    value.free();
+  }
+}
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
-  const set = await clips.set(chosen);
-  try {
-    return new Fold(set, settings, heldOut, trainingTrials);
-  } finally {
-    set.free();
-  }
+  return using(await clips.set(chosen), (set) => new Fold(set, settings, heldOut, trainingTrials));
 }
 
-async function evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null> {
-  if (evaluation) throw new Error("This worker is evaluating already.");
-  const run = { cancelled: false };
-  evaluation = run;
-  const owned: { free(): void }[] = [];
-  const own = <T extends { free(): void }>(one: T): T => {
-    owned.push(one);
-    return one;
-  };
-  try {
-    const fold = own(await foldOf(job));
+async function evaluate(job: EvaluationJob, report: (fraction: number) => void, task: Task): Promise<Evaluated | null> {
+  return usingAsync(await foldOf(job), (fold) => {
     const start = performance.now();
-    const training = own(new Evaluation(fold, job.candidate, job.seed));
-    let paused = 0;
-    for (let done = false; !done; ) {
-      const slice = performance.now();
+    return usingAsync(new Evaluation(fold, job.candidate, job.seed), async (training) => {
       let fraction = 0;
-      do {
-        ({ done, fraction } = training.step());
-      } while (!done && performance.now() - slice < SLICE);
-      report(fraction);
-      const pause = performance.now();
-      await breathe();
-      paused += performance.now() - pause;
-      if (run.cancelled) return null;
-    }
-    const prediction = own(training.prediction());
-    const seconds = (performance.now() - start - paused) / 1000;
-    const outcome = prediction.outcome(seconds);
-    const [predicted, actual] = [prediction.positions(), fold.actual()];
-    const evaluated = { outcome, predicted, actual, frameTime: fold.frameTime };
-    return Comlink.transfer(evaluated, [predicted.buffer, actual.buffer]);
-  } finally {
-    evaluation = null;
-    owned.reverse().forEach((one) => one.free());
-  }
+      const step = () => {
+        const progress = training.step();
+        fraction = progress.fraction;
+        return progress.done;
+      };
+      // The next slice does not wait for the page: that would be no training, and is not to count as its time.
+      const done = await task.inSlices(step, () => void report(fraction));
+      if (!done) return null;
+      return using(training.prediction(), (prediction) => {
+        const seconds = (performance.now() - start - task.paused) / 1000;
+        const outcome = prediction.outcome(seconds);
+        const [predicted, actual] = [prediction.positions(), fold.actual()];
+        const evaluated = { outcome, predicted, actual, frameTime: fold.frameTime };
+        return Comlink.transfer(evaluated, [predicted.buffer, actual.buffer]);
+      });
+    });
+  });
 }
 
-export const evaluator: Omit<Comparer, "start" | keyof Experimenter> = {
-  evaluate,
-  cancelEvaluation() {
-    if (evaluation) evaluation.cancelled = true;
-  },
-  async emptyResults(chosen, settings) {
-    const set = await clips.set(chosen);
+async function emptyResults(chosen: TrainingClip[], settings: ComparisonSettings): Promise<Results> {
+  return using(await clips.set(chosen), (set) => Results.empty(set, settings));
+}
+
+/** Whether the known results are of the same setting, and so have been merged in. */
+function takeOver(results: Results, known: string | null): boolean {
+  if (known === null) return false;
+  return using(Results.fromJson(known), (other) => {
     try {
-      return emptyResults(set, settings);
-    } finally {
-      set.free();
+      results.merge(other);
+      return true;
+    } catch {
+      return false;
     }
-  },
-  compare: (results) => compare(results),
+  });
+}
+
+const view = (results: Results): ResultsView => ({
+  text: results.toJson(),
+  setting: results.setting(),
+  finished: results.finished(),
+  comparison: results.comparison(),
+});
+
+export const comparisonWorker: ComparisonWorker = {
+  evaluate: (job, report) => evaluation.run((task) => evaluate(job, report, task)),
+  cancelEvaluation: () => evaluation.cancel(),
+  planComparison: async (chosen, settings, plan, known) =>
+    using(await emptyResults(chosen, settings), (results) => {
+      const goesOn = takeOver(results, known);
+      return { results: view(results), jobs: results.jobs(plan), goesOn };
+    }),
+  addOutcome: (text, job, outcome) =>
+    using(Results.fromJson(text), (results) => {
+      results.add(job, outcome);
+      return view(results);
+    }),
+  openResults: (text) => using(Results.fromJson(text), view),
 };

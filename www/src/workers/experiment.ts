@@ -1,51 +1,36 @@
-// What a worker does for the synthetic lesson: makes the data, and trains on them step by step. No DOM.
+// What a worker does for the synthetic experiment: makes the data, and trains on them step by step. No DOM.
 import { SyntheticExperiment } from "vcgpdm";
-import type {
-  ExperimentJob,
-  Experimenter,
-  ExperimentReport,
-  TrainingOutcome,
-  TrainingProgress,
-} from "../engine/protocol";
-import { breathe, SLICE } from "./slices";
+import type { TrainingOutcome } from "../engine/protocol";
+import type { Experiment, ExperimentReport, ExperimentWorker } from "../engine/whole-protocol";
+import { OneTask, type Task } from "./slices";
 
-let training: { cancelled: boolean } | null = null;
+const training = new OneTask();
 
-async function experiment(
-  { seed, driving }: ExperimentJob,
+async function train(
+  { seed, driving }: Experiment,
   report: (report: ExperimentReport) => void,
+  task: Task,
 ): Promise<TrainingOutcome> {
-  if (training) throw new Error("This worker is training already.");
-  const run = { cancelled: false };
-  training = run;
-  let experiment: SyntheticExperiment | null = null;
+  const start = performance.now();
+  const experiment = new SyntheticExperiment(seed, driving);
   try {
-    const start = performance.now();
-    experiment = new SyntheticExperiment(seed, driving);
-    let progress: TrainingProgress;
-    do {
-      const slice = performance.now();
-      do progress = experiment.step();
-      while (!progress.done && performance.now() - slice < SLICE);
-      // Waits until the page has it: reports and the outcome travel on different ports.
-      await report({ progress, elapsed: (performance.now() - start) / 1000, findings: experiment.findings() });
-      await breathe();
-    } while (!progress.done && !run.cancelled);
-    // What was done before the cancel came is done.
-    const cancelled = run.cancelled && !progress.done;
-    return { cancelled, reason: cancelled ? "You cancelled; this is the best so far." : (progress.reason ?? "Done.") };
+    let progress = experiment.step();
+    const step = () => {
+      if (!progress.done) progress = experiment.step();
+      return progress.done;
+    };
+    // Waits until the page has it: reports and the outcome travel on different ports.
+    const done = await task.inSlices(step, () =>
+      report({ progress, elapsed: (performance.now() - start) / 1000, findings: experiment.findings() }),
+    );
+    return { cancelled: !done, reason: progress.reason };
   } finally {
-    training = null;
-    experiment?.free();
+    experiment.free();
   }
 }
 
-export const synthesist: Experimenter = {
-  experiment,
-  cancelExperiment() {
-    if (training) training.cancelled = true;
-  },
-  draw({ seed, driving }) {
+export const experimentWorker: ExperimentWorker = {
+  drawExperiment({ seed, driving }) {
     const drawn = new SyntheticExperiment(seed, driving);
     try {
       return drawn.truth();
@@ -53,4 +38,6 @@ export const synthesist: Experimenter = {
       drawn.free();
     }
   },
+  trainExperiment: (experiment, report) => training.run((task) => train(experiment, report, task)),
+  cancelExperiment: () => training.cancel(),
 };

@@ -1,11 +1,11 @@
 // What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
 import { Clip, Trainer, TrainingSet } from "vcgpdm/playground";
-import { ClipReader } from "./clip-reader";
 import type { Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome, TrainingProgress } from "../engine/protocol";
-import { breathe, SLICE } from "./slices";
+import { ClipReader } from "./clip-reader";
+import { OneTask, type Task } from "./slices";
 
-let training: { cancelled: boolean } | null = null;
 const clips = new ClipReader({ Clip, TrainingSet });
+const training = new OneTask();
 
 async function prepare(job: TrainingJob): Promise<Trainer> {
   const set = await clips.set(job.clips);
@@ -25,49 +25,39 @@ function bestSoFar(trainer: Trainer, parts: number): TrainedModel {
   }
 }
 
-async function train(job: TrainingJob, report: Report): Promise<TrainingOutcome> {
-  if (training) throw new Error("This worker is training already.");
-  const run = { cancelled: false };
-  training = run;
-  let trainer: Trainer | null = null;
+async function train(job: TrainingJob, report: Report, task: Task): Promise<TrainingOutcome> {
+  const start = performance.now();
+  const trainer = await prepare(job);
   try {
-    const start = performance.now();
-    trainer = await prepare(job);
-    const parts = job.settings.parts.length;
     let steps: TrainingProgress[] = [];
-    let wanted = false;
-    let last: TrainingProgress | null = null;
-    const send = (model: TrainedModel | null) => {
+    let reason: TrainingProgress["reason"] = null;
+    let modelWanted = false;
+    const send = async (withModel: boolean) => {
+      const model = withModel ? bestSoFar(trainer, job.settings.parts.length) : null;
       const sent = report({ steps, elapsed: (performance.now() - start) / 1000, model });
       steps = [];
-      return sent;
+      modelWanted = false;
+      modelWanted = await sent;
     };
-    while (!run.cancelled && !last?.done) {
-      const slice = performance.now();
-      do {
-        last = trainer.step();
-        steps.push(last);
-      } while (!last.done && performance.now() - slice < SLICE);
-      if (!last.done) {
-        const model = wanted ? bestSoFar(trainer, parts) : null;
-        wanted = false;
-        void Promise.resolve(send(model)).then((answer) => (wanted = answer));
-      }
-      await breathe();
-    }
+    const step = () => {
+      const progress = trainer.step();
+      steps.push(progress);
+      reason = progress.reason;
+      return progress.done;
+    };
+    // The next slice does not wait for the page; the last report brings the model in any case.
+    const done = await task.inSlices(step, (last) => {
+      if (!last) void send(modelWanted);
+    });
     // Waits until the page has it: reports and the outcome travel on different ports.
-    await send(bestSoFar(trainer, parts));
-    const reason = run.cancelled ? "You cancelled; this is the best so far." : (last?.reason ?? "Done.");
-    return { cancelled: run.cancelled, reason };
+    await send(true);
+    return { cancelled: !done, reason };
   } finally {
-    training = null;
-    trainer?.free();
+    trainer.free();
   }
 }
 
 export const trainee: Omit<Trainee, "start"> = {
-  train,
-  cancelTraining() {
-    if (training) training.cancelled = true;
-  },
+  train: (job, report) => training.run((task) => train(job, report, task)),
+  cancelTraining: () => training.cancel(),
 };

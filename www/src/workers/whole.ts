@@ -1,16 +1,16 @@
-// A worker of the whole program: what only comparisons and the synthetic lesson need. No DOM.
+// A worker of the whole program: what only comparisons and the synthetic experiment need. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
-import { evaluator } from "./evaluation";
-import type { Comparer } from "../engine/protocol";
-import { synthesist } from "./experiment";
+import type { WholeWorker } from "../engine/whole-protocol";
+import { comparisonWorker } from "./evaluation";
+import { experimentWorker } from "./experiment";
 
-const comparer: Comparer = {
+const worker: WholeWorker = {
   async start(wasm) {
     await init({ module_or_path: wasm });
   },
-  ...evaluator,
-  ...synthesist,
+  ...comparisonWorker,
+  ...experimentWorker,
 };
 
-Comlink.expose(comparer);
+Comlink.expose(worker);

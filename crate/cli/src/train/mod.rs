@@ -14,7 +14,8 @@ use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
     Dataset, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source, TrainedModel,
 };
-use vcgpdm::motion::{Clip, PartSpec, Skeleton, parts_from_json, presets};
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::motion::{Clip, Skeleton, parts};
 
 /// Train a model on clips of one body and print what it reached as one JSON object.
 #[derive(clap::Args)]
@@ -178,7 +179,7 @@ fn read_seed_frames(text: &str) -> Result<(Clip, usize), Box<dyn Error>> {
 
 /// The parts that `--parts` asks for.
 pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
-    let presets = presets(skeleton);
+    let presets = parts::presets(skeleton);
     if let Some(preset) = presets.iter().find(|preset| preset.id == asked) {
         return Ok(preset.parts.clone());
     }
@@ -195,7 +196,7 @@ pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn 
     }
     let path = Path::new(asked);
     if path.exists() {
-        return parts_from_json(&files::read_text(path)?, skeleton)
+        return parts::from_json(&files::read_text(path)?, skeleton)
             .map_err(|error| files::about(path, &error));
     }
     let known: Vec<String> = presets

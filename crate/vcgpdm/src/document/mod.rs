@@ -11,7 +11,7 @@ use crate::gp::NumericsError;
 use crate::json::{FieldError, JsonError, NotFinite, Value};
 use crate::models::TrainedModel;
 use crate::models::variational::Vcgpdm;
-use crate::motion::PartsError;
+use crate::motion::parts::PartsError;
 use thiserror::Error;
 
 const FORMAT: &str = "vcgpdm model";

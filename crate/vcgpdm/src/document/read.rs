@@ -12,7 +12,8 @@ use crate::models::{
     Body, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Provenance, SequenceInfo, TmpSettings,
     TrainedModel, VariationalSettings,
 };
-use crate::motion::{PartSpec, PartsLayout, PoseMapping};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::pose::PoseMapping;
 use nalgebra::{DMatrix, DVector};
 use std::ops::RangeInclusive;
 

@@ -4,7 +4,7 @@ use crate::models::{
     Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, RolloutRequest, Sequence,
     Source, TmpSettings, VariationalSettings,
 };
-use crate::motion::{presets, samples};
+use crate::motion::{parts, samples};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
@@ -12,7 +12,7 @@ fn trained() -> &'static TrainedModel<Vcgpdm> {
     static MODEL: OnceLock<TrainedModel<Vcgpdm>> = OnceLock::new();
     MODEL.get_or_init(|| {
         let clip = samples::clip("walk-1").unwrap();
-        let parts = &presets(&clip.skeleton)[1].parts;
+        let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
         let settings =
             VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
@@ -220,7 +220,7 @@ fn what_is_not_finite_is_not_written() {
 /// A model of the sample walk in two parts, of which the first `frames` are learned in at most `steps` steps.
 fn learned(settings: ModelSettings, frames: usize, steps: usize) -> TrainedModel {
     let clip = samples::clip("walk-1").unwrap().cut(0, frames).unwrap();
-    let parts = &presets(&clip.skeleton)[1].parts;
+    let parts = &parts::presets(&clip.skeleton)[1].parts;
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
     let sequences = vec![Sequence { frames: dataset.lengths()[0], whole: true }];
     let movements = Movements { y: dataset.y.clone(), sequences };

@@ -6,7 +6,7 @@ use crate::models::{
     Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, TmpSettings, TrainedModel,
     VariationalSettings,
 };
-use crate::motion::PartSpec;
+use crate::motion::parts::PartSpec;
 
 /// A model of any kind.
 pub(super) fn document(trained: &TrainedModel) -> Value {

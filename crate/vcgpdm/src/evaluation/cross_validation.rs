@@ -7,7 +7,9 @@ use crate::models::{
     Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
     Sequence, Source,
 };
-use crate::motion::{Clip, ClipError, PartSpec, PoseError};
+use crate::motion::parts::PartSpec;
+use crate::motion::pose::PoseError;
+use crate::motion::{Clip, ClipError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -124,7 +126,7 @@ impl Fold {
             others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
-        let actual = dataset.mapping.encode(&trial.prepared(1.0 / dataset.frame_time)?)?.y;
+        let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
         let lengths = dataset.lengths();
         let last = lengths.len() - 1;
         let sequences =
@@ -244,7 +246,7 @@ impl Fold {
 mod tests {
     use super::*;
     use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
-    use crate::motion::{presets, samples};
+    use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
         samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
@@ -253,7 +255,8 @@ mod tests {
     #[test]
     fn every_model_predicts_a_walk() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+        let parts =
+            &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
         let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm =
@@ -285,7 +288,7 @@ mod tests {
     #[test]
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
         let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
@@ -294,7 +297,7 @@ mod tests {
     #[test]
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
         assert_eq!(
             error,
@@ -324,7 +327,7 @@ mod tests {
     #[test]
     fn no_outcome_holds_a_number_that_is_not_finite() {
         let trials = trials();
-        let parts = &presets(&trials[0].skeleton)[0].parts;
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
         let outcome = |to: f64, best: f64, seconds: f64| {
             let training = LearningProgress {

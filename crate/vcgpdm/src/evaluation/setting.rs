@@ -1,7 +1,8 @@
 //! What all results of one comparison have in common: the trials, the parts, the frame rate.
 
 use crate::evaluation::cross_validation::START_FRAMES;
-use crate::motion::{Clip, PartSpec};
+use crate::motion::Clip;
+use crate::motion::parts::PartSpec;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -6,7 +6,7 @@ use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, Trial};
 use crate::models::{MapSettings, ModelSettings, VariationalSettings};
-use crate::motion::PartSpec;
+use crate::motion::parts::PartSpec;
 
 /// So many walks of a body with one named part.
 pub fn setting(trials: usize) -> Setting {

@@ -1,9 +1,9 @@
 //! Text to tree, by RFC 8259.
 
-use crate::json::Value;
+use crate::json::value::Value;
 use thiserror::Error;
 
-/// Deeper nesting is no document but an attack on the stack.
+/// The deepest nesting that is read: deeper ones could use up the stack.
 const DEEPEST: usize = 100;
 
 /// Why a text is not JSON.
@@ -39,7 +39,7 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    /// The next byte that is not blank, not yet taken.
+    /// The next byte that is not blank, without taking it.
     fn peek(&mut self) -> Option<u8> {
         while let Some(b' ' | b'\t' | b'\n' | b'\r') = self.byte() {
             self.at += 1;
@@ -199,7 +199,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What stands for the characters after a backslash.
+    /// The character that an escape after a backslash stands for.
     fn escaped(&mut self) -> Result<char, JsonError> {
         const EXPECTED: &str = "one of \" \\ / b f n r t u after the \\ in a string";
         let escape = self.byte();

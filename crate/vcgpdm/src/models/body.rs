@@ -3,8 +3,10 @@
 
 use crate::models::dataset::{Dataset, SequenceInfo};
 use crate::models::rollout::{MOST_FRAMES, RolloutError};
-use crate::motion::bvh::MAX_VALUES;
-use crate::motion::{Clip, PartsLayout, PoseError, PoseMapping, RootStart};
+use crate::motion::Clip;
+use crate::motion::MAX_VALUES;
+use crate::motion::parts::PartsLayout;
+use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use nalgebra::DMatrix;
 
 /// The body that a model moves, whatever the model.

@@ -1,9 +1,9 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
 use crate::models::training_error::TrainingError;
-use crate::motion::{
-    BodyMismatch, Clip, ClipError, PartSpec, PartsError, PartsLayout, PoseError, PoseMapping,
-};
+use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
+use crate::motion::pose::{PoseError, PoseMapping};
+use crate::motion::{BodyMismatch, Clip, ClipError};
 use crate::words::counted;
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -12,9 +12,9 @@ use thiserror::Error;
 /// A clip that becomes a sequence of the training set.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
-    /// The clip as it was read.
+    /// The clip, at any frame rate.
     pub clip: &'a Clip,
-    /// Use only so many frames of it, counted after preparation; absent: all.
+    /// Use only so many frames of it, counted at the frame rate of the data set; `None`: all.
     pub first_frames: Option<usize>,
 }
 
@@ -115,8 +115,7 @@ pub struct Dataset {
 const SAME_RATE: f64 = 0.02;
 
 impl Dataset {
-    /// Prepares the clips (a leading T-pose dropped, about `frames_per_second`), encodes their poses and centres the columns
-    /// over all training frames. The body and the frame time are those of the first clip.
+    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all training frames. The body and the frame time are those of the first clip.
     pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
         let first = sources.first().ok_or(DatasetError::Empty)?;
         for source in &sources[1..] {
@@ -128,7 +127,7 @@ impl Dataset {
         }
         let mut clips: Vec<Clip> = Vec::new();
         for source in sources {
-            let mut clip = source.clip.prepared(frames_per_second)?;
+            let mut clip = source.clip.resample(frames_per_second)?;
             // A clip of another rate that also came near the one asked for is brought to the first clip's exactly.
             if let Some(first) = clips.first()
                 && (clip.frame_time / first.frame_time - 1.0).abs() > SAME_RATE

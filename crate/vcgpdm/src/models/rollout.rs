@@ -3,7 +3,7 @@
 use crate::gp::NumericsError;
 use crate::json::rows;
 use crate::models::couplings::{CouplingsError, Reading};
-use crate::motion::PoseError;
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 use thiserror::Error;

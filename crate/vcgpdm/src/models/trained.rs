@@ -11,7 +11,8 @@ use crate::models::provenance::{ENGINE, Provenance};
 use crate::models::rollout::{Rollout, RolloutError, RolloutRequest};
 use crate::models::settings::{ModelSettings, VariationalSettings};
 use crate::models::variational::{Trainer, Vcgpdm};
-use crate::motion::{Clip, PoseError};
+use crate::motion::Clip;
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use std::fmt::Debug;
 

@@ -1,12 +1,16 @@
-//! One recorded motion: a skeleton and its channel values, row by row.
+//! A motion that is ready for use: a skeleton and its channel values, row by row.
 
 use crate::motion::rotation;
-use crate::motion::skeleton::{Skeleton, WorldPose};
-use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use crate::motion::skeleton::{LocalPose, Skeleton, WorldPose};
+use nalgebra::DMatrix;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
-/// A motion clip, as read from a BVH file or rolled out from a model.
+/// A motion: recorded, made by the project, or rolled out from a model.
+///
+/// Every row belongs to the motion. The T-pose that some files put before it is looked for once, where a
+/// [`Recording`](crate::motion::Recording) becomes a clip, and never again: a clip that is cut may begin with any jerk and
+/// keeps its first frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     /// The file's name, for messages and provenance.
@@ -22,8 +26,8 @@ pub struct Clip {
     /// SHA-256 of the file's bytes in lower-case hexadecimal; of the written text for a clip that never was a file.
     /// A cut or resampled clip keeps that of the file it came from.
     pub sha256: String,
-    /// The frames of the file that a cut left, from the first up to but not including the end; absent: not cut. Counted at the
-    /// file's rate, without a leading T-pose, which is dropped in reading.
+    /// The frames of the file that a cut kept: the first, and the one after the last; `None`: not cut. Counted at the file's
+    /// rate, from 0, without a leading T-pose.
     pub piece: Option<(usize, usize)>,
     /// Seconds from one frame of the file to the next; those of a resampled clip are others.
     pub file_frame_time: f64,
@@ -64,61 +68,22 @@ pub enum ClipError {
     },
 }
 
-/// The local rotations and positions of one frame [one a joint].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LocalPose {
-    /// Rotation of each joint in its parent's frame; the root's in the world.
-    pub rotations: Vec<UnitQuaternion<f64>>,
-    /// Place of each joint in its parent's frame, in file units; the root's in the world.
-    pub positions: Vec<Vector3<f64>>,
-}
+/// The most channel values that one clip may hold.
+pub const MAX_VALUES: usize = 100_000_000;
 
 /// Rates that differ by less than this part count as equal: files write 1/30 as .033333 and 1/120 as .0083.
 const RATE_TOLERANCE: f64 = 0.02;
 
 impl Clip {
-    /// A clip that never was a file; its hash is that of the text that [`crate::motion::bvh::write`] gives.
-    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
-        let mut clip = Clip {
-            name: name.to_owned(),
-            skeleton,
-            frame_time,
-            values,
-            warnings: Vec::new(),
-            sha256: String::new(),
-            piece: None,
-            file_frame_time: frame_time,
-        };
-        clip.sha256 = sha256(crate::motion::bvh::write(&clip).as_bytes());
-        clip
-    }
-
     /// The number of frames.
     pub fn frames(&self) -> usize {
         self.values.nrows()
     }
 
-    /// The local rotations and positions of a frame: `R = R_first R_second R_third` in the order of the joint's
-    /// channels. Position channels stand instead of the joint's offset, axis by axis.
+    /// The rotations and positions of all joints in their parents' frames: `R = R_first R_second R_third` in the order of
+    /// the joint's channels. A position channel replaces the joint's offset, axis by axis.
     pub fn local_pose(&self, frame: usize) -> LocalPose {
-        let mut pose = LocalPose::default();
-        let mut column = 0;
-        for joint in &self.skeleton.joints {
-            let mut rotation = UnitQuaternion::identity();
-            let mut position = Vector3::from(joint.offset);
-            for channel in &joint.channels {
-                let value = self.values[(frame, column)];
-                column += 1;
-                if channel.is_rotation() {
-                    rotation *= rotation::about(channel.axis(), value.to_radians());
-                } else {
-                    position[channel.axis()] = value;
-                }
-            }
-            pose.rotations.push(rotation);
-            pose.positions.push(position);
-        }
-        pose
+        self.skeleton.local_pose(&self.values, frame)
     }
 
     /// The places of all nodes and the rotations of all joints in the world, in file units and the file's axes.
@@ -165,7 +130,7 @@ impl Clip {
         let last = last as f64;
         // A hair more, so that rounding does not lose the last frame.
         let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
-        if frames.saturating_mul(self.values.ncols()) > crate::motion::bvh::MAX_VALUES {
+        if frames.saturating_mul(self.values.ncols()) > MAX_VALUES {
             return Err(ClipError::TooLong { name: self.name.clone(), rate: fps, frames });
         }
         let mut values = DMatrix::zeros(frames, self.values.ncols());
@@ -235,8 +200,8 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::bvh::tests::any_clip;
     use crate::motion::skeleton::{Channel, Joint};
+    use crate::motion::testing::any_clip;
     use approx::assert_abs_diff_eq;
     use proptest::prelude::*;
 

@@ -1,24 +1,42 @@
-//! Recorded motion: skeletons, clips, BVH files, poses as rows of numbers, and the parts of a body.
+//! Motion: bodies, clips and BVH files, and the poses of a clip as rows of numbers that a model can learn from.
+//!
+//! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
+//! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
+//! of Y and back; [`parts`] says which columns of Y belong to which part of the body. [`samples`] are clips that the project
+//! makes itself.
+//!
+//! ```
+//! use vcgpdm::motion::pose::PoseMapping;
+//! use vcgpdm::motion::{bvh, samples};
+//!
+//! let clip = samples::clip("walk-1").ok_or("no such sample")?.resample(30.0)?;
+//! let mapping = PoseMapping::new(&clip);
+//! let encoded = mapping.encode(&clip)?;
+//! assert_eq!(encoded.y.ncols(), 6 + 3 * (clip.skeleton.joints.len() - 1));
+//!
+//! let decoded = mapping.decode(&encoded.y, &encoded.start, clip.frame_time)?;
+//! assert!((&decoded.values - &clip.values).amax() < 1e-9);
+//! assert!(bvh::write(&decoded).starts_with("HIERARCHY"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-pub(crate) mod anatomy;
+mod anatomy;
 pub mod bvh;
-pub(crate) mod clip;
-pub(crate) mod joint_names;
-pub(crate) mod parts;
-pub(crate) mod pose;
-pub(crate) mod rotation;
-pub(crate) mod same_body;
+mod clip;
+mod joint_names;
+pub mod parts;
+mod percentile;
+pub mod pose;
+mod recording;
+mod rotation;
+mod same_body;
 pub mod samples;
-pub(crate) mod skeleton;
-pub(crate) mod stage;
-pub(crate) mod t_pose;
+pub mod skeleton;
+pub mod stage;
+#[cfg(test)]
+mod testing;
 
-pub use clip::{Clip, ClipError, LocalPose};
-pub use parts::{
-    PartSpec, PartsError, PartsLayout, PartsPreset, check as check_parts, from_json as parts_from_json,
-    presets,
-};
-pub use pose::{Column, ColumnKind, Encoded, PoseError, PoseMapping, RootStart};
+pub use clip::{Clip, ClipError, MAX_VALUES};
+pub use recording::Recording;
 pub use same_body::BodyMismatch;
-pub use skeleton::{Channel, FigureNode, Joint, Skeleton, SkeletonError, WorldPose};
-pub use stage::{STAGE_HEIGHT, Stage, UpAxis};
+pub use skeleton::Skeleton;

@@ -1,6 +1,7 @@
 //! The joint tree of a body: names, parents, offsets and the channels each joint is recorded in.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use crate::motion::rotation;
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -86,11 +87,6 @@ impl Joint {
     /// The axes of its rotation channels, in their order: `R = R_first R_second R_third`.
     pub fn rotation_axes(&self) -> impl Iterator<Item = usize> + '_ {
         self.channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis())
-    }
-
-    /// Whether any of its channels is a position.
-    pub fn has_position(&self) -> bool {
-        self.channels.iter().any(|channel| !channel.is_rotation())
     }
 }
 
@@ -222,6 +218,29 @@ impl Skeleton {
         nodes.chain(ends).collect()
     }
 
+    /// The local rotations and positions in one row of channel values [frames x channels]: `R = R_first R_second R_third` in
+    /// the order of the joint's channels. A position channel replaces the joint's offset, axis by axis.
+    pub(crate) fn local_pose(&self, values: &DMatrix<f64>, frame: usize) -> LocalPose {
+        let mut pose = LocalPose::default();
+        let mut column = 0;
+        for joint in &self.joints {
+            let mut rotation = UnitQuaternion::identity();
+            let mut position = Vector3::from(joint.offset);
+            for channel in &joint.channels {
+                let value = values[(frame, column)];
+                column += 1;
+                if channel.is_rotation() {
+                    rotation *= rotation::about(channel.axis(), value.to_radians());
+                } else {
+                    position[channel.axis()] = value;
+                }
+            }
+            pose.rotations.push(rotation);
+            pose.positions.push(position);
+        }
+        pose
+    }
+
     /// World places of all nodes of [`Skeleton::figure`] and world rotations of all joints.
     ///
     /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local positions `t_j`
@@ -270,6 +289,15 @@ impl Skeleton {
         let positions: Vec<_> = self.joints.iter().map(|joint| Vector3::from(joint.offset)).collect();
         self.forward_kinematics(&rotations, &positions)
     }
+}
+
+/// The pose of one frame, joint by joint.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LocalPose {
+    /// The rotation of each joint in its parent's frame; the root's is in the world.
+    pub rotations: Vec<UnitQuaternion<f64>>,
+    /// The place of each joint in its parent's frame, in file units; the root's is in the world.
+    pub positions: Vec<Vector3<f64>>,
 }
 
 /// One pose in the world.

@@ -3,6 +3,7 @@
 use crate::motion::anatomy::{Anatomy, extents, standing_at_rest};
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
+use crate::motion::percentile::upper_end;
 use crate::motion::rotation;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -102,9 +103,9 @@ impl Stage {
 }
 
 impl Clip {
-    /// Which way is up, how tall is the body, where is the ground. A leading T-pose is not looked at.
+    /// Which way is up, how tall is the body, where is the ground.
     pub fn stage(&self) -> Stage {
-        let places = self.places_for_stage();
+        let places = self.places();
         let up = self.up_axis_of(&places);
         let turn = up.to_y_up();
         let lowest = places.iter().flatten().map(|place| (turn * place).y).fold(f64::INFINITY, f64::min);
@@ -114,13 +115,13 @@ impl Clip {
 
     /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the motion does not.
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis_of(&self.places_for_stage())
+        self.up_axis_of(&self.places())
     }
 
     /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height); for a skeleton whose rest
     /// pose does not stand, as high as the body (without arms) gets in 95 of 100 frames.
     pub fn height(&self) -> f64 {
-        let places = self.places_for_stage();
+        let places = self.places();
         self.height_of(&places, self.up_axis_of(&places))
     }
 
@@ -137,10 +138,9 @@ impl Clip {
             .collect()
     }
 
-    /// World places of the nodes in each frame of the motion itself, in file units.
-    fn places_for_stage(&self) -> Vec<Vec<Vector3<f64>>> {
-        let first = usize::from(self.begins_with_t_pose());
-        (first..self.frames()).map(|frame| self.world_pose(frame).positions).collect()
+    /// World places of the nodes in each frame, in file units.
+    fn places(&self) -> Vec<Vec<Vector3<f64>>> {
+        (0..self.frames()).map(|frame| self.world_pose(frame).positions).collect()
     }
 
     fn up_axis_of(&self, places: &[Vec<Vector3<f64>>]) -> UpAxis {
@@ -195,14 +195,6 @@ impl Clip {
         // A single joint has no height; anything but zero keeps it visible.
         if height > 1e-9 { height } else { 1.0 }
     }
-}
-
-/// The value that 95 of 100 stay below, and the largest; of no values, zero.
-pub(crate) fn upper_end(mut values: Vec<f64>) -> (f64, f64) {
-    values.sort_unstable_by(f64::total_cmp);
-    let last = values.len().saturating_sub(1);
-    let at = |place: usize| values.get(place).copied().unwrap_or(0.0);
-    (at(last * 95 / 100), at(last))
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
-use crate::synthetic::centre;
 use nalgebra::DMatrix;
 
 /// Learned latents, brought to where the true ones lie.
@@ -29,6 +28,17 @@ pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment,
         column.iter_mut().for_each(|value| *value += mean);
     }
     Ok(Alignment { latents, explained })
+}
+
+/// Takes its mean off each column; answers with the means.
+pub(super) fn centre(x: &mut DMatrix<f64>) -> Vec<f64> {
+    let frames = x.nrows().max(1) as f64;
+    let take_off = |column: &mut [f64]| {
+        let mean = column.iter().sum::<f64>() / frames;
+        column.iter_mut().for_each(|value| *value -= mean);
+        mean
+    };
+    x.as_mut_slice().chunks_exact_mut(frames as usize).map(take_off).collect()
 }
 
 #[cfg(test)]

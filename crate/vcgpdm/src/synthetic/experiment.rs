@@ -4,7 +4,8 @@ use crate::gp::NumericsError;
 use crate::models::variational::{Params, Trainer, TrainingProgress};
 use crate::models::{VariationalSettings, coupling_weight_matrix};
 use crate::synthetic::alignment::{Alignment, align};
-use crate::synthetic::{Synthetic, SyntheticError, Verdict};
+use crate::synthetic::data::{Synthetic, SyntheticError};
+use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
 use serde::Serialize;
 

@@ -2,13 +2,13 @@
 
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-use vcgpdm::motion::{bvh, presets, samples};
+use vcgpdm::motion::{bvh, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
 fn dataset() -> Dataset {
     let clips: Vec<_> = ["walk-1", "walk-2"].iter().map(|id| samples::clip(id).unwrap()).collect();
-    let parts = presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let sources: Vec<_> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     Dataset::new(&sources, &parts, FRAMES_PER_SECOND).unwrap()
 }
@@ -56,7 +56,7 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     assert_eq!(again.rollout(&request).unwrap().y, rollout.y);
 
     let clip = model.clip(&rollout, "rollout.bvh").unwrap();
-    let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap();
+    let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap().into_clip();
     assert_eq!(read.frames(), 300);
     let hips = |frame: usize| read.world_pose(frame).positions[0];
     let travelled = (hips(299) - hips(0)).norm() / read.height();

@@ -5,7 +5,7 @@
 
 use crate::gp::kernel::{Kernel, KernelAdjoint};
 use crate::gp::lanes::{LANES, Lanes};
-use crate::gp::psi::Gaussians;
+use crate::gp::psi::gaussians::Gaussians;
 use nalgebra::DMatrix;
 use wide::f64x2;
 

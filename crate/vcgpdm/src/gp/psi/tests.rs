@@ -1,5 +1,9 @@
+//! The statistics against integrals, and their adjoints against differences.
+
 use super::*;
+use crate::gp::kernel::{Kernel, KernelAdjoint};
 use approx::assert_relative_eq;
+use nalgebra::DMatrix;
 use nalgebra::{DVector, dvector};
 use proptest::prelude::*;
 

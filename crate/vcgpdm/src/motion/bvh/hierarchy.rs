@@ -1,7 +1,7 @@
 //! The HIERARCHY of a file: from words to joints.
 
+use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::Cursor;
-use crate::motion::bvh::{BvhError, BvhProblem};
 use crate::motion::skeleton::{Channel, Joint, MAX_JOINTS, Skeleton};
 
 /// A joint whose closing brace has not come yet.

@@ -1,17 +1,50 @@
-//! A whole file: bytes to clip, with what was odd about it.
+//! A whole file: bytes to recording, with what was odd about it.
 
+use crate::motion::bvh::error::{BvhError, BvhProblem, quoted};
 use crate::motion::bvh::text::{Cursor, decode};
-use crate::motion::bvh::{BvhError, BvhProblem, hierarchy, motion};
-use crate::motion::clip::{Clip, sha256};
+use crate::motion::bvh::{hierarchy, motion};
+use crate::motion::clip::sha256;
+use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
 
-/// Reads a BVH file. `name` is used in messages and kept as the clip's name.
+/// Reads a BVH file. `name` is used in messages and kept as the recording's name.
 ///
-/// Any hierarchy with one root, any channel order, CR, LF and CR LF line ends, keywords in any case, a byte order
-/// mark, Latin-1 names and row counts that are off by a little can be read; what was odd is in
-/// [`Clip::warnings`](crate::motion::clip::Clip::warnings). Everything else is a [`BvhError`] with the line.
-pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
+/// It accepts any hierarchy with one root, any channel order, the line ends CR, LF and CR LF, keywords in any case, a byte
+/// order mark, Latin-1 names, and row counts that are off by a little; what was odd is in [`Recording::warnings`].
+/// [`Recording::into_clip`] makes the motion of it.
+///
+/// ```
+/// use vcgpdm::motion::bvh;
+///
+/// let text = "HIERARCHY
+/// ROOT Hips
+/// {
+///   OFFSET 0 0 0
+///   CHANNELS 3 Zrotation Xrotation Yrotation
+///   End Site
+///   {
+///     OFFSET 0 10 0
+///   }
+/// }
+/// MOTION
+/// Frames: 2
+/// Frame Time: 0.05
+/// 0 0 90
+/// 0 0 80
+/// ";
+/// let clip = bvh::read("turn.bvh", text.as_bytes())?.into_clip();
+/// assert_eq!((clip.frames(), clip.values[(1, 2)]), (2, 80.0));
+///
+/// let error = bvh::read("turn.bvh", text.replace("OFFSET 0 10", "OFFSET 0 ten").as_bytes()).unwrap_err();
+/// assert_eq!(error.to_string(), "turn.bvh, line 8: expected a number, found \"ten\"");
+/// # Ok::<(), vcgpdm::motion::bvh::BvhError>(())
+/// ```
+///
+/// # Errors
+///
+/// A [`BvhError`] with the line, for everything that is not such a file.
+pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
     let (text, encoding) = decode(bytes);
     let mut warnings: Vec<String> = encoding.into_iter().collect();
     let mut cursor = Cursor::new(name, &text);
@@ -27,15 +60,13 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, BvhError> {
     warn_of_names(&skeleton, &mut warnings);
     let motion = motion::read(&mut cursor, channels, &mut warnings)?;
     warn_of_rows(&motion.values, channels, &mut warnings);
-    Ok(Clip {
+    Ok(Recording {
         name: name.to_owned(),
         skeleton,
         frame_time: motion.frame_time,
         values: DMatrix::from_row_slice(motion.frames, channels, &motion.values),
         warnings,
         sha256: sha256(bytes),
-        piece: None,
-        file_frame_time: motion.frame_time,
     })
 }
 
@@ -71,7 +102,7 @@ fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
 
 /// The first few names, quoted.
 fn listed(names: &[&str]) -> String {
-    let mut text: Vec<String> = names.iter().take(3).map(|name| crate::motion::bvh::quoted(name)).collect();
+    let mut text: Vec<String> = names.iter().take(3).map(|name| quoted(name)).collect();
     if names.len() > 3 {
         text.push("…".to_owned());
     }

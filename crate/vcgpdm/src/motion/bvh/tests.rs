@@ -4,7 +4,9 @@ use crate::motion::bvh::parse::read;
 use crate::motion::bvh::write::write;
 use crate::motion::clip::Clip;
 use crate::motion::pose::PoseMapping;
+use crate::motion::recording::Recording;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
+use crate::motion::testing::any_clip;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
@@ -41,7 +43,7 @@ fn with(from: &str, to: &str) -> String {
     SMALL.replacen(from, to, 1)
 }
 
-fn reads_the_same(text: &[u8]) -> Clip {
+fn reads_the_same(text: &[u8]) -> Recording {
     let clip = read("walk.bvh", text).unwrap_or_else(|error| panic!("{error}"));
     let small = read("walk.bvh", SMALL.as_bytes()).unwrap();
     assert_eq!((&clip.skeleton, &clip.values), (&small.skeleton, &small.values));
@@ -212,7 +214,7 @@ fn positions_of_a_joint_replace_its_offset() {
         .replace("7 8 9", "0 5.21 0 0 0 0")
         .replace("4 5 6", "0 0 0");
     let clip = read("a", text.as_bytes()).unwrap();
-    let places = clip.world_pose(0).positions;
+    let places = clip.into_clip().world_pose(0).positions;
     assert_eq!(places[1], nalgebra::Vector3::new(1.0, 7.21, 3.0));
 }
 
@@ -224,7 +226,7 @@ fn neither_depth_nor_size_brings_the_reader_down() {
         "HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Yrotation {deep}{} MOTION\nFrames: 1\nFrame Time: .1\n{rows}",
         "}".repeat(1_901)
     );
-    let clip = read("deep", text.as_bytes()).unwrap();
+    let clip = read("deep", text.as_bytes()).unwrap().into_clip();
     assert_eq!(clip.skeleton.joints.len(), 1_901);
     assert_eq!(read("deep", write(&clip).as_bytes()).unwrap().skeleton, clip.skeleton);
     let endless = format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 {}", "JOINT a { OFFSET 0 0 0 ".repeat(200_000));
@@ -235,7 +237,7 @@ fn neither_depth_nor_size_brings_the_reader_down() {
 
 #[test]
 fn names_from_elsewhere_cannot_break_a_written_file() {
-    let mut clip = read("a", SMALL.as_bytes()).unwrap();
+    let mut clip = read("a", SMALL.as_bytes()).unwrap().into_clip();
     clip.skeleton.joints[1].name = "x\n}{ MOTION".to_owned();
     let again = read("b", write(&clip).as_bytes()).unwrap();
     assert_eq!(again.skeleton.joints[1].name, "x___ MOTION");
@@ -266,37 +268,6 @@ fn joints_out_of_depth_first_order_are_written_with_their_values() {
     assert_eq!(again.values.row(0).iter().copied().collect::<Vec<_>>(), [1.0, 2.0, 4.0, 5.0, 3.0]);
 }
 
-/// Bodies of up to eight joints with any channels in any order, and their motion.
-pub(crate) fn any_clip() -> impl Strategy<Value = Clip> {
-    let channels = proptest::sample::subsequence(Channel::ALL.to_vec(), 0..=6).prop_shuffle();
-    let offset = proptest::array::uniform3(-10.0..10.0_f64);
-    let joint =
-        (channels, offset.clone(), proptest::collection::vec(offset, 0..3), any::<proptest::sample::Index>());
-    (proptest::collection::vec(joint, 1..9), 1..12_usize, any::<u64>()).prop_map(|(joints, frames, seed)| {
-        let joints: Vec<Joint> = (joints.into_iter().enumerate())
-            .map(|(place, (mut channels, offset, end_sites, parent))| {
-                if place == 0 {
-                    // A root that can be anywhere, in an order of its own.
-                    let missing: Vec<Channel> =
-                        Channel::ALL.into_iter().filter(|c| !channels.contains(c)).collect();
-                    channels.extend(missing);
-                }
-                // Each joint hangs on the one before it or on the root, so that places are those of a file.
-                let parent = (place > 0).then(|| if parent.index(3) > 0 { place - 1 } else { 0 });
-                Joint { name: format!("joint {place}"), parent, offset, channels, end_sites }
-            })
-            .collect();
-        let skeleton = Skeleton { joints };
-        let mut state = seed;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        let values = DMatrix::from_fn(frames, skeleton.channel_count(), |_, _| 400.0 * random() - 200.0);
-        Clip::new("random.bvh", skeleton, 0.04, values)
-    })
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(128))]
 
@@ -321,15 +292,16 @@ proptest! {
         let mut text = SMALL.to_owned();
         text.replace_range(at..(at + length).min(SMALL.len()), &put);
         match read("changed", text.as_bytes()) {
-            Ok(clip) => {
+            Ok(recording) => {
                 // Whatever was read is fit for everything that follows.
+                let clip = recording.into_clip();
                 prop_assert!(clip.skeleton.validate().is_ok());
                 prop_assert!(clip.stage_positions().iter().all(|x| x.is_finite()));
                 let mapping = PoseMapping::new(&clip);
                 let encoded = mapping.encode(&clip).unwrap();
                 prop_assert!(encoded.y.iter().all(|x| x.is_finite()));
                 mapping.decode(&encoded.y, &encoded.start, clip.frame_time).unwrap();
-                clip.prepared(30.0).unwrap();
+                clip.resample(30.0).unwrap();
             }
             Err(error) => {
                 let lines = text.split(['\n', '\r']).count();

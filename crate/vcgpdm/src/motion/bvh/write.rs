@@ -1,21 +1,62 @@
-//! Clip to text.
+//! Clip to text, and the hash of what was never a file.
 
-use crate::motion::clip::Clip;
+use crate::motion::clip::{Clip, sha256};
+use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
+use nalgebra::DMatrix;
 use std::fmt::Write;
 
 /// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order, numbers with as many digits
 /// as bring back the same value.
 pub fn write(clip: &Clip) -> String {
+    text(&clip.skeleton, clip.frame_time, &clip.values)
+}
+
+impl Clip {
+    /// A motion that was made, not recorded. Its hash is that of the text that [`write`] gives.
+    ///
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
+        Clip {
+            name: name.to_owned(),
+            sha256: sha256(text(&skeleton, frame_time, &values).as_bytes()),
+            skeleton,
+            frame_time,
+            values,
+            warnings: Vec::new(),
+            piece: None,
+            file_frame_time: frame_time,
+        }
+    }
+}
+
+impl Recording {
+    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write`] would give.
+    ///
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Recording {
+        Recording {
+            name: name.to_owned(),
+            sha256: sha256(text(&skeleton, frame_time, &values).as_bytes()),
+            skeleton,
+            frame_time,
+            values,
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// The text of a BVH file.
+fn text(skeleton: &Skeleton, frame_time: f64, values: &DMatrix<f64>) -> String {
     let mut text = String::new();
-    // Writing to a String cannot fail; the results are dropped on purpose throughout.
-    let order = hierarchy(&clip.skeleton, &mut text);
-    let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {}", clip.values.nrows(), clip.frame_time);
-    let starts = clip.skeleton.channel_starts();
+    // Writing to a String cannot fail: its results are ignored here and below.
+    let order = hierarchy(skeleton, &mut text);
+    let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {frame_time}", values.nrows());
+    let starts = skeleton.channel_starts();
     let columns: Vec<usize> = (order.into_iter())
-        .flat_map(|joint| (starts[joint]..).take(clip.skeleton.joints[joint].channels.len()))
+        .flat_map(|joint| (starts[joint]..).take(skeleton.joints[joint].channels.len()))
         .collect();
-    for row in clip.values.row_iter() {
+    for row in values.row_iter() {
         for (place, &column) in columns.iter().enumerate() {
             let _ = write!(text, "{}{}", if place == 0 { "" } else { " " }, row[column]);
         }

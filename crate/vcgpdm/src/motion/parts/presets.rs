@@ -2,8 +2,20 @@
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
-use crate::motion::parts::{PartSpec, PartsPreset};
+use crate::motion::parts::spec::PartSpec;
 use crate::motion::skeleton::Skeleton;
+use serde::Serialize;
+
+/// A way to split a body.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PartsPreset {
+    /// "whole", "lower-upper" or "legs-trunk-arms".
+    pub id: String,
+    /// What to call it on a page.
+    pub title: String,
+    /// The parts; each joint is in one of them.
+    pub parts: Vec<PartSpec>,
+}
 
 /// The ways to split a body that its joints' names, or else its shape, tell: always "whole"; "lower-upper" where legs were
 /// found; "legs-trunk-arms" where arms were found too.

@@ -1,8 +1,9 @@
 //! Rows of Y back to clips and to places on the stage.
 
 use crate::motion::clip::Clip;
+use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS};
+use crate::motion::pose::root;
 use crate::motion::pose::root::{RootPose, RootStart};
-use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
 use crate::motion::rotation;
 use crate::motion::skeleton::WorldPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};

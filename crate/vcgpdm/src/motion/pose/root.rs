@@ -60,7 +60,7 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
     angles
 }
 
-/// Rows [frames x 6] of a sequence of root poses, in the order of [`crate::motion::pose::ROOT_COLUMNS`].
+/// Rows [frames x 6] of a sequence of root poses, in the order of [`super::mapping::ROOT_COLUMNS`].
 ///
 /// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t - p_{t-1})`. Row 0,
 /// which has no frame before it, repeats the rates of row 1.

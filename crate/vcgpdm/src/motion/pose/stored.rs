@@ -1,7 +1,7 @@
 //! A mapping as it stands in a document.
 
 use crate::json::{Field, FieldError, Value};
-use crate::motion::pose::PoseMapping;
+use crate::motion::pose::mapping::PoseMapping;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use crate::motion::stage::{Stage, UpAxis};
 

@@ -1,4 +1,4 @@
-// The synthetic experiment as a lesson: trained in the browser, cancelled, tried with several seeds.
+// The synthetic experiment: trained in the browser, cancelled, trained with several seeds.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, openSite } from "./site.mjs";
@@ -13,7 +13,7 @@ before(async () => {
 after(() => site?.close());
 
 /** Waits until trainings are over. */
-const over = (/** @type {Page} */ page) => page.getByTestId("lesson-train").waitFor({ timeout: 240_000 });
+const over = (/** @type {Page} */ page) => page.getByTestId("experiment-train").waitFor({ timeout: 240_000 });
 const number = async (/** @type {Page} */ page, /** @type {string} */ id) =>
   Number((await page.getByTestId(id).innerText()).replaceAll(",", "").replace("\u2212", "-"));
 /** Opened, and the experiment is drawn. */
@@ -21,29 +21,29 @@ async function drawn(/** @type {Page} */ page) {
   await page.locator(".true-path[d^=M]").first().waitFor({ timeout: 30_000 });
 }
 
-describe("the lesson", () => {
+describe("the synthetic experiment", () => {
   it("finds in the data of seed 0 that part 1 drives part 2, and not the other way round", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
     await drawn(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
     assert.equal(await page.locator(".learned-path").count(), 0, "nothing is learned yet");
-    await page.getByTestId("lesson-train").click();
+    await page.getByTestId("experiment-train").click();
     await over(page);
     assert.match(
-      await page.getByTestId("lesson-verdict").innerText(),
+      await page.getByTestId("experiment-verdict").innerText(),
       /^Found: part 1 drives part 2, and part 2 does not drive part 1\./,
     );
-    const alpha = (/** @type {string} */ pair) => number(page, `lesson-alpha-${pair}`);
+    const alpha = (/** @type {string} */ pair) => number(page, `experiment-alpha-${pair}`);
     assert.ok((await alpha("1-0")) >= 10 * (await alpha("0-0")), "part 2 counts for nothing in part 1");
     assert.ok((await alpha("0-1")) <= 4 * (await alpha("1-1")), "part 1 has a say in part 2");
-    assert.ok((await number(page, "lesson-weight-0-1")) > 0.15);
-    assert.equal(await page.getByTestId("lesson-weight-1-0").innerText(), "<0.01");
-    assert.ok((await number(page, "lesson-bound")) > 3000);
-    assert.ok((await number(page, "lesson-mse")) < 0.05);
+    assert.ok((await number(page, "experiment-weight-0-1")) > 0.15);
+    assert.equal(await page.getByTestId("experiment-weight-1-0").innerText(), "<0.01");
+    assert.ok((await number(page, "experiment-bound")) > 3000);
+    assert.ok((await number(page, "experiment-mse")) < 0.05);
     assert.equal(await page.locator(".learned-path").count(), 2);
-    assert.equal(await page.getByTestId("lesson-try").count(), 1);
-    assert.equal(await page.getByTestId("lesson-tally").innerText(), "Found with 1 of 1 seed.");
-    assert.ok(await page.getByTestId("lesson-train").isDisabled(), "it would find the same again");
+    assert.equal(await page.getByTestId("experiment-run").count(), 1);
+    assert.equal(await page.getByTestId("experiment-tally").innerText(), "Found with 1 of 1 seed.");
+    assert.ok(await page.getByTestId("experiment-train").isDisabled(), "it would find the same again");
     assert.deepEqual(await barriers(page), []);
     assert.deepEqual(problems, []);
     await leave();
@@ -52,21 +52,21 @@ describe("the lesson", () => {
   it("keeps the best so far when it is cancelled, and does not count it", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic&draw=9&driving=0", cores: 1 });
     await drawn(page);
-    await page.getByTestId("lesson-ten").click();
+    await page.getByTestId("experiment-ten").click();
     // The first of the ten is under way, the others wait.
-    await page.locator("[data-testid=lesson-try][data-state=running] td:nth-child(6)").waitFor({ timeout: 30_000 });
-    await page.getByTestId("lesson-cancel").click();
+    await page.locator("[data-testid=experiment-run][data-state=running] td:nth-child(6)").waitFor({ timeout: 30_000 });
+    await page.getByTestId("experiment-cancel").click();
     await over(page);
-    const rows = page.getByTestId("lesson-try");
+    const rows = page.getByTestId("experiment-run");
     assert.equal(await rows.count(), 1, "those that had not begun are gone");
     assert.match(await rows.innerText(), /stopped early/);
-    assert.equal(await page.getByTestId("lesson-tally").innerText(), "1 stopped early, not counted.");
+    assert.equal(await page.getByTestId("experiment-tally").innerText(), "1 stopped early, not counted.");
     await page.getByRole("button", { name: "Look at seed 0 without driving" }).click();
     await drawn(page);
     assert.match(page.url(), /#view=synthetic&driving=0$/, "seed 0 is the one to begin with");
-    assert.match(await page.getByTestId("lesson-verdict").innerText(), /Stopped after \d+ iterations/);
-    assert.ok(Number.isFinite(await number(page, "lesson-bound")));
-    assert.ok(await page.getByTestId("lesson-train").isEnabled(), "it can be trained to the end");
+    assert.match(await page.getByTestId("experiment-verdict").innerText(), /Stopped after \d+ iterations/);
+    assert.ok(Number.isFinite(await number(page, "experiment-bound")));
+    assert.ok(await page.getByTestId("experiment-train").isEnabled(), "it can be trained to the end");
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -74,9 +74,9 @@ describe("the lesson", () => {
   it("takes a seed only within its limits, and goes by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic&draw=99999999999&driving=perhaps" });
     await drawn(page);
-    const seed = page.getByTestId("lesson-seed");
+    const seed = page.getByTestId("experiment-seed");
     assert.equal(await seed.inputValue(), "4294967295");
-    assert.ok(await page.getByTestId("lesson-driving").isChecked());
+    assert.ok(await page.getByTestId("experiment-driving").isChecked());
     const before = await page.locator(".true-path").first().getAttribute("d");
     await seed.focus();
     await page.keyboard.press("Control+a");
@@ -90,16 +90,19 @@ describe("the lesson", () => {
       before,
     );
     await page.keyboard.press("Space");
-    assert.ok(!(await page.getByTestId("lesson-driving").isChecked()), "the space bar is the box's, not the stage's");
+    assert.ok(
+      !(await page.getByTestId("experiment-driving").isChecked()),
+      "the space bar is the box's, not the stage's",
+    );
     // Back over the seed to the button, which stays in focus while it says Cancel.
     await page.keyboard.press("Shift+Tab");
     await page.keyboard.press("Shift+Tab");
     await page.keyboard.press("Enter");
-    await page.locator("[data-testid=lesson-try] td:nth-child(6)").waitFor({ timeout: 30_000 });
-    await page.getByTestId("lesson-cancel").waitFor();
+    await page.locator("[data-testid=experiment-run] td:nth-child(6)").waitFor({ timeout: 30_000 });
+    await page.getByTestId("experiment-cancel").waitFor();
     await page.keyboard.press("Enter");
     await over(page);
-    assert.match(await page.getByTestId("lesson-try").innerText(), /stopped early/);
+    assert.match(await page.getByTestId("experiment-run").innerText(), /stopped early/);
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -114,9 +117,9 @@ describe("the lesson", () => {
         isMobile: true,
       });
       await drawn(page);
-      await page.getByTestId("lesson-train").click();
-      await page.locator("[data-testid=lesson-try] td:nth-child(6)").waitFor({ timeout: 30_000 });
-      await page.getByTestId("lesson-cancel").click();
+      await page.getByTestId("experiment-train").click();
+      await page.locator("[data-testid=experiment-run] td:nth-child(6)").waitFor({ timeout: 30_000 });
+      await page.getByTestId("experiment-cancel").click();
       await over(page);
       assert.deepEqual(await barriers(page), []);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -1,49 +1,70 @@
 // All latent plots, and what they show.
 import { html } from "lit";
-import { changeSettings } from "../settings/change";
-import type { Marks } from "./latent-plot";
-import "./latent-plot";
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import type { SettingsStore } from "../settings/settings-store";
+import type { Playback } from "../stage/playback";
+import type { StageStore } from "../stage/stage-store";
 import { View } from "../ui/view";
+import type { Layers } from "./latent-plot";
+import "./latent-plot";
+import "./latents.css";
+import type { PointingStore } from "./pointing-store";
 
 export class LatentsView extends View {
-  static override topics = ["model", "settings", "engine"] as const;
-  static override properties = { marks: { state: true } };
-  declare marks: Marks;
+  declare model: ModelStore;
+  declare pointing: PointingStore;
+  declare settings: SettingsStore;
+  declare engine: EngineStore;
+  declare stage: StageStore;
+  declare playback: Playback;
+  static override properties = { layers: { state: true } };
+  declare layers: Layers;
 
   constructor() {
     super();
-    this.marks = { pose: true, dynamics: true, between: false };
+    this.layers = { pose: true, dynamics: true, between: false };
   }
 
-  private toggle(kind: keyof Marks) {
-    return () => (this.marks = { ...this.marks, [kind]: !this.marks[kind] });
+  protected override stores() {
+    return [this.model, this.settings, this.engine];
+  }
+
+  private toggle(kind: keyof Layers) {
+    return () => {
+      this.layers = { ...this.layers, [kind]: !this.layers[kind] };
+    };
   }
 
   protected override render() {
-    const { model, settings, engineState } = this.app;
-    const parts = model?.info.parts ?? [];
-    const pressed = (kind: keyof Marks) => (this.marks[kind] ? "true" : "false");
+    const { model, pointing, settings, stage, playback } = this;
+    const parts = model.model?.info.parts ?? [];
+    const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
       <header class="panel-head">
         <h2>Latent spaces</h2>
         <div class="segments" role="group" aria-label="Plot">
           ${(["2d", "3d"] as const).map(
             (plot) => html`
-            <button aria-pressed=${settings.plot === plot ? "true" : "false"}
-              @click=${() => changeSettings(this.app, { plot })}>${plot === "2d" ? "2-D" : "3-D"}</button>`,
+            <button aria-pressed=${settings.values.plot === plot ? "true" : "false"}
+              @click=${() => settings.change({ plot })}>${plot === "2d" ? "2-D" : "3-D"}</button>`,
           )}
         </div>
       </header>
       ${
         parts.length === 0
           ? html`<p class="empty">${
-              engineState === "failed"
+              this.engine.state === "failed"
                 ? "The model could not be started, so there are no latents to show."
                 : "Each part's path through its latent space appears here."
             }</p>`
           : html`
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
-            ${parts.map((_, part) => html`<pg-latent-plot .app=${this.app} .bodyPart=${part} .marks=${this.marks}></pg-latent-plot>`)}
+            ${parts.map(
+              (_, part) => html`
+              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .settings=${settings}
+                .stage=${stage} .playback=${playback}></pg-latent-plot>`,
+            )}
           </div>
           <div class="marks" role="group" aria-label="Show inducing points">
             <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">

@@ -1,0 +1,39 @@
+//! Which columns of Y belong to which part.
+
+use crate::motion::parts::spec::{PartSpec, PartsError, check};
+use crate::motion::pose::PoseMapping;
+use nalgebra::DMatrix;
+
+/// Which columns of Y belong to which part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PartsLayout {
+    parts: Vec<PartSpec>,
+    columns: Vec<Vec<usize>>,
+}
+
+impl PartsLayout {
+    /// The columns of each part, in their order in Y.
+    pub fn new(parts: &[PartSpec], mapping: &PoseMapping) -> Result<PartsLayout, PartsError> {
+        check(parts, mapping.skeleton())?;
+        let all = mapping.columns();
+        let columns = (parts.iter())
+            .map(|part| (0..all.len()).filter(|&column| part.joints.contains(&all[column].joint)).collect())
+            .collect();
+        Ok(PartsLayout { parts: parts.to_vec(), columns })
+    }
+
+    /// The parts.
+    pub fn parts(&self) -> &[PartSpec] {
+        &self.parts
+    }
+
+    /// The columns of a part in Y; none for a part that is not there.
+    pub fn columns(&self, part: usize) -> &[usize] {
+        self.columns.get(part).map_or(&[], Vec::as_slice)
+    }
+
+    /// Y [frames x columns] taken apart: Y^i [frames x columns of part i] for each part.
+    pub fn split(&self, y: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
+        self.columns.iter().map(|columns| y.select_columns(columns)).collect()
+    }
+}

@@ -1,0 +1,155 @@
+//! What a file holds before it is a clip, and the T-pose that some conversions put before a motion.
+
+use crate::motion::clip::Clip;
+use crate::motion::percentile::upper_end;
+use crate::motion::rotation;
+use crate::motion::skeleton::{LocalPose, Skeleton};
+use nalgebra::DMatrix;
+
+/// The rows of a file as they were recorded. The first row may be a T-pose that does not belong to the motion:
+/// [`Recording::into_clip`] looks for it, once, and leaves it out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    /// The file's name, for messages and provenance.
+    pub name: String,
+    /// The body.
+    pub skeleton: Skeleton,
+    /// Seconds from one frame to the next.
+    pub frame_time: f64,
+    /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
+    pub values: DMatrix<f64>,
+    /// What was odd about the file but could be read.
+    pub warnings: Vec<String>,
+    /// SHA-256 of the file's bytes in lower-case hexadecimal.
+    pub sha256: String,
+}
+
+/// A step from the first frame below this (degrees, mean over the joints) is no change of pose.
+const SMALLEST_STEP: f64 = 3.0;
+/// One joint counts for at most this angle (degrees): a sensor that flips over is no new pose.
+const LARGEST_ANGLE: f64 = 60.0;
+
+impl Recording {
+    /// The number of rows.
+    pub fn frames(&self) -> usize {
+        self.values.nrows()
+    }
+
+    /// The motion: the rows without the T-pose that may stand before them. Where one was left out, a warning says so.
+    pub fn into_clip(self) -> Clip {
+        let t_pose = self.begins_with_t_pose();
+        let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
+        if t_pose {
+            values = values.remove_row(0);
+            warnings.push(
+                "the first row is a T-pose that does not belong to the motion: it was left out".to_owned(),
+            );
+        }
+        Clip {
+            name,
+            skeleton,
+            frame_time,
+            values,
+            warnings,
+            sha256,
+            piece: None,
+            file_frame_time: frame_time,
+        }
+    }
+
+    /// Whether row 0 is a T-pose that does not belong to the motion.
+    ///
+    /// Conversions of the CMU recordings add the body at rest as row 0. It is known by the step to row 1, which is far
+    /// larger than the steps of the motion itself; a smaller step suffices where nearly all angles of row 0 are zero.
+    /// A motion that sets out from rest smoothly keeps its first frame.
+    pub fn begins_with_t_pose(&self) -> bool {
+        let steps = self.steps();
+        let Some((&first, later)) = steps.split_first() else { return false };
+        if later.is_empty() || first < SMALLEST_STEP {
+            return false;
+        }
+        let (usual, largest) = upper_end(later.to_vec());
+        let at_rest = self.share_at_rest() >= 0.75;
+        at_rest && first > 1.5 * usual || later.len() >= 10 && first > 4.0 * largest
+    }
+
+    /// The share of angles that are zero in row 0, among those that are in use (not zero in row 1).
+    fn share_at_rest(&self) -> f64 {
+        // The root is left out: the added pose keeps the place, and sometimes the heading, of the body.
+        let channels = self.skeleton.joints.iter().skip(1).flat_map(|joint| &joint.channels);
+        let first = self.skeleton.joints[0].channels.len();
+        let used: Vec<usize> = (channels.zip(first..))
+            .filter(|(channel, column)| channel.is_rotation() && self.values[(1, *column)].abs() > 1e-6)
+            .map(|(_, column)| column)
+            .collect();
+        let zero = used.iter().filter(|&&column| self.values[(0, column)].abs() <= 1e-6).count();
+        zero as f64 / used.len().max(1) as f64
+    }
+
+    /// How far the joints turn from each frame to the next: the mean angle over the joints that can turn
+    /// [frames - 1], degrees.
+    fn steps(&self) -> Vec<f64> {
+        let turning: Vec<usize> = (self.skeleton.joints.iter().enumerate())
+            .filter(|(_, joint)| joint.rotation_axes().next().is_some())
+            .map(|(place, _)| place)
+            .collect();
+        let step = |a: &LocalPose, b: &LocalPose| {
+            let angles = (turning.iter())
+                .map(|&joint| rotation::angle_between(&a.rotations[joint], &b.rotations[joint]).to_degrees());
+            angles.map(|angle| angle.min(LARGEST_ANGLE)).sum::<f64>() / turning.len().max(1) as f64
+        };
+        let poses: Vec<LocalPose> =
+            (0..self.frames()).map(|frame| self.skeleton.local_pose(&self.values, frame)).collect();
+        poses.windows(2).map(|pair| step(&pair[0], &pair[1])).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::skeleton::{Channel, Joint};
+
+    /// A chain of three joints that swing by `angle(frame)` degrees; row 0 as given.
+    fn swinging(frames: usize, first_row_at_rest: bool, angle: impl Fn(usize) -> f64) -> Recording {
+        let rotations = [Channel::Zrotation, Channel::Xrotation, Channel::Yrotation];
+        let joint = |place: usize| Joint {
+            name: format!("joint {place}"),
+            parent: place.checked_sub(1),
+            offset: [0.0, 1.0, 0.0],
+            channels: rotations.to_vec(),
+            end_sites: Vec::new(),
+        };
+        let skeleton = Skeleton { joints: (0..3).map(joint).collect() };
+        let values = DMatrix::from_fn(frames, 9, |frame, column| {
+            let a = if frame == 0 && first_row_at_rest { 0.0 } else { angle(frame) };
+            [0.0, 0.0, 0.0, a, a * 0.5, -a, a * 0.3, a, 1.0][column]
+        });
+        Recording::new("swing.bvh", skeleton, 0.008333, values)
+    }
+
+    fn swing(frame: usize) -> f64 {
+        40.0 + 10.0 * (0.2 * frame as f64).sin()
+    }
+
+    #[test]
+    fn an_added_row_at_rest_is_left_out_with_a_warning() {
+        let recording = swinging(50, true, swing);
+        assert!(recording.begins_with_t_pose());
+        let clip = recording.clone().into_clip();
+        assert_eq!(clip.frames(), 49);
+        assert_eq!(clip.values.row(0), recording.values.row(1));
+        assert!(clip.warnings.iter().any(|warning| warning.contains("T-pose")));
+    }
+
+    #[test]
+    fn a_motion_that_sets_out_from_rest_keeps_its_first_frame() {
+        assert_eq!(swinging(50, false, |frame| frame as f64).into_clip().frames(), 50);
+        assert_eq!(swinging(50, false, |frame| 40.0 * (0.3 * frame as f64).sin()).into_clip().frames(), 50);
+    }
+
+    #[test]
+    fn recordings_too_short_to_tell_are_left_alone() {
+        assert_eq!(swinging(2, true, |_| 40.0).into_clip().frames(), 2);
+        assert_eq!(swinging(1, true, |_| 40.0).into_clip().frames(), 1);
+    }
+}

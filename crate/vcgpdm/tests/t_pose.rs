@@ -1,0 +1,52 @@
+//! The T-pose that some files put before a motion is looked for once, when a recording becomes a clip, and never again.
+
+#![allow(clippy::unwrap_used)]
+
+use nalgebra::DMatrix;
+use vcgpdm::models::{Dataset, Source};
+use vcgpdm::motion::{Clip, Recording, bvh, parts, samples};
+
+/// The frames that training sees of a clip at its own rate.
+fn frames_trained_on(clip: &Clip) -> usize {
+    let whole = &parts::presets(&clip.skeleton)[0].parts;
+    let sources = [Source { clip, first_frames: None }];
+    Dataset::new(&sources, whole, 1.0 / clip.frame_time).unwrap().sequences[0].frames
+}
+
+#[test]
+fn a_file_loses_its_t_pose_exactly_once() {
+    let walk = samples::clip("walk-1").unwrap();
+    // As in conversions of the CMU recordings: the body at rest, all angles zero, at the place where the walk begins.
+    let mut values = walk.values.clone().insert_row(0, 0.0);
+    for column in 0..3 {
+        values[(0, column)] = walk.values[(0, column)];
+    }
+    let text = bvh::write(&Clip::new("walk.bvh", walk.skeleton.clone(), walk.frame_time, values));
+    let recording = bvh::read("walk.bvh", text.as_bytes()).unwrap();
+    assert_eq!(recording.frames(), walk.frames() + 1);
+
+    let clip = recording.into_clip();
+    assert_eq!(clip.values, walk.values);
+    let told = clip.warnings.iter().filter(|warning| warning.contains("T-pose")).count();
+    assert_eq!((told, clip.piece), (1, None));
+    assert_eq!(frames_trained_on(&clip), walk.frames());
+}
+
+#[test]
+fn a_cut_that_begins_at_a_jerk_keeps_its_first_frame() {
+    let walk = samples::clip("walk-1").unwrap();
+    // Up to frame 30 the arms and legs are held elsewhere: from there to frame 31 everything leaps.
+    let values = DMatrix::from_fn(walk.frames(), walk.values.ncols(), |frame, column| {
+        walk.values[(frame, column)] + if frame <= 30 && column >= 6 { 40.0 } else { 0.0 }
+    });
+    let clip = Recording::new("jerk.bvh", walk.skeleton.clone(), walk.frame_time, values).into_clip();
+    assert_eq!(clip.frames(), walk.frames());
+
+    let cut = clip.cut(30, clip.frames()).unwrap();
+    // Alone, as a file, its first frame would pass for a T-pose.
+    let alone = Recording::new("cut.bvh", cut.skeleton.clone(), cut.frame_time, cut.values.clone());
+    assert!(alone.begins_with_t_pose());
+    assert_eq!(cut.piece, Some((30, clip.frames())));
+    assert_eq!(frames_trained_on(&cut), clip.frames() - 30);
+    assert_eq!(cut.stage_positions().len(), (clip.frames() - 30) * cut.skeleton.figure().len() * 3);
+}

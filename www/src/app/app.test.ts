@@ -1,0 +1,109 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { App } from "./app";
+import { openFiles } from "./open-files";
+
+let engine: FakeEngine;
+let trainers: FakeTrainers;
+let bar: FakeAddressBar;
+let app: App;
+
+function begin(fragment = ""): void {
+  engine = new FakeEngine();
+  trainers = new FakeTrainers(1);
+  bar = new FakeAddressBar(fragment);
+  app = new App(bar, false);
+}
+beforeEach(() => begin());
+
+const start = (text: string | null = modelText(1)) =>
+  app.start(() => Promise.resolve(started(engine, trainers)), Promise.resolve(text));
+const file = (name: string, text: string) => new File([text], name);
+const titles = () => app.notices.all.map(({ title }) => title);
+
+describe("the start of the page", () => {
+  it("takes up the model and the couplings of the address, then the clips", async () => {
+    begin("alpha=0.1:50");
+    await start();
+    await settled();
+    expect([app.engine.state, app.engine.version, app.clips.all.length]).toEqual(["ready", "1.2.3", 3]);
+    expect([app.model.weight(0, 1), app.stage.shown?.kind]).toEqual([50, "model"]);
+    expect(app.training.whyNot()).toBe("");
+  });
+
+  it("says why the engine cannot start, and opens no files then", async () => {
+    await app.start(() => Promise.reject(new Error("this browser has no WebAssembly")), Promise.resolve(null));
+    expect([app.engine.state, app.engine.problem]).toEqual(["failed", "this browser has no WebAssembly"]);
+    expect(app.training.whyNot()).toBe("The model cannot run in this browser");
+    await openFiles(app, [file("a.bvh", "HIERARCHY")], { x: 1, y: 2 });
+    expect(app.notices.all).toMatchObject([
+      { title: "Nothing was opened", text: "This browser has no WebAssembly.", at: { x: 1, y: 2 } },
+    ]);
+  });
+
+  it("fails with a model that cannot be read, or without its clips", async () => {
+    await start("no model");
+    expect([app.engine.state, app.engine.problem, app.clips.samplesLoaded]).toEqual([
+      "failed",
+      "expected a model",
+      false,
+    ]);
+    begin();
+    engine.holding.add("sampleClip");
+    const over = start();
+    await settled();
+    expect(app.engine.state).toBe("ready");
+    engine.held[0]?.fail(new Error("out of memory"));
+    await over;
+    expect([app.engine.state, app.engine.problem]).toEqual(["failed", "out of memory"]);
+  });
+
+  it("goes without a model where the host has none", async () => {
+    await start(null);
+    expect([app.engine.state, app.model.model]).toEqual(["ready", null]);
+  });
+});
+
+it("follows a link to other couplings", async () => {
+  await start();
+  bar.pages.push("alpha=1.0:3");
+  app.followAddress();
+  await settled();
+  expect(app.model.weight(1, 0)).toBe(3);
+});
+
+describe("files", () => {
+  beforeEach(() => start());
+
+  it("are opened one after the other, each by what it is, and refused where they landed", async () => {
+    const at = { x: 3, y: 4 };
+    const files = [
+      file("mine.bvh", "HIERARCHY"),
+      file("empty.bvh", ""),
+      file("model.json", modelText(9)),
+      file("picture.png", "x"),
+      file("wrong.json", "x"),
+    ];
+    await openFiles(app, files, at);
+    expect(titles()).toEqual(["empty.bvh", "picture.png", "wrong.json"]);
+    expect(app.notices.all.every((notice) => notice.at === at)).toBe(true);
+    expect(app.clips.ticked.map(({ title }) => title)).toEqual(["mine"]);
+    expect(app.model.model?.info.provenance.settings.seed).toBe(9);
+    await openFiles(app, [], null);
+    expect(titles()).toEqual([]);
+  });
+
+  it("with a model take no stage from a training, but from a run that is over", async () => {
+    const over = app.training.start();
+    await settled();
+    trainers.trainings[0]?.report(2, -5, modelText(5));
+    await openFiles(app, [file("model.json", modelText(9))], null);
+    expect(app.notices.all[0]?.text).toMatch(/A training is running/);
+    trainers.trainings[0]?.end({ cancelled: false, reason: null });
+    await over;
+    expect(app.training.chosen?.state).toBe("done");
+    await openFiles(app, [file("model.json", modelText(9))], null);
+    expect([app.training.chosen, app.model.model?.info.provenance.settings.seed]).toEqual([null, 9]);
+  });
+});

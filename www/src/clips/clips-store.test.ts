@@ -1,0 +1,120 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { FakeEngine, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { ClipsStore } from "./clips-store";
+
+let engine: FakeEngine;
+let stage: StageStore;
+let clips: ClipsStore;
+beforeEach(async () => {
+  engine = new FakeEngine();
+  const settings = new SettingsStore(new FakeAddressBar());
+  const store = new EngineStore();
+  stage = new StageStore(new Playback(settings));
+  clips = new ClipsStore(store, settings, stage);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => Promise.resolve(),
+  );
+  await clips.loadSamples();
+  const motion = { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 };
+  stage.showModel({ kind: "first", figure: { nodes: [] }, joints: [], parts: [], motion });
+});
+
+const file = (name: string, text = "HIERARCHY") => new File([text], name);
+const tickedKeys = () => clips.ticked.map(({ key }) => key);
+
+describe("the clips that come with the page", () => {
+  it("are all there, with the walks ticked", () => {
+    expect(clips.samplesLoaded).toBe(true);
+    expect(clips.all.map(({ key, ticked }) => [key, ticked])).toEqual([
+      ["made-walk-1", true],
+      ["made-walk-2", true],
+      ["made-wave-1", false],
+    ]);
+  });
+
+  it("step back when a visitor opens clips, of which the first is on the stage", async () => {
+    await clips.open(file("mine.bvh"), true);
+    await clips.open(file("other.bvh"), false);
+    expect(tickedKeys()).toEqual(["own-4", "own-5"]);
+    expect(clips.toTrainOn.map(({ id, title, first, end }) => [id, title, first, end])).toEqual([
+      [4, "mine", 0, 60],
+      [5, "other", 0, 60],
+    ]);
+    expect(stage.clip).toBe("own-4");
+  });
+
+  it("stay as they are where a file cannot be read", async () => {
+    await expect(clips.open(file("empty.bvh", ""), true)).rejects.toThrow("the file is empty");
+    expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);
+    expect(stage.clip).toBeNull();
+  });
+});
+
+describe("a clip on the stage", () => {
+  beforeEach(() => clips.open(file("mine.bvh"), true));
+
+  it("is shown with the frames that it is cut to, at least ten", () => {
+    clips.cut("own-4", 5.2, 40);
+    expect(stage.shown?.motion.frames).toBe(35);
+    expect(stage.shown?.motion.positions).toHaveLength(35 * 6);
+    clips.cut("own-4", 55, 2);
+    expect([clips.ticked[0]?.first, clips.ticked[0]?.end]).toEqual([50, 60]);
+    clips.cut("own-4", Number.NaN, 20);
+    expect([clips.ticked[0]?.first, clips.ticked[0]?.end]).toEqual([50, 60]);
+  });
+
+  it("is shown in the parts that are chosen", () => {
+    clips.setParts({
+      parts: "hand",
+      split: [
+        { name: "all but the chest", joints: [0] },
+        { name: "chest", joints: [1] },
+      ],
+    });
+    expect(stage.shown?.parts.map(({ name }) => name)).toEqual(["all but the chest", "chest"]);
+    expect(clips.parts).toEqual(stage.shown?.parts);
+  });
+
+  it("gives the stage back to the model when it is removed, here and in the worker", async () => {
+    await clips.remove("own-4");
+    expect([stage.clip, stage.shown?.kind]).toEqual([null, "first"]);
+    expect([...engine.clips]).toEqual([1, 2, 3]);
+    expect(clips.all.map(({ key }) => key)).not.toContain("own-4");
+  });
+
+  it("keeps it while another clip is cut or removed", async () => {
+    await clips.open(file("other.bvh"), false);
+    clips.cut("own-5", 0, 20);
+    expect(stage.shown?.motion.frames).toBe(60);
+    await clips.remove("own-5");
+    expect(stage.clip).toBe("own-4");
+  });
+});
+
+describe("ticked clips that do not go together", () => {
+  it("are named as long as they are ticked", async () => {
+    engine.odd.add(3);
+    await clips.tick("made-wave-1", true);
+    expect(clips.clash).toBe("their bodies differ");
+    await clips.tick("made-wave-1", false);
+    expect(clips.clash).toBe("");
+  });
+
+  it("are judged by the last tick, whichever answer comes last", async () => {
+    engine.holding.add("checkTogether");
+    void clips.tick("made-wave-1", true);
+    void clips.tick("made-wave-1", false);
+    const [older, newer] = engine.held;
+    newer?.end();
+    await settled();
+    older?.fail(new Error("their bodies differ"));
+    await settled();
+    expect(clips.clash).toBe("");
+  });
+});

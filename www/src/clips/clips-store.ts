@@ -1,0 +1,206 @@
+// The clips: made by the project or opened by the visitor; ticked, cut and shown on the stage.
+import type { EngineStore } from "../engine/engine-store";
+import type { ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import type { StageStore } from "../stage/stage-store";
+import { clipTitle, messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+import { partsFor } from "./parts";
+
+/** A larger file is no motion clip; reading it would only fill the memory. */
+export const LARGEST_FILE = 200e6;
+
+/** A cut clip keeps so many frames. */
+const FEWEST_FRAMES = 10;
+
+export interface ClipEntry {
+  key: string;
+  title: string;
+  /** "made": by this project's procedural walker; "own": opened by the visitor. */
+  origin: "made" | "own";
+  source: ClipSource;
+  loaded: LoadedClip;
+  /** Whether it is chosen for training and comparisons. */
+  ticked: boolean;
+  /** The frames to use: first up to, not including, end. */
+  first: number;
+  end: number;
+}
+
+export class ClipsStore extends Store {
+  readonly #engine: EngineStore;
+  readonly #settings: SettingsStore;
+  readonly #stage: StageStore;
+  #clips: readonly ClipEntry[] = [];
+  #samplesLoaded = false;
+  #clash = "";
+  #locked = false;
+  #checks = 0;
+
+  constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore) {
+    super();
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#stage = stage;
+  }
+
+  get all(): readonly ClipEntry[] {
+    return this.#clips;
+  }
+
+  get ticked(): readonly ClipEntry[] {
+    return this.#clips.filter(({ ticked }) => ticked);
+  }
+
+  /** Whether all clips that come with the page are there. */
+  get samplesLoaded(): boolean {
+    return this.#samplesLoaded;
+  }
+
+  /** Why the ticked clips cannot be trained on together; empty when they can. */
+  get clash(): string {
+    return this.#clash;
+  }
+
+  /** Whether a training uses the ticked clips, so that they cannot be changed now. */
+  get locked(): boolean {
+    return this.#locked;
+  }
+
+  /** The parts that the settings ask for, of the ticked clips' skeleton; empty without a ticked clip. */
+  get parts(): PartSpec[] {
+    const [clip] = this.ticked;
+    return clip ? this.#partsOf(clip) : [];
+  }
+
+  /** The ticked clips as a worker that trains reads them, with their titles. */
+  get toTrainOn(): (TrainingClip & { title: string })[] {
+    return this.ticked.map(({ loaded, title, source, first, end }) => ({ id: loaded.id, title, source, first, end }));
+  }
+
+  lock(locked: boolean): void {
+    this.#locked = locked;
+    this.changed();
+  }
+
+  /** Loads the clips that the project makes itself; the plain walks are ticked. */
+  async loadSamples(): Promise<void> {
+    const { engine, samples } = this.#engine;
+    if (!engine) return;
+    for (const { id, title, movement } of samples) {
+      const loaded = await engine.sampleClip(id);
+      const ticked = movement === "walk";
+      this.#add({ key: `made-${id}`, title, origin: "made", source: { sample: id }, loaded, ticked });
+    }
+    this.#samplesLoaded = true;
+    this.changed();
+  }
+
+  /** Opens a motion clip of the visitor's own. The first of several is shown on the stage. */
+  async open(file: File, first: boolean): Promise<void> {
+    const { engine } = this.#engine;
+    if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const title = clipTitle(file.name);
+    const loaded = await engine.readClip(title, bytes);
+    // Own clips are what the visitor wants to train on now: the made ones step back.
+    if (first) this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
+    const key = `own-${loaded.id}`;
+    this.#add({ key, title, origin: "own", source: { name: title, file: new Blob([bytes]) }, loaded, ticked: true });
+    if (first) this.show(key);
+  }
+
+  async tick(key: string, ticked: boolean): Promise<void> {
+    this.#update(key, { ticked });
+    await this.checkClash();
+  }
+
+  /** Keeps the frames from first (counted from 0) up to, not including, end; ten at least. */
+  cut(key: string, first: number, end: number): void {
+    const clip = this.#find(key);
+    if (!clip || !Number.isFinite(first) || !Number.isFinite(end)) {
+      // The fields show again what holds.
+      this.changed();
+      return;
+    }
+    const { frames } = clip.loaded.info;
+    const fewest = Math.min(FEWEST_FRAMES, frames);
+    const from = Math.min(Math.max(0, Math.round(first)), frames - fewest);
+    const to = Math.min(Math.max(from + fewest, Math.round(end)), frames);
+    this.#update(key, { first: from, end: to });
+    if (this.#stage.clip === key) this.show(key);
+  }
+
+  /** Plays a clip on the stage as it was recorded. */
+  show(key: string): void {
+    const clip = this.#find(key);
+    if (!clip) return;
+    const { info, motion } = clip.loaded;
+    const width = motion.nodes * 3;
+    this.#stage.showClip({
+      kind: "clip",
+      clip: key,
+      figure: info.figure,
+      joints: info.joints.map(({ name }) => name),
+      parts: this.#partsOf(clip),
+      motion: {
+        ...motion,
+        frames: clip.end - clip.first,
+        positions: motion.positions.subarray(clip.first * width, clip.end * width),
+      },
+    });
+  }
+
+  /** Takes other parts over: a preset, or `split` by hand. The clip on the stage shows them. */
+  setParts(change: { parts?: string; split?: PartSpec[] }): void {
+    this.#settings.change(change);
+    if (this.#stage.clip !== null) this.show(this.#stage.clip);
+    this.changed();
+  }
+
+  async remove(key: string): Promise<void> {
+    const clip = this.#find(key);
+    if (!clip) return;
+    this.#clips = this.#clips.filter((other) => other !== clip);
+    if (this.#stage.clip === key) this.#stage.endClip();
+    this.changed();
+    await this.#engine.engine?.dropClip(clip.loaded.id);
+    await this.checkClash();
+  }
+
+  /** Finds out whether the ticked clips can be trained on together. */
+  async checkClash(): Promise<void> {
+    this.#checks += 1;
+    const check = this.#checks;
+    const ids = this.ticked.map(({ loaded }) => loaded.id);
+    let clash = "";
+    try {
+      if (ids.length > 1) await this.#engine.engine?.checkTogether(ids);
+    } catch (problem) {
+      clash = messageOf(problem);
+    }
+    // Other clips may have been ticked meanwhile.
+    if (check !== this.#checks) return;
+    this.#clash = clash;
+    this.changed();
+  }
+
+  #find(key: string): ClipEntry | undefined {
+    return this.#clips.find((clip) => clip.key === key);
+  }
+
+  #add(clip: Omit<ClipEntry, "first" | "end">): void {
+    this.#clips = [...this.#clips, { ...clip, first: 0, end: clip.loaded.info.frames }];
+    this.changed();
+  }
+
+  #update(key: string, change: Partial<ClipEntry>): void {
+    this.#clips = this.#clips.map((clip) => (clip.key === key ? { ...clip, ...change } : clip));
+    this.changed();
+  }
+
+  #partsOf({ loaded }: ClipEntry): PartSpec[] {
+    const { parts, split } = this.#settings.values;
+    return partsFor(loaded.info, parts, split);
+  }
+}

@@ -1,0 +1,57 @@
+// A comparison as this visit knows it: its results, how far its trainings are, and the motions that models predicted.
+import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
+import type { JobProgress } from "./jobs";
+import type { Question } from "./question";
+
+/** Motions that are kept: some hundred kilobytes each. */
+const MOST_MOTIONS = 400;
+
+/** World positions of a motion [frames x nodes x 3]. */
+export interface Positions {
+  positions: Float32Array;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+export interface ComparisonEntry {
+  /** Null: the results are from a file. */
+  readonly question: Question | null;
+  /** What the trials are called. */
+  readonly titles: readonly string[];
+  results: ResultsView;
+  /** What the last press of Compare asked for. */
+  jobs: readonly JobProgress[];
+  /** What models trained on all other trials predict, by the job's id. */
+  readonly predictions: Map<string, Positions>;
+  /** The trials held out, by their number. */
+  readonly actual: Map<number, Positions>;
+}
+
+/** The same, for those who only read it. */
+export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actual">> & {
+  readonly predictions: ReadonlyMap<string, Positions>;
+  readonly actual: ReadonlyMap<number, Positions>;
+};
+
+/** Without a question: from a file. */
+export function newEntry(question: Question | null, results: ResultsView): ComparisonEntry {
+  const titles = question?.titles ?? results.setting.trials.map(({ name }) => name);
+  return { question, titles, results, jobs: [], predictions: new Map(), actual: new Map() };
+}
+
+/** Keeps the motions of a job to be shown, if its model was trained on all other trials. */
+export function keepMotions(
+  { results, predictions, actual }: ComparisonEntry,
+  id: string,
+  job: Job,
+  evaluated: Evaluated,
+): void {
+  if (job.trainingTrials !== results.setting.trials.length - 1) return;
+  const { frameTime } = evaluated;
+  predictions.set(id, { positions: evaluated.predicted, frameTime });
+  actual.set(job.heldOut, { positions: evaluated.actual, frameTime });
+  for (const oldest of predictions.keys()) {
+    if (predictions.size <= MOST_MOTIONS) break;
+    predictions.delete(oldest);
+  }
+}

@@ -1,0 +1,289 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { ClipEntry } from "../clips/clips-store";
+import type { PartSpec } from "../engine/protocol";
+import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-engine.fake";
+import { initialSettings, type Settings } from "../settings/settings";
+import { Store } from "../ui/store";
+import { type ClipsNow, ComparisonStore, type EngineState, type SettingsNow } from "./comparison-store";
+
+class FakeEngine extends Store implements EngineState {
+  state: EngineState["state"] = "ready";
+}
+
+class FakeSettings extends Store implements SettingsNow {
+  values: Settings = { ...initialSettings(), models: ["tmp", "dmp-rhythmic"] };
+  change(change: Partial<Settings>): void {
+    this.values = { ...this.values, ...change };
+    this.changed();
+  }
+}
+
+class FakeClips extends Store implements ClipsNow {
+  #ids: number[] = [];
+  samplesLoaded = true;
+  clash = "";
+  readonly parts: PartSpec[] = [{ name: "whole", joints: [0] }];
+  get ticked() {
+    const info = { figure: { nodes: [{}, {}] }, joints: [] };
+    return this.#ids.map((id) => ({ title: `Clip ${id}`, loaded: { info } }) as unknown as ClipEntry);
+  }
+  get toTrainOn() {
+    return this.#ids.map((id) => ({ ...clip(id), title: `Clip ${id}` }));
+  }
+  tick(...ids: number[]): void {
+    this.#ids = ids;
+    this.changed();
+  }
+}
+
+let program: FakeProgram;
+let settings: FakeSettings;
+let clips: FakeClips;
+let comparison: ComparisonStore;
+beforeEach(() => {
+  [program, settings, clips] = [new FakeProgram(), new FakeSettings(), new FakeClips()];
+  clips.tick(1, 2, 3);
+  comparison = new ComparisonStore(new FakeEngine(), settings, clips, program);
+});
+
+const states = () => comparison.shown?.jobs.map(({ state }) => state).join(" ");
+const finished = () => comparison.shown?.results.finished.map(({ id }) => id) ?? [];
+
+/** Ends all trainings well, until there is none under way. */
+async function endAll(): Promise<void> {
+  await settled();
+  for (let next = program.evaluations.shift(); next; next = program.evaluations.shift()) {
+    next.end(evaluated);
+    await settled();
+  }
+}
+
+async function compare(): Promise<void> {
+  const over = comparison.begin();
+  await endAll();
+  await over;
+}
+
+describe("a comparison", () => {
+  it("holds each trial out in turn, and keeps what came of each training", async () => {
+    await compare();
+    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(finished()).toHaveLength(6);
+    expect(comparison.shown?.predictions.size).toBe(6);
+    expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([1, 2, 3]);
+    await compare();
+    expect(comparison.ending).toBe("All of this was finished before.");
+  });
+
+  it("does as many trainings at once as there are workers, and tells how far they are", async () => {
+    const over = comparison.begin();
+    await settled();
+    expect(comparison.status).toBe("running");
+    expect(states()).toBe("running running waiting waiting waiting waiting");
+    program.evaluations[0]?.report(0.5);
+    expect(comparison.shown?.jobs[0]?.fraction).toBe(0.5);
+    await endAll();
+    await over;
+    expect(comparison.status).toBe("idle");
+  });
+
+  it("keeps what is finished when it is cancelled, and goes on from there", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.evaluations.shift()?.end(evaluated);
+    await settled();
+    comparison.cancel();
+    expect(comparison.status).toBe("cancelling");
+    await over;
+    expect(comparison.ending).toBe("1 of 6 trainings done; the others were cancelled.");
+    expect(states()).toBe("done cancelled cancelled cancelled cancelled cancelled");
+    expect(finished()).toEqual(["tmp 1 of 2 seed 0"]);
+    program.evaluations.length = 0;
+    await compare();
+    expect(comparison.ending).toBe("5 of 5 trainings done.");
+    expect(finished()).toHaveLength(6);
+  });
+
+  it("can be cancelled before it began", async () => {
+    const over = comparison.begin();
+    comparison.cancel();
+    await over;
+    expect(comparison.ending).toBe("You cancelled before it began.");
+    expect([comparison.failed, comparison.shown]).toEqual([false, null]);
+  });
+
+  it("fails a training alone, and asks for it again the next time", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.evaluations.shift()?.fail(new Error("no period was found"));
+    await endAll();
+    await over;
+    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+    expect(comparison.shown?.jobs[0]).toMatchObject({ state: "failed", why: "no period was found" });
+    await compare();
+    expect(comparison.ending).toBe("1 of 1 trainings done.");
+  });
+
+  it("goes on when a worker that trains dies", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.evaluations.shift()?.die(new Error("out of memory"));
+    await endAll();
+    await over;
+    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+  });
+
+  it("loses no outcome to a worker that dies while it adds it", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.failures.push(new Error("the worker stopped"));
+    await endAll();
+    await over;
+    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(finished()).toHaveLength(6);
+  });
+
+  it("says why an outcome cannot be added, and keeps the others", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.failures.push(new Error("not finite"), new Error("not finite"));
+    await endAll();
+    await over;
+    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+    expect(comparison.shown?.jobs.find(({ state }) => state === "failed")?.why).toBe("not finite");
+    expect(finished()).toHaveLength(5);
+  });
+
+  it("says why the program could not be loaded, and can be begun again", async () => {
+    program.unreachable = "offline";
+    await comparison.begin();
+    expect([comparison.failed, comparison.ending, comparison.whyNot]).toEqual([true, "offline", ""]);
+    program.unreachable = "";
+    await compare();
+    expect([comparison.failed, comparison.ending]).toEqual([false, "6 of 6 trainings done."]);
+  });
+
+  it("is not disturbed by settings that change while it runs", async () => {
+    comparison.follow();
+    const over = comparison.begin();
+    await settled();
+    settings.change({ framesPerSecond: 10, models: ["tmp"] });
+    clips.tick(1, 2);
+    await endAll();
+    await over;
+    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    await settled();
+    expect(comparison.outlook).toMatchObject({ asked: 2, open: 2, goesOn: false });
+    await compare();
+    expect(finished()).toHaveLength(2);
+    settings.change({ framesPerSecond: 30, models: ["tmp", "dmp-rhythmic"] });
+    clips.tick(1, 2, 3);
+    await settled();
+    expect(comparison.outlook).toMatchObject({ asked: 6, open: 0, goesOn: false });
+    await compare();
+    expect([comparison.ending, finished().length]).toEqual(["All of this was finished before.", 6]);
+  });
+});
+
+describe("the outlook", () => {
+  it("follows settings and clips while it is asked for", async () => {
+    const stop = comparison.follow();
+    await settled();
+    expect(comparison.outlook).toEqual({ asked: 6, open: 6, goesOn: true, growth: false });
+    settings.change({ models: ["tmp"] });
+    await settled();
+    expect(comparison.outlook?.asked).toBe(3);
+    const asked = program.plans;
+    settings.change({ plot: "3d" });
+    await settled();
+    expect(program.plans).toBe(asked);
+    stop();
+    clips.tick(1, 2);
+    await settled();
+    expect(program.plans).toBe(asked);
+  });
+
+  it("says what is to be done before anything can be compared, and does not ask the program", async () => {
+    comparison.follow();
+    clips.tick(1);
+    expect(comparison.whyNot).toMatch(/^Tick at least two clips/);
+    clips.tick(1, 2);
+    settings.change({ heldOut: 3 });
+    expect(comparison.whyNot).toBe("There is no trial 3: 2 clips are ticked");
+    settings.change({ heldOut: 0, models: [] });
+    expect(comparison.whyNot).toBe("Tick at least one model");
+    await settled();
+    expect([comparison.outlook, program.plans]).toEqual([null, 1]);
+  });
+
+  it("hands on why the program refuses a plan", async () => {
+    program.refused = "trials 1 and 2 are the same motion";
+    comparison.follow();
+    await settled();
+    expect([comparison.whyNot, comparison.outlook]).toEqual(["trials 1 and 2 are the same motion", null]);
+    program.refused = "";
+    clips.tick(1, 2);
+    await settled();
+    expect(comparison.whyNot).toBe("");
+  });
+
+  it("keeps Compare free where the program could not be loaded", async () => {
+    program.unreachable = "offline";
+    comparison.follow();
+    await settled();
+    expect([comparison.whyNot, comparison.outlook]).toEqual(["", null]);
+  });
+});
+
+describe("opened results", () => {
+  const saved = () =>
+    savedResults(clips.toTrainOn, { parts: clips.parts, framesPerSecond: 30 }, ["tmp", "dmp-rhythmic"]);
+
+  it("are shown without motions, and gone on with on the same clips: only the motions to be shown are made again", async () => {
+    comparison.follow();
+    await comparison.open(saved());
+    await settled();
+    expect([comparison.ending, comparison.shown?.question]).toEqual(["2 results opened.", null]);
+    expect(comparison.outlook).toMatchObject({ asked: 6, open: 6, goesOn: true });
+    await compare();
+    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(finished()).toHaveLength(6);
+    expect(comparison.shown?.predictions.size).toBe(6);
+  });
+
+  it("of another setting stay apart: what was left half way is gone on with", async () => {
+    const over = comparison.begin();
+    await settled();
+    program.evaluations.shift()?.end(evaluated);
+    await settled();
+    comparison.cancel();
+    await over;
+    program.evaluations.length = 0;
+    const other = savedResults([clip(8), clip(9)], { parts: clips.parts, framesPerSecond: 30 }, ["tmp"]);
+    await comparison.open(other);
+    expect(finished()).toEqual(["tmp 1 of 1 seed 0"]);
+    comparison.follow();
+    await settled();
+    expect(comparison.outlook).toMatchObject({ open: 5, goesOn: false });
+    await compare();
+    expect([comparison.ending, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
+  });
+
+  it("are refused while a comparison runs, also when it began meanwhile", async () => {
+    const opening = comparison.open(saved());
+    const over = comparison.begin();
+    await expect(opening).rejects.toThrow("cancel it before opening");
+    await expect(comparison.open(saved())).rejects.toThrow("cancel it before opening");
+    await endAll();
+    await over;
+    expect(finished()).toHaveLength(6);
+  });
+
+  it("leave what is shown as it is when they cannot be opened", async () => {
+    await compare();
+    const { shown, ending } = comparison;
+    program.failures.push(new Error("expected the results of an evaluation"));
+    await expect(comparison.open("{}")).rejects.toThrow("expected the results");
+    expect([comparison.shown, comparison.ending]).toEqual([shown, ending]);
+  });
+});

@@ -1,0 +1,74 @@
+// Which predictions can be shown side by side, and which are.
+import type { FinishedJob, Job, ModelSummary } from "../engine/whole-protocol";
+import type { Motion } from "../engine/protocol";
+import type { Positions, ReadonlyEntry } from "./comparison-entry";
+
+/** More columns would be too narrow to see. */
+export const MOST_COLUMNS = 4;
+
+/** What a model predicted of a trial. */
+export interface Prediction {
+  /** Names the model with its settings and its seed, whichever trial was held out. */
+  key: string;
+  finished: FinishedJob;
+  predicted: Positions;
+  /** What sets it apart from the other models of its kind; may be empty. */
+  label: string;
+}
+
+// The program writes all candidates in one way, so that equal ones are equal texts.
+const textOf = (candidate: Job["candidate"]): string => JSON.stringify(candidate);
+
+export function labelOf(
+  { candidate, seed }: Job,
+  finished: readonly FinishedJob[],
+  models: readonly ModelSummary[],
+): string {
+  const label = models.find((summary) => textOf(summary.candidate) === textOf(candidate))?.label ?? "";
+  const alike = finished.filter(({ job }) => job.candidate.model === candidate.model);
+  const severalSeeds = new Set(alike.map(({ job }) => job.seed)).size > 1;
+  return [label, severalSeeds ? `seed ${seed}` : ""].filter(Boolean).join(", ");
+}
+
+/** The trials of which there are predictions, by their numbers. */
+export function foldsOf({ results, predictions }: ReadonlyEntry): number[] {
+  const known = results.finished.filter(({ id }) => predictions.has(id));
+  return [...new Set(known.map(({ job }) => job.heldOut))].sort((a, b) => a - b);
+}
+
+/** The predictions of a trial by models trained on all other trials, in the order of tables. */
+export function predictionsOf({ results, predictions }: ReadonlyEntry, fold: number): Prediction[] {
+  const { finished, comparison } = results;
+  return finished.flatMap((known) => {
+    const { id, job } = known;
+    const predicted = predictions.get(id);
+    if (job.heldOut !== fold || !predicted) return [];
+    const key = `${textOf(job.candidate)} ${job.seed}`;
+    return [{ key, finished: known, predicted, label: labelOf(job, finished, comparison.models) }];
+  });
+}
+
+/** Those that the visitor picked, or else the first of each kind of model. */
+export function chosenOf(predictions: readonly Prediction[], picked: readonly string[] | null): Prediction[] {
+  const chosen = picked?.flatMap((key) => predictions.filter((prediction) => prediction.key === key)) ?? [];
+  if (chosen.length > 0) return chosen.slice(0, MOST_COLUMNS);
+  const kinds = new Map<string, Prediction>();
+  for (const prediction of predictions) {
+    const { model } = prediction.finished.job.candidate;
+    if (!kinds.has(model)) kinds.set(model, prediction);
+  }
+  return [...kinds.values()].slice(0, MOST_COLUMNS);
+}
+
+/** The keys after one was added or taken away; as before when that would leave none, or too many. */
+export function toggled(keys: readonly string[], key: string): readonly string[] {
+  const next = keys.includes(key) ? keys.filter((other) => other !== key) : [...keys, key];
+  return next.length >= 1 && next.length <= MOST_COLUMNS ? next : keys;
+}
+
+export const motionOf = ({ positions, frameTime }: Positions, nodes: number): Motion => ({
+  positions,
+  nodes,
+  frameTime,
+  frames: positions.length / (3 * nodes),
+});

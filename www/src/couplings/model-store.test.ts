@@ -1,0 +1,223 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { ModelStore } from "./model-store";
+
+let engine: FakeEngine;
+let settings: SettingsStore;
+let stage: StageStore;
+let notices: NoticesStore;
+let model: ModelStore;
+
+async function begin(fragment = "", sequences = 1): Promise<void> {
+  engine = new FakeEngine();
+  settings = new SettingsStore(new FakeAddressBar(fragment));
+  stage = new StageStore(new Playback(settings));
+  notices = new NoticesStore();
+  const store = new EngineStore();
+  model = new ModelStore(store, settings, stage, notices);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1, sequences), { couplings: true, clip: false }),
+  );
+  await settled();
+}
+beforeEach(() => begin());
+
+const clip = () => ({
+  kind: "clip" as const,
+  clip: "a",
+  figure: { nodes: [] },
+  joints: [],
+  parts: [],
+  motion: { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 },
+});
+
+describe("a coupling", () => {
+  it("asks for one rollout with its exact value, before anything is written to the address", async () => {
+    const bar = new FakeAddressBar();
+    const write = vi.spyOn(bar, "write");
+    settings = new SettingsStore(bar);
+    const store = new EngineStore();
+    model = new ModelStore(store, settings, stage, notices);
+    await store.start(
+      () => Promise.resolve(started(engine)),
+      () => model.open(modelText(1)),
+    );
+    const before = engine.rollouts.length;
+    const listener = vi.fn(() => expect(write).not.toHaveBeenCalled());
+    model.on(listener);
+    model.setCoupling(0, 1, 7.123456789);
+    expect(listener).toHaveBeenCalled();
+    const alpha = [
+      [1, 7.123456789],
+      [4, 1],
+    ];
+    expect(engine.rollouts.slice(before)).toEqual([{ frames: 300, sequence: 0, alpha, reading: "as learned" }]);
+    await settled();
+    expect([model.alpha(0, 1), model.weight(0, 1), model.learnedAlpha(0, 1)]).toEqual([7.123456789, 7.123456789, 4]);
+  });
+
+  it("drops older changes that still wait", async () => {
+    engine.holding.add("rollout");
+    for (let i = 1; i <= 20; i++) model.setCoupling(0, 1, 10 + i);
+    expect(engine.held).toHaveLength(1);
+    engine.held[0]?.end();
+    await settled();
+    expect(engine.held).toHaveLength(2);
+    engine.held[1]?.end();
+    await settled();
+    expect(model.rollout?.request.alpha?.[0]?.[1]).toBe(30);
+    expect(engine.held).toHaveLength(2);
+  });
+
+  it("shows the motion as learned as a ghost while it differs, and is back at it near the learned value", async () => {
+    model.setCoupling(0, 1, 8);
+    expect(stage.ghost).toBe(model.learned?.motion);
+    expect([model.altered, model.isChanged(0, 1), model.isChanged(1, 0)]).toEqual([true, true, false]);
+    model.setCoupling(0, 1, 4.01);
+    expect([model.altered, stage.ghost]).toEqual([false, null]);
+    await settled();
+    expect(model.rollout?.request.alpha).toBeNull();
+  });
+
+  it("takes a clip off the stage", () => {
+    stage.showClip(clip());
+    model.setCoupling(0, 1, 8);
+    expect(stage.clip).toBeNull();
+  });
+
+  it("is set back alone or with all others", () => {
+    model.setCoupling(0, 1, 8);
+    model.setCoupling(1, 0, 9);
+    model.resetCoupling(0, 1);
+    expect(settings.values.alpha).toEqual({ "1.0": 9 });
+    model.resetCouplings();
+    expect(settings.values.alpha).toEqual({});
+  });
+
+  it("says when its rollout fails, and the next one is computed", async () => {
+    engine.holding.add("rollout");
+    model.setCoupling(0, 1, 8);
+    engine.held[0]?.fail(new Error("not positive definite"));
+    await settled();
+    expect(notices.all.map(({ title, text }) => `${title}: ${text}`)).toEqual([
+      "This rollout failed: not positive definite",
+    ]);
+    engine.holding.clear();
+    model.setCoupling(0, 1, 9);
+    await settled();
+    expect(model.weight(0, 1)).toBe(9);
+  });
+});
+
+describe("another model", () => {
+  it("is taken up without the couplings of the one before, and its training latents come along", async () => {
+    model.setCoupling(0, 1, 8);
+    const latents = [new Float64Array(2)];
+    await model.open(modelText(2), undefined, latents);
+    expect([model.altered, stage.ghost, model.model?.trainingLatents]).toEqual([false, null, latents]);
+    expect(model.model?.info.provenance.settings.seed).toBe(2);
+  });
+
+  it("keeps the couplings and the clip in front when it is asked to", async () => {
+    model.setCoupling(0, 1, 8);
+    stage.showClip(clip());
+    await model.open(modelText(2), { couplings: true, clip: true });
+    await settled();
+    expect([model.alpha(0, 1), model.weight(0, 1), stage.clip]).toEqual([8, 8, "a"]);
+    expect(model.learned?.request.alpha).toBeNull();
+  });
+
+  it("drops the answer to a rollout that was under way, whichever the worker knew of", async () => {
+    engine.holding.add("rollout");
+    model.setCoupling(0, 1, 8);
+    await model.open(modelText(2));
+    const rollout = model.rollout;
+    engine.held[0]?.end();
+    await settled();
+    expect(model.rollout).toBe(rollout);
+
+    // The worker has taken up a third model, but the page does not know it yet.
+    engine.holding.add("openModel");
+    engine.held.length = 0;
+    const opened = model.open(modelText(3));
+    model.setCoupling(0, 1, 9);
+    engine.held.find(({ name }) => name === "rollout")?.end();
+    await settled();
+    expect(model.rollout).toBe(rollout);
+    engine.held.find(({ name }) => name === "openModel")?.end();
+    await opened;
+    expect(model.model?.info.provenance.settings.seed).toBe(3);
+  });
+
+  it("leaves the one before where it cannot be opened", async () => {
+    await expect(model.open("no model")).rejects.toThrow("expected a model");
+    expect(model.model?.info.provenance.settings.seed).toBe(1);
+  });
+});
+
+describe("the start", () => {
+  it("is that of another sequence, for the ghost too", async () => {
+    await begin("alpha=0.1:8", 3);
+    model.setStart(2);
+    await settled();
+    expect([model.learned?.request.sequence, model.rollout?.request.sequence]).toEqual([2, 2]);
+    expect([model.learned?.request.alpha, model.rollout?.request.alpha?.[0]?.[1]]).toEqual([null, 8]);
+    expect(stage.ghost).toBe(model.learned?.motion);
+  });
+
+  it("needs one rollout only where no coupling differs", async () => {
+    await begin("", 3);
+    const before = engine.rollouts.length;
+    model.setStart(1);
+    await settled();
+    expect(engine.rollouts.length - before).toBe(1);
+    expect(model.rollout).toBe(model.learned);
+    expect(model.rollout?.request.sequence).toBe(1);
+  });
+
+  it("comes from the address, or is the first where the model has no such sequence", async () => {
+    await begin("start=1", 2);
+    expect(model.rollout?.request.sequence).toBe(1);
+    await begin("start=5", 2);
+    expect([settings.values.start, model.rollout?.request.sequence]).toEqual([0, 0]);
+  });
+
+  it("of another model drops one that was under way", async () => {
+    await begin("", 3);
+    engine.holding.add("rollout");
+    model.setStart(1);
+    await model.open(modelText(2, 3));
+    engine.held[0]?.end();
+    await settled();
+    expect(model.learned?.request.sequence).toBe(0);
+  });
+});
+
+it("begins anew with couplings from the address", async () => {
+  const bar = new FakeAddressBar("alpha=0.1:50");
+  settings = new SettingsStore(bar);
+  const store = new EngineStore();
+  model = new ModelStore(store, settings, stage, notices);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1), { couplings: true, clip: false }),
+  );
+  await settled();
+  expect(model.weight(0, 1)).toBe(50);
+  bar.pages.push("alpha=1.0:3");
+  settings.readAddress();
+  model.restart();
+  await settled();
+  expect([model.weight(0, 1), model.weight(1, 0)]).toEqual([4, 3]);
+  bar.pages.push("alpha=7.7:3");
+  settings.readAddress();
+  model.restart();
+  expect(settings.values.alpha).toEqual({});
+});

@@ -1,0 +1,229 @@
+// The model, its couplings, and its rollouts: as learned and under the couplings now.
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { Engine, ModelView, OpenedModel, Reading, RolloutRequest, RolloutResult } from "../engine/protocol";
+import type { ChangedCouplings } from "../settings/settings";
+import type { SettingsStore } from "../settings/settings-store";
+import type { StageStore } from "../stage/stage-store";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+
+/** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
+export const REDRAW_MEASURE = "coupling-redraw";
+
+/** A coupling within half a percent of the learned one is back at it. */
+const BACK = 0.005;
+
+/** What stays as it is when another model is taken up. */
+export interface Keep {
+  /** The visitor's couplings, if they fit the model. */
+  couplings: boolean;
+  /** A clip that is looked at. */
+  clip: boolean;
+}
+
+const KEEP_NOTHING: Keep = { couplings: false, clip: false };
+
+export class ModelStore extends Store {
+  readonly #engine: EngineStore;
+  readonly #settings: SettingsStore;
+  readonly #stage: StageStore;
+  readonly #notices: NoticesStore;
+  #model: ModelView | null = null;
+  #learned: RolloutResult | null = null;
+  #rollout: RolloutResult | null = null;
+  /** When the visitor changed a coupling whose rollout is not there yet. */
+  #changedAt: number | null = null;
+  readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
+  readonly #learnedRollouts: Latest<RolloutRequest, RolloutResult>;
+
+  constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore, notices: NoticesStore) {
+    super();
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#stage = stage;
+    this.#notices = notices;
+    const queue = (done: (result: RolloutResult) => void) =>
+      new Latest(
+        (request: RolloutRequest) => this.#running().rollout(request),
+        (result) => {
+          // The worker may have taken up another model that the page does not know yet.
+          if (result.revision === this.#model?.revision) done(result);
+        },
+        (problem) => this.#notices.addError("This rollout failed", messageOf(problem)),
+      );
+    this.#rollouts = queue((result) => this.#takeRollout(result));
+    this.#learnedRollouts = queue((result) => this.#takeLearned(result));
+  }
+
+  get model(): ModelView | null {
+    return this.#model;
+  }
+
+  /** The rollout as learned. */
+  get learned(): RolloutResult | null {
+    return this.#learned;
+  }
+
+  /** The rollout under the couplings now. */
+  get rollout(): RolloutResult | null {
+    return this.#rollout;
+  }
+
+  /** Whether a coupling differs from the learned one. */
+  get altered(): boolean {
+    return Object.keys(this.#settings.values.alpha).length > 0;
+  }
+
+  learnedAlpha(source: number, target: number): number {
+    return this.#model?.info.alpha[source]?.[target] ?? 1;
+  }
+
+  /** The coupling now; the learned one where nothing was changed. */
+  alpha(source: number, target: number): number {
+    return this.#settings.values.alpha[pair(source, target)] ?? this.learnedAlpha(source, target);
+  }
+
+  isChanged(source: number, target: number): boolean {
+    return this.#settings.values.alpha[pair(source, target)] !== undefined;
+  }
+
+  /** How much the prediction of a part counts for another, 0 to 1. */
+  weight(source: number, target: number): number {
+    return this.#rollout?.weights[source]?.[target] ?? 0;
+  }
+
+  /** What to ask the engine for the rollout on the stage. */
+  rolloutRequest(): RolloutRequest {
+    const { frames, reading, start } = this.#settings.values;
+    const sequences = this.#model?.info.sequences.length ?? 1;
+    const sequence = Math.min(start, Math.max(0, sequences - 1));
+    if (!this.altered) return { frames, sequence, alpha: null, reading: "as learned" };
+    const learned = this.#model?.info.alpha ?? [];
+    const alpha = learned.map((row, source) => row.map((_, target) => this.alpha(source, target)));
+    return { frames, sequence, alpha, reading };
+  }
+
+  /** Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are known. */
+  async open(text: string, keep = KEEP_NOTHING, trainingLatents: Float64Array[] | null = null): Promise<void> {
+    const opened = await this.#running().openModel(text, this.#settings.values.frames);
+    this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
+  }
+
+  /** Begins anew with the model as it was learned, under settings that came from the address. */
+  restart(): void {
+    if (!this.#model || !this.#learned) return;
+    this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: true, clip: false });
+  }
+
+  setCoupling(source: number, target: number, alpha: number): void {
+    if (!this.#model) return;
+    this.#changedAt = performance.now();
+    const isBack = Math.abs(Math.log(alpha / this.learnedAlpha(source, target))) < BACK;
+    this.#settings.change({ alpha: isBack ? this.#without(source, target) : this.#with(source, target, alpha) });
+    this.#stage.endClip();
+    this.#rollOut();
+  }
+
+  resetCoupling(source: number, target: number): void {
+    this.#settings.change({ alpha: this.#without(source, target) });
+    this.#rollOut();
+  }
+
+  resetCouplings(): void {
+    this.#settings.change({ alpha: {} });
+    this.#rollOut();
+  }
+
+  setReading(reading: Reading): void {
+    this.#settings.change({ reading });
+    this.#rollOut();
+  }
+
+  /** Starts the rollouts as another training sequence does; the ghost starts there too. */
+  setStart(start: number): void {
+    this.#settings.change({ start });
+    if (this.#model) this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
+    this.changed();
+  }
+
+  #running(): Engine {
+    const { engine } = this.#engine;
+    if (!engine) throw new Error("The model cannot run in this browser.");
+    return engine;
+  }
+
+  #with(source: number, target: number, alpha: number): ChangedCouplings {
+    return { ...this.#settings.values.alpha, [pair(source, target)]: alpha };
+  }
+
+  #without(source: number, target: number): ChangedCouplings {
+    const { [pair(source, target)]: _, ...others } = this.#settings.values.alpha;
+    return others;
+  }
+
+  /** Asks for the rollout under the settings now; older requests that still wait are dropped. */
+  #rollOut(): void {
+    if (this.#model) this.#rollouts.request(this.rolloutRequest());
+    this.#showGhost();
+    this.changed();
+  }
+
+  #takeRollout(rollout: RolloutResult): void {
+    this.#rollout = rollout;
+    if (!rollout.request.alpha) this.#learned = rollout;
+    this.#show();
+    this.changed();
+    if (this.#changedAt === null) return;
+    performance.measure(REDRAW_MEASURE, { start: this.#changedAt });
+    this.#changedAt = null;
+  }
+
+  #takeLearned(rollout: RolloutResult): void {
+    if (!this.altered) {
+      this.#takeRollout(rollout);
+      return;
+    }
+    this.#learned = rollout;
+    this.#rollOut();
+  }
+
+  #takeUp({ model, rollout }: OpenedModel, keep: Keep): void {
+    this.#rollouts.drop();
+    this.#learnedRollouts.drop();
+    this.#model = model;
+    this.#learned = rollout;
+    this.#rollout = rollout;
+    if (this.altered && !(keep.couplings && this.#couplingsFit(model))) this.#settings.change({ alpha: {} });
+    if (this.#settings.values.start >= model.info.sequences.length) this.#settings.change({ start: 0 });
+    // First whoever knows the model before it, then the stage.
+    this.changed();
+    this.#show();
+    if (!keep.clip) this.#stage.endClip();
+    const { start } = this.#settings.values;
+    if (this.altered || start > 0) this.setStart(start);
+  }
+
+  #couplingsFit({ info }: ModelView): boolean {
+    const parts = Object.keys(this.#settings.values.alpha).flatMap((key) => key.split(".").map(Number));
+    return parts.every((part) => part < info.parts.length);
+  }
+
+  #show(): void {
+    if (!this.#model || !this.#rollout) return;
+    const { figure, joints, parts } = this.#model.info;
+    const names = joints.map(({ name }) => name);
+    this.#stage.showModel({ kind: "model", figure, joints: names, parts, motion: this.#rollout.motion });
+    this.#showGhost();
+  }
+
+  #showGhost(): void {
+    this.#stage.setGhost(this.altered ? (this.#learned?.motion ?? null) : null);
+  }
+}
+
+/** The name of a coupling in the settings. */
+function pair(source: number, target: number): string {
+  return `${source}.${target}`;
+}

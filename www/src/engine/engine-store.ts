@@ -1,0 +1,58 @@
+// Whether the model can be computed here, and by whom.
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+import type { StartedEngine, TrainingWorker } from "./engine";
+import type { Pool } from "./pool";
+import type { Engine, SampleInfo } from "./protocol";
+
+export class EngineStore extends Store {
+  #state: "loading" | "ready" | "failed" = "loading";
+  #problem = "";
+  #started: StartedEngine | null = null;
+
+  get state(): "loading" | "ready" | "failed" {
+    return this.#state;
+  }
+
+  /** Why it cannot be computed here, in words for a person. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /** The worker that shows; null until it has started. */
+  get engine(): Engine | null {
+    return this.#started?.engine ?? null;
+  }
+
+  /** The workers that train. */
+  get pool(): Pool<TrainingWorker> | null {
+    return this.#started?.pool ?? null;
+  }
+
+  /** Clips that the engine can make itself. */
+  get samples(): readonly SampleInfo[] {
+    return this.#started?.samples ?? [];
+  }
+
+  get version(): string {
+    return this.#started?.version ?? "";
+  }
+
+  /** Starts the engine; it is ready when `prepare` is done too. */
+  async start(start: () => Promise<StartedEngine>, prepare: () => Promise<void>): Promise<void> {
+    try {
+      this.#started = await start();
+      await prepare();
+      this.#state = "ready";
+      this.changed();
+    } catch (problem) {
+      this.fail(problem);
+    }
+  }
+
+  fail(problem: unknown): void {
+    this.#state = "failed";
+    this.#problem = messageOf(problem);
+    this.changed();
+  }
+}

@@ -1,0 +1,248 @@
+// For tests: an engine and a pool that compute nothing, and answer when they are told to.
+import type { StartedEngine, TrainingWorker } from "./engine";
+import { Pool } from "./pool";
+import type {
+  ClipInfo,
+  Engine,
+  LoadedClip,
+  ModelInfo,
+  ModelView,
+  Motion,
+  OpenedModel,
+  PartSpec,
+  RolloutRequest,
+  RolloutResult,
+  TrainingJob,
+  TrainingOutcome,
+  TrainingProgress,
+} from "./protocol";
+
+/** Two joints and two nodes that do not move. */
+const figure = {
+  nodes: [
+    { joint: 0, parent: null, endSite: false },
+    { joint: 1, parent: 0, endSite: false },
+  ],
+};
+const joints = ["hips", "chest"].map((name, joint) => ({ name, parent: joint === 0 ? null : 0, channels: [] }));
+const parts: PartSpec[] = [
+  { name: "lower", joints: [0] },
+  { name: "upper", joints: [1] },
+];
+
+function still(frames: number): Motion {
+  return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };
+}
+
+/** A model's document: a seed that names it, and the number of its sequences. */
+export function modelText(seed: number, sequences = 1): string {
+  return JSON.stringify({ seed, sequences });
+}
+
+function infoOf(text: string): ModelInfo {
+  const { seed, sequences } = JSON.parse(text) as { seed: number; sequences: number };
+  const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
+  const settings = { parts, latent: 2, dynamicsIps: 4, poseIps: 4, order: 2, framesPerSecond: 30, seed };
+  return {
+    parts: parts.map((part) => ({ ...part, latent: 2, poseIps: 4 })),
+    order: 2,
+    frameTime: 1 / 30,
+    alpha: [
+      [1, 4],
+      [4, 1],
+    ],
+    dynamicsIps: [
+      [4, 4],
+      [4, 4],
+    ],
+    sequences: Array.from({ length: sequences }, (_, i) => ({ name: `walk ${i}`, sha256: `${i}`, frames: 90 })),
+    joints,
+    figure,
+    provenance: {
+      engine: "fake",
+      settings: { ...settings, maxIterations: 100 },
+      bound: 0,
+      terms,
+      iterations: 1,
+      evaluations: 1,
+      note: null,
+    },
+  };
+}
+
+function viewOf(text: string, revision: number): ModelView {
+  return { revision, info: infoOf(text), poseInducing: [], dynamicsInducing: [], trainingLatents: null };
+}
+
+function loadedClip(id: number, frames = 60): LoadedClip {
+  const info = {
+    joints,
+    figure,
+    frames,
+    frameTime: 1 / 30,
+    warnings: [],
+    presets: [{ id: "lower-upper", title: "", parts }],
+  };
+  return { id, info: info as unknown as ClipInfo, motion: still(frames) };
+}
+
+/** A call whose answer is held back. */
+interface HeldCall {
+  name: keyof Engine;
+  args: unknown[];
+  end(): void;
+  fail(problem: Error): void;
+}
+
+export class FakeEngine implements Engine {
+  /** Calls of these are held back until the test ends them. */
+  readonly holding = new Set<keyof Engine>();
+  readonly held: HeldCall[] = [];
+  /** All rollouts that were asked for. */
+  readonly rollouts: RolloutRequest[] = [];
+  /** The clips that are open, and those that do not go with others. */
+  readonly clips = new Set<number>();
+  readonly odd = new Set<number>();
+  /** The document of the model that is held. */
+  text = "";
+  #revision = 0;
+  #lastClip = 0;
+
+  #answer<Answer>(name: keyof Engine, args: unknown[], answer: Answer): Promise<Answer> {
+    if (!this.holding.has(name)) return Promise.resolve(answer);
+    return new Promise((end, fail) => this.held.push({ name, args, end: () => end(answer), fail }));
+  }
+
+  #roll(request: RolloutRequest): RolloutResult {
+    const { alpha } = infoOf(this.text);
+    return {
+      revision: this.#revision,
+      request,
+      motion: still(request.frames),
+      latents: [],
+      weights: request.alpha ?? alpha,
+    };
+  }
+
+  freshSeed(): Promise<number> {
+    return this.#answer("freshSeed", [], 77);
+  }
+
+  #open(): LoadedClip {
+    this.#lastClip += 1;
+    const clip = loadedClip(this.#lastClip);
+    this.clips.add(clip.id);
+    return clip;
+  }
+
+  readClip(name: string, bytes: Uint8Array): Promise<LoadedClip> {
+    if (bytes.length === 0) return Promise.reject(new Error("the file is empty"));
+    return this.#answer("readClip", [name], this.#open());
+  }
+
+  sampleClip(id: string): Promise<LoadedClip> {
+    return this.#answer("sampleClip", [id], this.#open());
+  }
+
+  dropClip(id: number): Promise<void> {
+    this.clips.delete(id);
+    return this.#answer("dropClip", [id], undefined);
+  }
+
+  checkTogether(ids: number[]): Promise<void> {
+    if (ids.some((id) => this.odd.has(id))) return Promise.reject(new Error("their bodies differ"));
+    return this.#answer("checkTogether", [ids], undefined);
+  }
+
+  openModel(text: string, frames: number): Promise<OpenedModel> {
+    if (!text.startsWith("{")) return Promise.reject(new Error("expected a model"));
+    this.text = text;
+    this.#revision += 1;
+    const rollout = this.#roll({ frames, sequence: 0, alpha: null, reading: "as learned" });
+    return this.#answer("openModel", [text], { model: viewOf(text, this.#revision), rollout });
+  }
+
+  rollout(request: RolloutRequest): Promise<RolloutResult> {
+    this.rollouts.push(request);
+    return this.#answer("rollout", [request], this.#roll(request));
+  }
+
+  inducing(point: Parameters<Engine["inducing"]>[0]): ReturnType<Engine["inducing"]> {
+    const poses = point.kind === "pose" ? 1 : 2;
+    const report = {
+      point,
+      poses: Array.from({ length: poses }, () => new Float32Array(6)),
+      frames: new Float64Array(3),
+    };
+    return this.#answer("inducing", [point], report);
+  }
+
+  modelJson(): Promise<string> {
+    return this.#answer("modelJson", [], this.text);
+  }
+
+  rolloutBvh(request: RolloutRequest): Promise<string> {
+    return this.#answer("rolloutBvh", [request], "HIERARCHY");
+  }
+}
+
+/** A training that a worker was asked for. */
+interface HeldTraining {
+  job: TrainingJob;
+  signal: AbortSignal;
+  /** Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what the page did. */
+  report(iteration: number, bound: number, model?: string): boolean;
+  end(outcome: TrainingOutcome): void;
+  fail(problem: Error): void;
+  /** The worker itself dies. */
+  die(problem: Error): void;
+}
+
+export class FakeTrainers {
+  readonly trainings: HeldTraining[] = [];
+  /** Workers that were let go. */
+  dismissed = 0;
+  readonly pool: Pool<TrainingWorker>;
+
+  constructor(width: number) {
+    this.pool = new Pool(width, () => this.#hire());
+  }
+
+  #hire() {
+    let die = (_: Error) => {};
+    const broken = new Promise<never>((_, fail) => {
+      die = fail;
+    });
+    const worker: TrainingWorker = {
+      train: (job, send, signal) =>
+        new Promise((end, fail) => {
+          const report = (iteration: number, bound: number, text?: string) => {
+            const model = text === undefined ? null : { text, latents: [] };
+            return send({ steps: [progress(iteration, bound)], elapsed: iteration, model }) === true;
+          };
+          this.trainings.push({ job, signal, report, end, fail, die });
+        }),
+    };
+    const dismiss = () => {
+      this.dismissed += 1;
+    };
+    return { worker, ready: Promise.resolve(), broken, dismiss };
+  }
+}
+
+function progress(iteration: number, bound: number): TrainingProgress {
+  const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
+  const rest = { terms, evaluations: iteration, phase: "", done: false, reason: null };
+  return { ...rest, iteration, maxIterations: 100, bound, best: bound, fraction: iteration / 100 } as TrainingProgress;
+}
+
+/** What a start of the engine answers with. */
+export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): StartedEngine {
+  const samples = ["walk-1", "walk-2", "wave-1"].map((id) => ({ id, title: id, movement: id.split("-")[0] ?? "" }));
+  return { engine, pool: trainers.pool, version: "1.2.3", samples };
+}
+
+/** Lets everything happen that waits for nothing but its turn. */
+export function settled(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, 0));
+}

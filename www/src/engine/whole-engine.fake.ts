@@ -1,0 +1,187 @@
+// For tests: a whole program without wasm, whose workers do what the test says.
+import { type Hired, Pool } from "./pool";
+import type { TrainingClip, TrainingOutcome } from "./protocol";
+import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
+import type {
+  ComparisonSettings,
+  Evaluated,
+  EvaluationJob,
+  Experiment,
+  ExperimentReport,
+  FinishedJob,
+  Job,
+  ModelKind,
+  Outcome,
+  Plan,
+  ResultsView,
+  Setting,
+  SyntheticTruth,
+} from "./whole-protocol";
+
+/** Work that a test brings to its end. */
+export interface Pending<Request, Report, Result> {
+  request: Request;
+  report(report: Report): void;
+  end(result: Result): void;
+  fail(problem: Error): void;
+  /** The worker that does it dies. */
+  die(problem: Error): void;
+}
+
+const outcome: Outcome = {
+  score: { dtwMse: 0.01, mse: 0.02, variance: 0.03 },
+  bound: null,
+  objective: 0,
+  iterations: 1,
+  seconds: 1,
+  frames: 10,
+  storedNumbers: 5,
+  reason: null,
+};
+
+export const evaluated: Evaluated = {
+  outcome,
+  predicted: new Float32Array(6),
+  actual: new Float32Array(6),
+  frameTime: 0.1,
+};
+
+export const clip = (id: number): TrainingClip => ({ id, source: { sample: `clip ${id}` }, first: 0, end: 100 });
+
+const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>
+  `${candidate.model} ${heldOut} of ${trainingTrials} seed ${seed}`;
+
+function settingOf(clips: readonly TrainingClip[], { parts, framesPerSecond }: ComparisonSettings): Setting {
+  const trials = clips.map(({ id }) => ({ name: `clip ${id}`, sha256: String(id), piece: null }));
+  return { trials, parts, framesPerSecond, startFrames: 5 };
+}
+
+const candidateOf = (model: ModelKind): Job["candidate"] =>
+  model === "dmp-discrete" || model === "dmp-rhythmic" ? { model, bases: 20 } : { model: "tmp", primitives: null };
+
+function jobsOf(plan: Plan, trials: number): Job[] {
+  const folds = plan.heldOut.length > 0 ? plan.heldOut : Array.from({ length: trials }, (_, k) => k + 1);
+  return folds.flatMap((heldOut) =>
+    plan.models.map((model) => ({
+      candidate: candidateOf(model),
+      heldOut,
+      trainingTrials: trials - 1,
+      seed: 0,
+    })),
+  );
+}
+
+/** Results with these jobs finished. */
+export function resultsOf(setting: Setting, jobs: readonly Job[]): ResultsView {
+  const finished: FinishedJob[] = jobs.map((job) => ({ id: idOf(job), job, engine: "fake", outcome, failure: null }));
+  const comparison = { models: [], correlations: [], growth: [], claims: [] };
+  return { text: JSON.stringify({ setting, jobs }), setting, finished, comparison };
+}
+
+/** Results from a file: the first jobs of a plan on these clips. */
+export function savedResults(
+  clips: readonly TrainingClip[],
+  settings: ComparisonSettings,
+  models: ModelKind[],
+): string {
+  const jobs = models.map((model) => ({
+    candidate: candidateOf(model),
+    heldOut: 1,
+    trainingTrials: clips.length - 1,
+    seed: 0,
+  }));
+  return resultsOf(settingOf(clips, settings), jobs).text;
+}
+
+const read = (text: string) => JSON.parse(text) as { setting: Setting; jobs: Job[] };
+
+/** A refusal by the program itself. */
+export function refusal(message: string): Error {
+  const error = new Error(message);
+  error.name = "VcgpdmError";
+  return error;
+}
+
+export class FakeProgram implements WholeProgram {
+  readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
+  readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
+  readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
+  /** The next calls for results fail with these, one after the other. */
+  readonly failures: Error[] = [];
+  /** Why plans are refused; empty when they are not. */
+  refused = "";
+  /** Why the program cannot be loaded; empty when it can. */
+  unreachable = "";
+  plans = 0;
+  readonly #pool = new Pool(2, () => this.#hire());
+  readonly #desk = new Pool(1, () => this.#hire());
+
+  async load() {
+    if (this.unreachable) throw new Error(this.unreachable);
+    return { pool: this.#pool, desk: this.#desk };
+  }
+
+  #hire(): Hired<WholeProgramWorker> {
+    let die: (problem: Error) => void = () => {};
+    const broken = new Promise<never>((_, fail) => {
+      die = fail;
+    });
+    const pending = <Request, Report, Result>(
+      list: Pending<Request, Report, Result>[],
+      request: Request,
+      report: (report: Report) => void,
+    ) => new Promise<Result>((end, fail) => list.push({ request, report, end, fail, die }));
+    return { worker: this.#worker(pending), ready: Promise.resolve(), broken, dismiss: () => {} };
+  }
+
+  #worker(
+    pending: <Request, Report, Result>(
+      list: Pending<Request, Report, Result>[],
+      request: Request,
+      report: (report: Report) => void,
+    ) => Promise<Result>,
+  ): WholeProgramWorker {
+    const failing = () => {
+      const problem = this.failures.shift();
+      if (problem) throw problem;
+    };
+    const cancelled = (signal: AbortSignal) =>
+      new Promise<void>((stop) => signal.addEventListener("abort", () => stop(), { once: true }));
+    return {
+      planComparison: async (clips, settings, plan, known) => {
+        this.plans += 1;
+        if (this.refused) throw refusal(this.refused);
+        const setting = settingOf(clips, settings);
+        const other = known === null ? null : read(known);
+        const goesOn = other !== null && JSON.stringify(other.setting) === JSON.stringify(setting);
+        const done = goesOn ? other.jobs : [];
+        const jobs = jobsOf(plan, clips.length).map((job) => {
+          const id = idOf(job);
+          return { id, job, done: done.some((known) => idOf(known) === id) };
+        });
+        return { results: resultsOf(setting, done), jobs, goesOn };
+      },
+      addOutcome: async (text, job) => {
+        failing();
+        const { setting, jobs } = read(text);
+        return resultsOf(setting, [...jobs.filter((known) => idOf(known) !== idOf(job)), job]);
+      },
+      openResults: async (text) => {
+        failing();
+        const { setting, jobs } = read(text);
+        return resultsOf(setting, jobs);
+      },
+      evaluate: (job, report, signal) =>
+        Promise.race([pending(this.evaluations, job, report), cancelled(signal).then(() => null)]),
+      drawExperiment: (experiment) => pending(this.draws, experiment, () => {}),
+      trainExperiment: (experiment, report, signal) =>
+        Promise.race([
+          pending(this.trainings, experiment, report),
+          cancelled(signal).then((): TrainingOutcome => ({ cancelled: true, reason: null })),
+        ]),
+    };
+  }
+}
+
+/** Lets all promises that can be kept be kept. */
+export const settled = () => new Promise<void>((resolve) => setTimeout(resolve, 0));

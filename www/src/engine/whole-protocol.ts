@@ -1,0 +1,118 @@
+// What the page and the workers of the whole program say to each other. Types only.
+import type {
+  Comparison,
+  ComparisonSettings,
+  FinishedJob,
+  Job,
+  Outcome,
+  Plan,
+  PlannedJob,
+  Setting,
+  SyntheticFindings,
+  SyntheticTruth,
+} from "vcgpdm";
+import type { TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
+
+export type {
+  Candidate,
+  Claim,
+  Comparison,
+  ComparisonSettings,
+  Correlation,
+  FinishedJob,
+  Growth,
+  Job,
+  ModelKind,
+  ModelSummary,
+  Outcome,
+  Plan,
+  PlannedJob,
+  Setting,
+  Spread,
+  SyntheticFindings,
+  SyntheticTruth,
+} from "vcgpdm";
+
+/** A job, and what it is carried out on. */
+export interface EvaluationJob extends Job {
+  /** All trials. */
+  clips: TrainingClip[];
+  settings: ComparisonSettings;
+}
+
+/** What came of one model in one fold. */
+export interface Evaluated {
+  outcome: Outcome;
+  /** World positions of the prediction and of the trial held out [frames x nodes x 3]. */
+  predicted: Float32Array;
+  actual: Float32Array;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+/** The results of a comparison as the page sees them. */
+export interface ResultsView {
+  /** The file on disk. */
+  text: string;
+  setting: Setting;
+  /** In the order of tables. */
+  finished: FinishedJob[];
+  comparison: Comparison;
+}
+
+/** Which trainings a comparison asks for, and what is known of them. */
+export interface PlannedComparison {
+  results: ResultsView;
+  jobs: PlannedJob[];
+  /** Whether the known results are of the same setting, and so stand among the results. */
+  goesOn: boolean;
+}
+
+/** One synthetic experiment: its data and its training follow from these. */
+export interface Experiment {
+  /** The seed of the data and of the training. */
+  seed: number;
+  /** Whether the first part drives the second. */
+  driving: boolean;
+}
+
+/** Sent about ten times a second while an experiment trains, and when it ends. */
+export interface ExperimentReport {
+  progress: TrainingProgress;
+  /** Seconds since the start. */
+  elapsed: number;
+  /** At the best bound so far. */
+  findings: SyntheticFindings;
+}
+
+/** What a worker does for comparisons. It keeps nothing between two calls, so that one that dies loses nothing. */
+export interface ComparisonWorker {
+  /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
+  evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;
+  cancelEvaluation(): void;
+  /** The jobs of a plan on these clips. `known`: the text of results that are gone on with if they are of the same setting. */
+  planComparison(
+    clips: TrainingClip[],
+    settings: ComparisonSettings,
+    plan: Plan,
+    known: string | null,
+  ): Promise<PlannedComparison>;
+  /** Adds what came of a job to the results of which this is the text. */
+  addOutcome(text: string, job: Job, outcome: Outcome): ResultsView;
+  /** Throws with the reason when the text holds no results. */
+  openResults(text: string): ResultsView;
+}
+
+/** What a worker does for the synthetic experiment. */
+export interface ExperimentWorker {
+  /** The data of an experiment, and the truth about them. */
+  drawExperiment(experiment: Experiment): SyntheticTruth;
+  /** Trains until it is done or cancelled; the best so far comes with the last report. */
+  trainExperiment(experiment: Experiment, report: (report: ExperimentReport) => void): Promise<TrainingOutcome>;
+  cancelExperiment(): void;
+}
+
+/** The face of a worker of the whole program. */
+export interface WholeWorker extends ComparisonWorker, ExperimentWorker {
+  start(wasm: WebAssembly.Module): Promise<unknown>;
+}

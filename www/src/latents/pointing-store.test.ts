@@ -1,0 +1,62 @@
+import { beforeEach, expect, it } from "vitest";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { PointingStore } from "./pointing-store";
+
+let engine: FakeEngine;
+let stage: StageStore;
+let model: ModelStore;
+let pointing: PointingStore;
+beforeEach(async () => {
+  engine = new FakeEngine();
+  const settings = new SettingsStore(new FakeAddressBar());
+  const store = new EngineStore();
+  stage = new StageStore(new Playback(settings));
+  model = new ModelStore(store, settings, stage, new NoticesStore());
+  pointing = new PointingStore(store, model, stage);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1)),
+  );
+});
+
+const pose = (index: number) => ({ kind: "pose" as const, part: 1, index });
+
+it("marks the poses that a point stands for, until nothing is pointed at", async () => {
+  pointing.pointAt({ kind: "dynamics", source: 0, target: 1, index: 2 });
+  await settled();
+  expect(stage.marks?.poses.map(({ part, opacity }) => [part, opacity])).toEqual([
+    [0, 0.5],
+    [1, 1],
+  ]);
+  pointing.pointAt(pose(0));
+  await settled();
+  expect([stage.marks?.part, stage.marks?.poses.length]).toEqual([1, 1]);
+  pointing.pointAt(null);
+  expect([stage.marks, pointing.report]).toEqual([null, null]);
+});
+
+it("drops the report of a point that is no longer pointed at", async () => {
+  engine.holding.add("inducing");
+  pointing.pointAt(pose(0));
+  pointing.pointAt(null);
+  engine.held[0]?.end();
+  await settled();
+  expect(stage.marks).toBeNull();
+});
+
+it("points at nothing of another model", async () => {
+  engine.holding.add("inducing");
+  pointing.pointAt(pose(0));
+  await model.open(modelText(2));
+  expect(pointing.point).toBeNull();
+  engine.held[0]?.fail(new Error("there is no such point"));
+  await settled();
+  expect([pointing.report, stage.marks]).toEqual([null, null]);
+});

@@ -1,0 +1,135 @@
+// A canvas that a visitor looks into: its renderer, its camera, and how it is turned. It is drawn only when something changed, and
+// as finely as the machine can.
+import { PCFShadowMap, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { onThemeChange, theme } from "../ui/palette";
+import { type Fineness, Pace } from "./pace";
+
+/** Pixels drawn for each of the page's, at most. */
+const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
+
+const UP = new Vector3(0, 1, 0);
+/** How far a key turns the camera: about the vertical axis, and up or down; radians. */
+const TURNS: Record<string, [number, number]> = { a: [-0.12, 0], d: [0.12, 0], w: [0, -0.08], s: [0, 0.08] };
+/** How much nearer a key brings the camera. */
+const ZOOMS: Record<string, number> = { "+": 0.9, "-": 1.1 };
+
+export interface ViewportEvents {
+  /** The canvas has another size in pixels of the page: fit the camera to it. */
+  resized(width: number, height: number): void;
+  /** The page turned dark or light. */
+  recoloured(): void;
+}
+
+export class Viewport {
+  readonly renderer: WebGLRenderer;
+  readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
+  readonly controls: OrbitControls;
+  readonly #events: ViewportEvents;
+  readonly #pace = new Pace();
+  readonly #observer = new ResizeObserver(() => this.resize());
+  readonly #listening = new AbortController();
+  readonly #stopThemes: () => void;
+  #fineness: Fineness = "fine";
+  #changed = true;
+  #drawn = 0;
+
+  /** Throws where the browser has no WebGL. Whoever makes it calls `resize` when the camera can be fitted. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    events: ViewportEvents,
+  ) {
+    this.#events = events;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: "low-power" });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.setClearColor(theme().ground);
+    this.controls = new OrbitControls(this.camera, canvas);
+    Object.assign(this.controls, {
+      enablePan: false,
+      minPolarAngle: 0.15,
+      maxPolarAngle: Math.PI / 2 - 0.03,
+      rotateSpeed: 0.8,
+    });
+    this.controls.addEventListener("change", () => this.changed());
+    const { signal } = this.#listening;
+    canvas.addEventListener("keydown", (event) => this.#turnByKey(event), { signal });
+    this.#observer.observe(canvas.parentElement ?? canvas);
+    this.#stopThemes = onThemeChange(() => {
+      this.renderer.setClearColor(theme().ground);
+      events.recoloured();
+      this.changed();
+    });
+  }
+
+  /** Pictures drawn so far. */
+  get drawn(): number {
+    return this.#drawn;
+  }
+
+  /** Size in pixels of the page. */
+  get size(): { width: number; height: number } {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
+    return { width, height };
+  }
+
+  /** The picture is out of date. */
+  changed(): void {
+    this.#changed = true;
+  }
+
+  /** Fits pixels and camera to the size that the canvas has now. */
+  resize(): void {
+    const { width, height } = this.size;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(PIXELS[this.#fineness], devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.#events.resized(width, height);
+    this.camera.updateProjectionMatrix();
+    this.changed();
+  }
+
+  /** Called once a display frame: how finely to draw now, or null when the picture is as it should be. `seconds` since the last call. */
+  next(seconds: number, playing: boolean): Fineness | null {
+    this.controls.update();
+    const fineness = this.#pace.next(seconds, this.#changed, playing);
+    if (fineness !== this.#fineness) {
+      this.#fineness = fineness;
+      this.resize();
+    }
+    if (!this.#changed) return null;
+    this.#changed = false;
+    return fineness;
+  }
+
+  /** The picture was drawn; `empty` when there was nothing in it. */
+  finish(empty = false): void {
+    if (!empty) this.canvas.dataset.framesDrawn = String(++this.#drawn);
+    this.#pace.drawn();
+  }
+
+  #turnByKey(event: KeyboardEvent): void {
+    const turn = TURNS[event.key];
+    const zoom = this.controls.enableZoom ? ZOOMS[event.key] : undefined;
+    if (!turn && !zoom) return;
+    const { target } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    if (zoom) offset.multiplyScalar(zoom);
+    if (turn) {
+      offset.applyAxisAngle(UP, turn[0]);
+      offset.applyAxisAngle(UP.clone().cross(offset).normalize(), turn[1]);
+    }
+    this.camera.position.copy(target).add(offset);
+    this.changed();
+    event.preventDefault();
+  }
+
+  dispose(): void {
+    this.#stopThemes();
+    this.#listening.abort();
+    this.#observer.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+  }
+}

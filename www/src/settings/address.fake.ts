@@ -1,0 +1,26 @@
+// For tests: an address bar that is no browser's.
+import type { AddressBar } from "./address";
+
+export class FakeAddressBar implements AddressBar {
+  /** The fragments of the pages visited; the last is the one now. */
+  readonly pages: string[];
+  /** How often an address was written. */
+  writes = 0;
+
+  constructor(fragment = "") {
+    this.pages = [fragment];
+  }
+
+  read(): string {
+    return this.pages.at(-1) ?? "";
+  }
+
+  write(fragment: string): void {
+    this.writes += 1;
+    this.pages.splice(-1, 1, fragment);
+  }
+
+  push(): void {
+    this.pages.push(this.read());
+  }
+}

@@ -1,0 +1,69 @@
+// The settings in the address of the page, so that a link brings them back.
+import { Store } from "../ui/store";
+import { type Settings, writeSettings } from "./settings";
+
+/** Browsers allow only so many history writes a second; a slider makes more. */
+const BETWEEN_WRITES = 300;
+
+/** The part of the browser that holds the address. */
+export interface AddressBar {
+  /** With or without "#". */
+  read(): string;
+  write(fragment: string): void;
+  /** Another page to whoever presses Back. */
+  push(): void;
+}
+
+export const browserAddressBar: AddressBar = {
+  read: () => location.hash,
+  write(fragment) {
+    history.replaceState(history.state, "", `${location.pathname}${location.search}${fragment ? `#${fragment}` : ""}`);
+  },
+  push: () => history.pushState(null, ""),
+};
+
+/** Writes settings to the address after their changes, at most every 300 ms; tells when it has. */
+export class Address extends Store {
+  #waiting: Settings | null = null;
+  #written = -Infinity;
+  #fragment: string;
+
+  constructor(private readonly bar: AddressBar) {
+    super();
+    this.#fragment = bar.read();
+  }
+
+  /** The fragment that was read or written last. */
+  get fragment(): string {
+    return this.#fragment;
+  }
+
+  read(): string {
+    this.#waiting = null;
+    this.#fragment = this.bar.read();
+    return this.#fragment;
+  }
+
+  /** Never before the caller is done: what a change asks of the model comes first. */
+  writeSoon(settings: Settings): void {
+    const scheduled = this.#waiting !== null;
+    this.#waiting = settings;
+    if (scheduled) return;
+    setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
+  }
+
+  /** Begins another page; the one before keeps its address. */
+  push(): void {
+    this.#write();
+    this.bar.push();
+  }
+
+  #write(): void {
+    if (this.#waiting === null) return;
+    this.#fragment = writeSettings(this.#waiting);
+    this.#waiting = null;
+    this.#written = performance.now();
+    this.bar.write(this.#fragment);
+    this.changed();
+  }
+}

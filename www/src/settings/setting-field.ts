@@ -1,0 +1,39 @@
+// A field for a setting that is a number.
+import type { TemplateResult } from "lit";
+import { type NumberField, numberField, numberInput } from "../ui/number-field";
+import { type NumberSetting, SETTINGS } from "./settings";
+import type { SettingsStore } from "./settings-store";
+
+type Rows = typeof SETTINGS;
+export type NumberName = { [Name in keyof Rows]: Rows[Name] extends NumberSetting ? Name : never }[keyof Rows];
+
+type Bound = Pick<NumberField, "limits" | "value" | "change">;
+
+/** Ties a field to its setting. */
+function bind(settings: SettingsStore, name: NumberName): Bound {
+  return {
+    limits: SETTINGS[name],
+    value: settings.values[name],
+    change(value) {
+      settings.change({ [name]: value });
+      return settings.values[name];
+    },
+  };
+}
+
+export function settingField(
+  settings: SettingsStore,
+  name: NumberName,
+  field: Omit<NumberField, keyof Bound>,
+): TemplateResult {
+  return numberField({ ...field, ...bind(settings, name) });
+}
+
+/** The same without a label. */
+export function settingInput(
+  settings: SettingsStore,
+  name: NumberName,
+  field: { id: string; testId: string; disabled: boolean },
+): TemplateResult {
+  return numberInput({ ...field, ...bind(settings, name) });
+}

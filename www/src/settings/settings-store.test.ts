@@ -1,0 +1,56 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { FakeAddressBar } from "./address.fake";
+import { SettingsStore } from "./settings-store";
+
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+it("changes settings within their limits, and tells of it", () => {
+  const settings = new SettingsStore(new FakeAddressBar("#latent=2"));
+  const listener = vi.fn();
+  settings.on(listener);
+  settings.change({ latent: 900, order: Number.NaN });
+  expect([settings.values.latent, settings.values.order]).toEqual([6, 2]);
+  expect(listener).toHaveBeenCalledTimes(1);
+});
+
+it("keeps couplings exactly, and writes them rounded to the address, after the change and at most every 300 ms", () => {
+  const bar = new FakeAddressBar();
+  const settings = new SettingsStore(bar);
+  for (let i = 1; i <= 61; i++) {
+    settings.change({ alpha: { "0.1": 1.23456789 * i } });
+    vi.advanceTimersByTime(10);
+  }
+  expect(settings.values.alpha).toEqual({ "0.1": 1.23456789 * 61 });
+  expect(bar.writes).toBe(3);
+  vi.advanceTimersByTime(300);
+  expect(bar.pages).toEqual(["alpha=0.1:75.31"]);
+  settings.change({ alpha: { "0.1": 2 } });
+  expect(bar.writes).toBe(4);
+  vi.advanceTimersByTime(300);
+  expect(bar.writes).toBe(5);
+});
+
+it("makes another view another page, and leaves the page before with its own address", () => {
+  const bar = new FakeAddressBar("latent=2");
+  const settings = new SettingsStore(bar);
+  settings.change({ order: 3 });
+  settings.change({ view: "compare" });
+  vi.advanceTimersByTime(300);
+  expect(bar.pages).toEqual(["latent=2&order=3", "view=compare&latent=2&order=3"]);
+});
+
+it("follows the address, and forgets what it was about to write", () => {
+  const bar = new FakeAddressBar("latent=2");
+  const settings = new SettingsStore(bar);
+  settings.change({ latent: 4 });
+  bar.pages.push("latent=1&seed=5");
+  settings.readAddress();
+  vi.advanceTimersByTime(300);
+  expect([settings.values.latent, settings.values.seed]).toEqual([1, 5]);
+  expect(bar.read()).toBe("latent=1&seed=5");
+});

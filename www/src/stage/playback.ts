@@ -1,0 +1,87 @@
+// The clock of the stage: the motion that plays, which frame is now, and where the figure walks.
+import type { Motion } from "../engine/protocol";
+import { Walk } from "../scene/motion";
+import type { SettingsStore } from "../settings/settings-store";
+import { Store } from "../ui/store";
+import { Player } from "./player";
+
+/** Tells of every frame: views that show no time do not listen to it. */
+export class Playback extends Store {
+  readonly #player = new Player();
+  #walk: Walk | null = null;
+
+  constructor(settings: SettingsStore) {
+    super();
+    const follow = () => {
+      this.#player.speed = settings.values.speed;
+      this.#player.loops = settings.values.loop;
+    };
+    follow();
+    settings.on(follow);
+  }
+
+  /** The frame now; need not be whole. */
+  get frame(): number {
+    return this.#player.frame;
+  }
+
+  get lastFrame(): number {
+    return this.#player.last;
+  }
+
+  get playing(): boolean {
+    return this.#player.playing;
+  }
+
+  /** The figure's nodes now [nodes x 3]; null before the first motion. */
+  get pose(): Float32Array | null {
+    return this.#walk?.at(this.#player.frame) ?? null;
+  }
+
+  /**
+   * Plays a motion. `whole`: a lap takes in every frame, however badly the ends meet.
+   * `goesOn`: if it is of the same figure, it goes on from where that one stands, at the same time.
+   */
+  load(motion: Motion, { whole, goesOn }: { whole: boolean; goesOn: boolean }): void {
+    const before = goesOn && this.#walk?.motion.nodes === motion.nodes ? (this.pose?.slice() ?? null) : null;
+    if (!before) this.#player.frame = 0;
+    this.#walk = new Walk(motion, whole);
+    this.#player.load(motion.frames, motion.frameTime, this.#walk.loop.end);
+    if (before) this.#walk.standAt(this.#player.frame, before);
+    this.changed();
+  }
+
+  /** Moves the clock on by seconds. */
+  advance(seconds: number): void {
+    if (!this.#player.playing) return;
+    const laps = this.#player.advance(seconds);
+    for (let lap = 0; lap < laps; lap++) this.#walk?.lap();
+    this.changed();
+  }
+
+  play(): void {
+    this.#player.play();
+    this.changed();
+  }
+
+  togglePlay(): void {
+    if (this.#player.playing) this.#player.pause();
+    else this.#player.play();
+    this.changed();
+  }
+
+  /** Stops at the next whole frame in a direction. */
+  step(direction: 1 | -1): void {
+    this.#player.step(direction);
+    this.#walk?.settle();
+    this.changed();
+  }
+
+  /** Stops at a frame. */
+  scrub(frame: number): void {
+    this.#player.pause();
+    this.#player.scrub(frame);
+    this.#walk?.settle();
+    this.changed();
+  }
+}

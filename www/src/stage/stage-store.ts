@@ -1,0 +1,97 @@
+// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost or marked poses.
+import type { Figure, Motion, PartSpec } from "../engine/protocol";
+import { Store } from "../ui/store";
+import type { Playback } from "./playback";
+
+/** What the stage plays. */
+export interface Shown {
+  /** "first": the stored first seconds; "model": a rollout; "clip": a recording. */
+  kind: "first" | "model" | "clip";
+  figure: Figure;
+  /** Names, in the order of the skeleton. */
+  joints: string[];
+  parts: PartSpec[];
+  motion: Motion;
+  /** The key of the clip, when it is one. */
+  clip?: string;
+}
+
+/** What an inducing point stands for. */
+export interface Marks {
+  poses: { part: number; opacity: number; positions: Float32Array }[];
+  /** The part that the point speaks for, and how much for each frame, 0 to 1 [frames]. */
+  part: number;
+  frames: Float64Array;
+}
+
+export class StageStore extends Store {
+  readonly #playback: Playback;
+  /** The clip in front; null: the model is seen. */
+  #clip: Shown | null = null;
+  #model: Shown | null = null;
+  #ghost: Motion | null = null;
+  #marks: Marks | null = null;
+
+  constructor(playback: Playback) {
+    super();
+    this.#playback = playback;
+  }
+
+  get shown(): Shown | null {
+    return this.#clip ?? this.#model;
+  }
+
+  /** The key of the clip that is shown; null: the model is seen. */
+  get clip(): string | null {
+    return this.#clip?.clip ?? null;
+  }
+
+  /** The motion as learned, beside the model's under other couplings. */
+  get ghost(): Motion | null {
+    return this.#ghost;
+  }
+
+  get marks(): Marks | null {
+    return this.#marks;
+  }
+
+  /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
+  showModel(shown: Shown): void {
+    const before = this.#model;
+    this.#model = shown;
+    if (!this.#clip) this.#play(shown, before !== null);
+    this.changed();
+  }
+
+  /** Shows a clip in front of the model. The same clip goes on, with other frames or parts. */
+  showClip(shown: Shown): void {
+    const before = this.#clip;
+    this.#clip = shown;
+    this.#play(shown, before?.clip === shown.clip);
+    this.changed();
+  }
+
+  /** Takes the clip away from the model behind it. */
+  endClip(): void {
+    if (!this.#clip || !this.#model) return;
+    this.#clip = null;
+    this.#play(this.#model, false);
+    this.changed();
+  }
+
+  setGhost(ghost: Motion | null): void {
+    if (ghost === this.#ghost) return;
+    this.#ghost = ghost;
+    this.changed();
+  }
+
+  mark(marks: Marks | null): void {
+    if (marks === this.#marks) return;
+    this.#marks = marks;
+    this.changed();
+  }
+
+  #play(shown: Shown, goesOn: boolean): void {
+    this.#playback.load(shown.motion, { whole: shown.kind === "clip", goesOn });
+  }
+}

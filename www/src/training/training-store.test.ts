@@ -1,0 +1,234 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { ClipsStore } from "../clips/clips-store";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { TrainingStore } from "./training-store";
+
+let engine: FakeEngine;
+let trainers: FakeTrainers;
+let settings: SettingsStore;
+let stage: StageStore;
+let clips: ClipsStore;
+let notices: NoticesStore;
+let model: ModelStore;
+let training: TrainingStore;
+
+async function begin(fragment = "", workers = 2): Promise<void> {
+  engine = new FakeEngine();
+  trainers = new FakeTrainers(workers);
+  settings = new SettingsStore(new FakeAddressBar(fragment));
+  const store = new EngineStore();
+  stage = new StageStore(new Playback(settings));
+  clips = new ClipsStore(store, settings, stage);
+  notices = new NoticesStore();
+  model = new ModelStore(store, settings, stage, notices);
+  training = new TrainingStore(store, settings, clips, model, notices);
+  await store.start(
+    () => Promise.resolve(started(engine, trainers)),
+    () => model.open(modelText(100)),
+  );
+  await clips.loadSamples();
+}
+beforeEach(() => begin("seed=5"));
+
+const states = () => training.runs.map(({ state }) => state).join(" ");
+const seedOnStage = () => model.model?.info.provenance.settings.seed;
+const worker = (index: number) => {
+  const found = trainers.trainings[index];
+  if (!found) throw new Error(`no training ${index}`);
+  return found;
+};
+const done = { cancelled: false, reason: null };
+const cancelled = { cancelled: true, reason: null };
+
+describe("a training", () => {
+  it("trains on the ticked clips with the settings now, and its model is on the stage", async () => {
+    const over = training.start();
+    await settled();
+    expect(states()).toBe("running");
+    expect([training.busy, clips.locked, training.learning?.settings.seed]).toEqual([true, true, 5]);
+    const { job } = worker(0);
+    expect(job.clips.map(({ id, source }) => [id, source])).toEqual([
+      [1, { sample: "walk-1" }],
+      [2, { sample: "walk-2" }],
+    ]);
+    expect([job.settings.seed, job.settings.latent, job.settings.parts.length]).toEqual([5, 3, 2]);
+    worker(0).report(12, -40, modelText(5));
+    worker(0).end(done);
+    await over;
+    expect([states(), seedOnStage(), training.chosen?.settings.seed]).toEqual(["done", 5, 5]);
+    expect(training.chosen?.steps.at(-1)?.iteration).toBe(12);
+    expect([training.busy, clips.locked, training.learning]).toEqual([false, false, null]);
+  });
+
+  it("says why it cannot start", async () => {
+    for (const { key } of clips.ticked) await clips.tick(key, false);
+    expect(training.whyNot()).toMatch(/Tick at least one clip/);
+    await training.start();
+    expect(trainers.trainings).toHaveLength(0);
+    engine.odd.add(3);
+    await clips.tick("made-walk-1", true);
+    await clips.tick("made-wave-1", true);
+    expect(training.whyNot()).toMatch(/do not go together/);
+  });
+
+  it("keeps the best so far when it is cancelled", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(3, -90);
+    training.cancel();
+    expect([training.status, worker(0).signal.aborted]).toEqual(["cancelling", true]);
+    await training.start();
+    expect(trainers.trainings).toHaveLength(1);
+    worker(0).report(4, -80, modelText(5));
+    worker(0).end(cancelled);
+    await over;
+    expect([states(), seedOnStage(), training.ending.failed]).toEqual(["cancelled", 5, false]);
+    expect(training.ending.words).toMatch(/You cancelled; this is the best so far/);
+  });
+
+  it("leaves the stage to the model before it when it fails", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).fail(new Error("the clips are too short"));
+    await over;
+    expect([states(), seedOnStage(), training.busy]).toEqual(["failed", 100, false]);
+    expect(training.ending).toEqual({ words: "the clips are too short", failed: true });
+    expect(clips.locked).toBe(false);
+  });
+
+  it("shows the model while it learns: the first takes a clip from the stage, later ones do not", async () => {
+    const time = vi.spyOn(performance, "now").mockReturnValue(10_000);
+    void training.start();
+    await settled();
+    clips.show("made-walk-1");
+    expect(worker(0).report(1, -90)).toBe(true);
+    expect(worker(0).report(2, -80, modelText(5))).toBe(false);
+    await settled();
+    expect([seedOnStage(), stage.clip]).toEqual([5, null]);
+    clips.show("made-walk-1");
+    model.setReading("re-inferred");
+    time.mockReturnValue(10_500);
+    expect(worker(0).report(3, -70)).toBe(false);
+    time.mockReturnValue(11_000);
+    expect(worker(0).report(4, -60)).toBe(true);
+    worker(0).report(5, -50, modelText(6));
+    await settled();
+    expect([seedOnStage(), stage.clip]).toEqual([6, "made-walk-1"]);
+    time.mockRestore();
+  });
+
+  it("says when a model of it cannot be taken up", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(1, -90, "broken");
+    worker(0).end(done);
+    await over;
+    expect(notices.all[0]?.title).toBe("The model of seed 5 was not taken up");
+    expect(seedOnStage()).toBe(100);
+  });
+});
+
+describe("several trainings", () => {
+  beforeEach(() => begin("seed=5&trainings=3"));
+
+  it("run as many at once as there are workers, and the best is on the stage", async () => {
+    const over = training.start();
+    await settled();
+    expect(states()).toBe("running running waiting");
+    worker(0).report(9, -30, modelText(5));
+    worker(0).end(done);
+    await settled();
+    expect(states()).toBe("done running running");
+    worker(1).report(9, -10, modelText(6));
+    worker(1).end(done);
+    worker(2).report(9, -20, modelText(7));
+    worker(2).end(done);
+    await over;
+    expect(training.runs.map(({ settings }) => settings.seed)).toEqual([5, 6, 7]);
+    expect([seedOnStage(), training.chosen?.settings.seed]).toEqual([6, 6]);
+    expect(training.ending.words).toBe("3 done. The best, seed 6, is on the stage.");
+  });
+
+  it("keep what is done and the best so far of the rest when they are cancelled", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -30, modelText(5));
+    training.cancel();
+    worker(0).end(cancelled);
+    worker(1).end(done);
+    await over;
+    expect(states()).toBe("cancelled done cancelled");
+    expect(training.runs[2]?.ending).toBe("You cancelled before it began.");
+    expect([seedOnStage(), training.ending.words]).toEqual([
+      5,
+      "1 done, 2 cancelled. The best so far, seed 5, is on the stage.",
+    ]);
+  });
+
+  it("go on when the worker of one dies, on a fresh one", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -1, modelText(5));
+    worker(0).die(new Error("the worker that computed it stopped"));
+    await settled();
+    expect([states(), trainers.dismissed]).toEqual(["failed running running", 1]);
+    worker(1).report(9, -20, modelText(6));
+    worker(1).end(done);
+    worker(2).end(done);
+    await over;
+    // One that failed is shown only where there is no other.
+    expect([seedOnStage(), states()]).toEqual([6, "failed done done"]);
+    expect(training.ending.words).toBe("2 done, 1 failed. The best, seed 6, is on the stage.");
+  });
+
+  it("show the one that the visitor has chosen, also when another is better", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -30, modelText(5));
+    worker(1).report(9, -10, modelText(6));
+    const [first] = training.runs;
+    if (first) training.choose(first);
+    for (const index of [0, 1]) worker(index).end(done);
+    await settled();
+    worker(2).end(done);
+    await over;
+    expect([seedOnStage(), training.chosen?.settings.seed]).toEqual([5, 5]);
+    const second = training.runs[1];
+    if (second) training.choose(second);
+    await settled();
+    expect(seedOnStage()).toBe(6);
+  });
+
+  it("that are added under other settings are awaited too, and can be removed when all are over", async () => {
+    settings.change({ trainings: 1 });
+    const over = training.start();
+    await settled();
+    settings.change({ latent: 2 });
+    await training.start();
+    await settled();
+    expect([states(), training.asked.length]).toEqual(["running running", 2]);
+    worker(0).end(done);
+    await settled();
+    const [first] = training.runs;
+    expect([training.busy, first && training.canRemove(first)]).toEqual([true, false]);
+    worker(1).report(3, -5, modelText(8));
+    worker(1).end(done);
+    await over;
+    expect([seedOnStage(), worker(1).job.settings.latent]).toEqual([8, 2]);
+    training.clear();
+    expect([training.runs, training.chosen, training.charted]).toEqual([[], null, null]);
+    expect(seedOnStage()).toBe(8);
+  });
+});
+
+it("takes a fresh seed from the engine", async () => {
+  await training.newSeed();
+  expect(settings.values.seed).toBe(77);
+});

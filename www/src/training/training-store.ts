@@ -1,0 +1,270 @@
+// The trainings of this visit: start, follow, cancel; and which of them is on the stage.
+import type { ClipsStore } from "../clips/clips-store";
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import type { Report, TrainingSettings } from "../engine/protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { bestRun, isOver, type Run, seedsFrom } from "./runs";
+import { Staging } from "./staging";
+import { endingOfRuns, endingWords } from "./words";
+
+/** The runs from a press of Train until all are over. */
+interface Session {
+  runs: Run[];
+  /** Stops the runs; each keeps its best so far. */
+  stop: AbortController;
+  /** Kept when each of the runs is over. */
+  work: Promise<void>[];
+  /** The visitor has chosen a run to look at since it began. */
+  picked: boolean;
+  /** A model of it has been on the stage. */
+  staged: boolean;
+}
+
+const newSession = (): Session => ({
+  runs: [],
+  stop: new AbortController(),
+  work: [],
+  picked: false,
+  staged: false,
+});
+
+export class TrainingStore extends Store {
+  readonly #engine: EngineStore;
+  readonly #settings: SettingsStore;
+  readonly #clips: ClipsStore;
+  readonly #staging: Staging;
+  #status: "idle" | "running" | "cancelling" = "idle";
+  #session = newSession();
+  #ending = { words: "", failed: false };
+  #runs: readonly Run[] = [];
+  #chosen: Run | null = null;
+  #lastId = 0;
+
+  constructor(
+    engine: EngineStore,
+    settings: SettingsStore,
+    clips: ClipsStore,
+    model: ModelStore,
+    notices: NoticesStore,
+  ) {
+    super();
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#clips = clips;
+    this.#staging = new Staging(model, notices);
+  }
+
+  get status(): "idle" | "running" | "cancelling" {
+    return this.#status;
+  }
+
+  get busy(): boolean {
+    return this.#status !== "idle";
+  }
+
+  /** All runs of this visit, until they are cleared. */
+  get runs(): readonly Run[] {
+    return this.#runs;
+  }
+
+  /** The runs that the last press of Train asked for, and what was added to them. */
+  get asked(): readonly Run[] {
+    return this.#session.runs;
+  }
+
+  /** How the last runs ended, or why they failed. */
+  get ending(): { words: string; failed: boolean } {
+    return this.#ending;
+  }
+
+  /** The run whose model is on the stage, or will be; null: a model from elsewhere. */
+  get chosen(): Run | null {
+    return this.#chosen;
+  }
+
+  /** The run that the charts draw. */
+  get charted(): Run | null {
+    return this.#chosen ?? this.#runs.at(-1) ?? null;
+  }
+
+  /** The run whose model on the stage is still learning; null: it is over, or from elsewhere. */
+  get learning(): Run | null {
+    return this.busy && this.#chosen && !isOver(this.#chosen) ? this.#chosen : null;
+  }
+
+  /** How many runs are done at once. */
+  get workers(): number {
+    return this.#engine.pool?.width ?? 1;
+  }
+
+  /** Why Train cannot be pressed now; empty when it can. */
+  whyNot(): string {
+    if (this.#engine.state === "loading") return "Getting ready";
+    if (!this.#engine.engine) return "The model cannot run in this browser";
+    if (this.#clips.ticked.length === 0) return "Tick at least one clip to train on";
+    return this.#clips.clash ? "The ticked clips do not go together; Clips says why" : "";
+  }
+
+  /**
+   * Trains from as many seeds as the settings ask for, and takes the best up. While others train, these are added to them.
+   * The promise is kept when all are over, for whoever began.
+   */
+  async start(): Promise<void> {
+    if (this.#status === "cancelling" || this.whyNot()) return;
+    const runs = this.#newRuns();
+    const begins = !this.busy;
+    if (begins) this.#begin(runs);
+    this.#runs = [...this.#runs, ...runs];
+    const session = this.#session;
+    session.runs.push(...runs);
+    this.changed();
+    session.work.push(...runs.map((run) => this.#carryOut(run, session.stop.signal)));
+    if (begins) await this.#finish(session);
+  }
+
+  /** Stops all runs. Each that has begun keeps its best so far. */
+  cancel(): void {
+    if (this.#status !== "running") return;
+    this.#status = "cancelling";
+    this.#session.stop.abort();
+    this.changed();
+  }
+
+  /** The visitor wants to see this run, whatever the others do. */
+  choose(run: Run): void {
+    this.#session.picked = this.busy;
+    if (run.model) void this.#stage(run, false);
+    else this.#look(run);
+  }
+
+  /** A model from elsewhere is on the stage. */
+  unchoose(): void {
+    this.#look(null);
+  }
+
+  /** Whether nothing needs the run any more: the best is chosen among all runs that were asked for together. */
+  canRemove(run: Run): boolean {
+    return isOver(run) && !(this.busy && this.#session.runs.includes(run));
+  }
+
+  remove(run: Run): void {
+    if (!this.canRemove(run)) return;
+    this.#runs = this.#runs.filter((other) => other !== run);
+    if (this.#chosen === run) {
+      this.#chosen = null;
+      this.#session.picked = false;
+    }
+    this.changed();
+  }
+
+  /** Removes all runs that can be removed. */
+  clear(): void {
+    for (const run of this.#runs) this.remove(run);
+  }
+
+  async newSeed(): Promise<void> {
+    const seed = await this.#engine.engine?.freshSeed();
+    if (seed !== undefined) this.#settings.change({ seed });
+  }
+
+  #newRuns(): Run[] {
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed, trainings } =
+      this.#settings.values;
+    const { parts, toTrainOn: clips } = this.#clips;
+    return seedsFrom(seed, trainings).map((seed): Run => {
+      const settings: TrainingSettings = {
+        parts,
+        latent,
+        dynamicsIps,
+        poseIps,
+        order,
+        framesPerSecond,
+        seed,
+        maxIterations,
+      };
+      this.#lastId += 1;
+      return { id: this.#lastId, settings, clips, state: "waiting", steps: [], elapsed: 0, ending: "", model: null };
+    });
+  }
+
+  #begin(runs: readonly Run[]): void {
+    this.#status = "running";
+    this.#session = newSession();
+    this.#ending = { words: "", failed: false };
+    this.#chosen = runs[0] ?? null;
+    this.#clips.lock(true);
+  }
+
+  /** Carries one run out on a worker of the pool. Its failure is its own. */
+  async #carryOut(run: Run, signal: AbortSignal): Promise<void> {
+    const report: Report = ({ steps, elapsed, model }) => {
+      if (run.state !== "running") return false;
+      run.steps.push(...steps);
+      run.elapsed = elapsed;
+      if (model) run.model = model;
+      this.changedSoon();
+      return this.#follow(run);
+    };
+    try {
+      const { pool } = this.#engine;
+      if (!pool) throw new Error("The model cannot run in this browser.");
+      const outcome = await pool.run((worker) => {
+        run.state = "running";
+        this.changed();
+        return worker.train({ clips: run.clips, settings: run.settings }, report, signal);
+      }, signal);
+      run.state = outcome.cancelled ? "cancelled" : "done";
+      run.ending = endingWords(outcome);
+    } catch (problem) {
+      const stopped = problem === signal.reason;
+      run.state = stopped ? "cancelled" : "failed";
+      run.ending = stopped ? "You cancelled before it began." : messageOf(problem);
+    }
+    this.changed();
+  }
+
+  /** When all runs are over, those that were added meanwhile too: the best is on the stage. */
+  async #finish(session: Session): Promise<void> {
+    for (let awaited = 0; awaited < session.work.length; ) {
+      awaited = session.work.length;
+      await Promise.all(session.work);
+    }
+    const kept = session.runs.filter(({ model }) => model !== null);
+    const best = bestRun(kept.filter(({ state }) => state !== "failed")) ?? bestRun(kept);
+    const { picked } = session;
+    if (best && !picked) await this.#stage(best, session.staged);
+    this.#status = "idle";
+    this.#ending = endingOfRuns(session.runs, picked ? null : best);
+    this.#clips.lock(false);
+    this.changed();
+  }
+
+  /**
+   * Keeps the best run under way on the stage, or the one that the visitor chose, with a new model about once a second.
+   * Answers whether this run is to send a newer model.
+   */
+  #follow(run: Run): boolean {
+    const session = this.#session;
+    if (!this.busy || !this.#staging.isDue) return false;
+    const leader = session.picked ? this.#chosen : bestRun(session.runs);
+    if (!leader || leader.model === null || leader.model === this.#staging.staged) return leader === run;
+    void this.#stage(leader, session.staged);
+    return false;
+  }
+
+  /** After the first model of a training, a clip that is looked at may keep the stage, and the visitor's couplings hold. */
+  #stage(run: Run, keep: boolean): Promise<void> {
+    this.#session.staged = true;
+    this.#look(run);
+    return this.#staging.stage(run, { couplings: keep, clip: keep });
+  }
+
+  #look(run: Run | null): void {
+    this.#chosen = run;
+    this.changed();
+  }
+}

@@ -1,0 +1,26 @@
+// Words for what a training does and how it ended.
+import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import type { Run } from "./runs";
+
+export function phaseWords(phase: TrainingProgress["phase"]): string {
+  return phase;
+}
+
+export function endingWords({ cancelled, reason }: TrainingOutcome): string {
+  return cancelled ? "You cancelled; this is the best so far." : (reason ?? "Done.");
+}
+
+/** What became of several runs. `best` is the one that was put on the stage when they were over. */
+export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: string; failed: boolean } {
+  const failed = runs.filter(({ state }) => state === "failed");
+  const [first] = runs;
+  if (failed[0] && failed.length === runs.length) return { words: failed[0].ending, failed: true };
+  if (first && runs.length === 1) return { words: first.ending, failed: false };
+  const count = (state: Run["state"]) => runs.filter((run) => run.state === state).length;
+  const counts = (["done", "cancelled", "failed"] as const)
+    .filter((state) => count(state) > 0)
+    .map((state) => `${count(state)} ${state}`);
+  const soFar = count("cancelled") > 0 ? " so far" : "";
+  const shown = best ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage.` : "";
+  return { words: `${counts.join(", ")}.${shown}`, failed: false };
+}

@@ -1,0 +1,51 @@
+// What the page tells the visitor about files and failures, until it is dismissed.
+import { Store } from "./store";
+
+/** A place on the page, in pixels. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
+export interface Notice {
+  id: number;
+  kind: "error" | "done";
+  title: string;
+  text: string;
+  /** Where a dropped file landed; null: in the list of clips. */
+  at: Place | null;
+}
+
+/** Older notices make room for new ones. */
+const MOST = 6;
+
+export class NoticesStore extends Store {
+  #notices: readonly Notice[] = [];
+  #lastId = 0;
+
+  get all(): readonly Notice[] {
+    return this.#notices;
+  }
+
+  add(notice: Omit<Notice, "id">): void {
+    this.#lastId += 1;
+    this.#notices = [...this.#notices, { ...notice, id: this.#lastId }].slice(-MOST);
+    this.changed();
+  }
+
+  /** Says in the list of clips what went wrong. */
+  addError(title: string, text: string): void {
+    this.add({ kind: "error", title, text, at: null });
+  }
+
+  dismiss(id: number): void {
+    this.#notices = this.#notices.filter((notice) => notice.id !== id);
+    this.changed();
+  }
+
+  clear(): void {
+    if (this.#notices.length === 0) return;
+    this.#notices = [];
+    this.changed();
+  }
+}

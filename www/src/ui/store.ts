@@ -1,0 +1,30 @@
+// What the page knows about one subject. Only the store's own methods change it; views and other stores listen.
+
+/** Milliseconds between two redraws of what workers report, however many of them work. */
+const SOON = 100;
+
+export abstract class Store {
+  readonly #listeners = new Set<() => void>();
+  #waiting = false;
+
+  /** Calls back after each change; answers how to stop that. */
+  on(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Tells all listeners at once. */
+  protected changed(): void {
+    for (const listener of [...this.#listeners]) listener();
+  }
+
+  /** The same, at most every 100 ms: workers report more often than is worth a redraw. */
+  protected changedSoon(): void {
+    if (this.#waiting) return;
+    this.#waiting = true;
+    setTimeout(() => {
+      this.#waiting = false;
+      this.changed();
+    }, SOON);
+  }
+}

@@ -1,0 +1,136 @@
+// The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
+import { Model } from "vcgpdm/playground";
+import type {
+  DynamicsInducing,
+  InducingPoint,
+  InducingReport,
+  ModelInfo,
+  ModelView,
+  OpenedModel,
+  RolloutRequest,
+  RolloutResult,
+} from "../engine/protocol";
+import { handOver } from "./hand-over";
+
+/** A model with what is asked of it again and again. */
+interface Held {
+  model: Model;
+  info: ModelInfo;
+  /** Grows with every model that is taken up. */
+  revision: number;
+}
+
+export class ShownModel {
+  #held: Held | null = null;
+  /** The last rollout that an inducing point was asked about. */
+  #pointedRollout: RolloutResult | null = null;
+
+  /** Takes a model up and rolls it out as learned. The one before stays where that fails. */
+  open(text: string, frames: number): OpenedModel {
+    const model = Model.fromJson(text);
+    try {
+      const next = { model, info: model.info(), revision: (this.#held?.revision ?? 0) + 1 };
+      const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" });
+      const opened = { model: view(next), rollout };
+      this.#held?.model.free();
+      this.#held = next;
+      return opened;
+    } catch (problem) {
+      model.free();
+      throw problem;
+    }
+  }
+
+  rollout(request: RolloutRequest): RolloutResult {
+    const result = roll(this.#current(), request);
+    return handOver(result, result.motion.positions, ...result.latents);
+  }
+
+  rolloutBvh(request: RolloutRequest): string {
+    const rollout = this.#current().model.rollout(request);
+    try {
+      return rollout.toBvh();
+    } finally {
+      rollout.free();
+    }
+  }
+
+  toJson(): string {
+    return this.#current().model.toJson();
+  }
+
+  /** What a point stands for, and how much it speaks for each frame of the rollout. */
+  inducing(point: InducingPoint, request: RolloutRequest): InducingReport {
+    const { model, info } = this.#current();
+    const latents = this.#latentsOf(request);
+    const pathOf = (part: number) => latents[part] ?? new Float64Array(0);
+    const width = (part: number) => info.parts[part]?.latent ?? 0;
+    if (point.kind === "pose") {
+      const { part, index } = point;
+      const poses = [model.pose(part, row(model.poseIps(part), index, width(part)))];
+      return { point, poses, frames: model.poseIpWeights(part, index, pathOf(part)) };
+    }
+    const { source, target, index } = point;
+    const history = row(model.dynamicsIps(source, target), index, info.order * width(source));
+    const poses = [
+      model.pose(source, row(history, info.order - 1, width(source))),
+      model.pose(target, row(model.dynamicsIvs(source, target), index, width(target))),
+    ];
+    return { point, poses, frames: model.dynamicsIpWeights(source, target, index, pathOf(source)) };
+  }
+
+  #current(): Held {
+    if (!this.#held) throw new Error("There is no model yet: train one or open one.");
+    return this.#held;
+  }
+
+  /** The latents of a rollout; a visitor mostly points at several points about the same one. */
+  #latentsOf(request: RolloutRequest): Float64Array[] {
+    const held = this.#current();
+    const known = this.#pointedRollout;
+    if (known?.revision === held.revision && JSON.stringify(known.request) === JSON.stringify(request))
+      return known.latents;
+    this.#pointedRollout = roll(held, request);
+    return this.#pointedRollout.latents;
+  }
+}
+
+function view({ model, info, revision }: Held): ModelView {
+  const parts = info.parts.map((_, i) => i);
+  const dynamics = (source: number, target: number): DynamicsInducing => ({
+    count: info.dynamicsIps[source]?.[target] ?? 0,
+    inputs: model.dynamicsIps(source, target),
+    outputs: model.dynamicsIvs(source, target),
+  });
+  return {
+    revision,
+    info,
+    poseInducing: parts.map((part) => model.poseIps(part)),
+    dynamicsInducing: parts.map((source) => parts.map((target) => dynamics(source, target))),
+    trainingLatents: null,
+  };
+}
+
+function roll({ model, info, revision }: Held, request: RolloutRequest): RolloutResult {
+  const rollout = model.rollout(request);
+  try {
+    return {
+      revision,
+      request,
+      motion: {
+        positions: rollout.positions(),
+        frames: rollout.frames,
+        nodes: info.figure.nodes.length,
+        frameTime: info.frameTime,
+      },
+      latents: info.parts.map((_, part) => rollout.latents(part)),
+      weights: model.weights(request.alpha ?? info.alpha),
+    };
+  } finally {
+    rollout.free();
+  }
+}
+
+function row(values: Float64Array, index: number, width: number): Float64Array {
+  return values.slice(index * width, (index + 1) * width);
+}
