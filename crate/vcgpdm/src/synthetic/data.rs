@@ -2,8 +2,8 @@
 
 use crate::evaluation::dtw_mse;
 use crate::gp::NumericsError;
-use crate::models::variational::{FittedModel, Reading, Trainer};
-use crate::models::{Poser, Roller, RolloutError, TrainingError, VariationalSettings};
+use crate::models::variational::{Trainer, Vcgpdm};
+use crate::models::{RolloutError, TrainingError, VariationalSettings};
 use crate::synthetic::alignment::centre;
 use crate::synthetic::function::{DrawnFunction, Evidence, grid, normal, rbf};
 use nalgebra::DMatrix;
@@ -100,14 +100,11 @@ impl Synthetic {
 
     /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;
     /// the mean of the parts. A part has a path of its own because it has a rhythm of its own.
-    pub fn mse(&self, model: &FittedModel) -> Result<f64, SyntheticError> {
-        let roller = Roller::new(model, &model.alpha, Reading::AsLearned)?;
-        let paths = roller.latents(model.start(0)?, FRAMES)?;
-        let poser = Poser::new(model)?;
+    pub fn mse(&self, model: &Vcgpdm) -> Result<f64, SyntheticError> {
         let mut sum = 0.0;
-        for (part, y) in self.y.iter().enumerate() {
-            // The shapes fit each other; only numbers that are none can be in the way.
-            let score = dtw_mse(&poser.observations(part, &paths[part]), y);
+        for (rolled_out, y) in model.rollout(0, FRAMES)?.iter().zip(&self.y) {
+            // The shapes fit each other; only a number that is not finite can be refused.
+            let score = dtw_mse(rolled_out, y);
             sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
         }
         Ok(sum / self.y.len() as f64)
