@@ -62,7 +62,7 @@ async function features() {
 /** With the examples, because the packages then are those of clippy, compiled already. */
 async function docs() {
   const what = ["doc", "--no-deps", "--all-features", "--config", 'build.rustdocflags = ["-D", "warnings"]'];
-  await run("cargo", ...what, ...NATIVE, "--lib", "--bins", "--examples");
+  await run("cargo", ...what, ...NATIVE, "--lib", "--examples");
   await run("cargo", ...what, ...WASM);
 }
 
