@@ -1,4 +1,4 @@
-//! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix A).
+//! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix C).
 //!
 //! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of [`crate::gp::bound`]
 //! fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked backwards.
@@ -102,6 +102,10 @@ impl Objective {
     }
 
     /// Computes the terms of the bound at `params`; they stay in the workspace.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
         let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
         self.begin(params, histories, terms);
@@ -115,6 +119,10 @@ impl Objective {
     }
 
     /// Computes the terms of the bound at `params` and the gradient of their sum; they stay in the workspace.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute_with_gradient(
         &self,
         params: &Params,
@@ -140,6 +148,10 @@ impl Objective {
     }
 
     /// The terms of the bound at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn terms(&self, params: &Params) -> Result<BoundTerms, NumericsError> {
         let mut workspace = self.workspace(params);
         self.compute(params, &mut workspace)?;
@@ -147,6 +159,10 @@ impl Objective {
     }
 
     /// The terms of the bound at `params` and the gradient of their sum, as [`Workspace::gradient`].
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn terms_and_gradient(&self, params: &Params) -> Result<(BoundTerms, Params), NumericsError> {
         let mut workspace = self.workspace(params);
         self.compute_with_gradient(params, &mut workspace)?;
@@ -154,6 +170,10 @@ impl Objective {
     }
 
     /// The optimal posteriors at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
         let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
             self.workspace(params);
