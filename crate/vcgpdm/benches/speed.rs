@@ -5,8 +5,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::DMatrix;
 use std::hint::black_box;
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
@@ -69,7 +69,7 @@ fn bound(criterion: &mut Criterion) {
 fn rollout(criterion: &mut Criterion) {
     let dataset = dataset();
     let trainer = trained(dataset.y.clone(), dataset.lengths(), 12);
-    let model = MotionModel::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut group = criterion.benchmark_group("rollout");
     group.throughput(Throughput::Elements(300));

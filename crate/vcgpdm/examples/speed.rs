@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm::speed::{Rates, Work};
 
@@ -52,7 +52,7 @@ fn training(clips: &[Clip]) -> Value {
             break progress;
         }
     };
-    let model = MotionModel::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut times = Vec::new();
     for _ in 0..200 {

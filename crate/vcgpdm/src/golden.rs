@@ -8,14 +8,17 @@ use crate::gp::{Gaussians, Kernel, NumericsError};
 use crate::json::rows;
 use crate::json::rows::{matrix_from_rows, rows_of};
 use crate::models::rollout::MOST_FRAMES;
-use crate::models::variational::{BoundTerms, Expert, FittedModel, Objective, Params, PartParams, Reading};
-use crate::models::{Parameters, Poser, Roller, RolloutError, Sequences, SequencesError};
+use crate::models::variational::{
+    BoundTerms, Expert, InducingPosterior, Objective, Params, PartParams, Vcgpdm,
+};
+use crate::models::{Parameters, Reading, RolloutError, Sequences, SequencesError};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Why a case could not be read or evaluated.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum CaseError {
     /// Not JSON of the expected form.
     #[error("at {path}: {message}")]
@@ -196,8 +199,7 @@ impl Case {
             return Err(NumericsError::NotFinite { what: "gradient of the bound" }.into());
         }
         let posteriors = self.objective.posteriors(&self.params)?;
-        let model = FittedModel::fit(&self.objective, &self.params)?;
-        let poser = Poser::new(&model)?;
+        let model = Vcgpdm::fit(&self.objective, &self.params, terms.clone())?;
         let rollouts = self.rollouts.iter().enumerate().map(|(k, asked)| {
             let path = format!("expected.rollouts[{k}]");
             let alpha = matrix(&asked.alpha, &format!("{path}.alpha"))?;
@@ -209,15 +211,12 @@ impl Case {
                     found: asked.steps.to_string(),
                 });
             }
-            let x =
-                Roller::new(&model, &alpha, Reading::AsLearned)?.latents(&x0, asked.steps + model.order)?;
-            let y = x.iter().enumerate().map(|(i, x)| rows_of(&poser.observations(i, x))).collect();
+            let dynamics = model.dynamics(&alpha, Reading::AsLearned)?;
+            let x = dynamics.path(&x0, asked.steps + model.order)?;
+            let y = model.observations(&x).iter().map(rows_of).collect();
             Ok(RolloutJson { x: x.iter().map(rows_of).collect(), y, ..asked.clone() })
         });
-        let json = |p: &crate::models::variational::InducingPosterior| PosteriorJson {
-            mean: p.mean.clone(),
-            cov: p.covariance.clone(),
-        };
+        let json = |p: &InducingPosterior| PosteriorJson { mean: p.mean.clone(), cov: p.covariance.clone() };
         Ok(CaseResult {
             elbo: terms.total(),
             terms,

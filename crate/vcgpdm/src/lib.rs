@@ -4,8 +4,8 @@
 //! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
 //!
 //! ```
-//! use vcgpdm::models::variational::Trainer;
-//! use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+//! use vcgpdm::models::variational::{Trainer, Vcgpdm};
+//! use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 //! use vcgpdm::motion::{bvh, parts, samples};
 //!
 //! let clip = samples::clip("walk-1").ok_or("no such sample")?;
@@ -16,7 +16,7 @@
 //! let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0)?;
 //! while !trainer.step().done {}
 //!
-//! let model = MotionModel::trained(&dataset, &trainer, 30.0)?;
+//! let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0)?;
 //! let rollout = model.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
 //! let motion = bvh::write(&model.clip(&rollout, "walk.bvh")?);
 //! assert!(motion.starts_with("HIERARCHY"));

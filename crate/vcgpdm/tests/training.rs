@@ -1,68 +1,16 @@
-//! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model that can be shared.
+//! Training on the project's own clips, natively; crate/wasm/tests runs the same in wasm.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
-use vcgpdm::motion::{bvh, parts, samples};
+#[path = "shared/training.rs"]
+mod training;
 
-const FRAMES_PER_SECOND: f64 = 30.0;
-
-fn dataset() -> Dataset {
-    let clips: Vec<_> = ["walk-1", "walk-2"].iter().map(|id| samples::clip(id).unwrap()).collect();
-    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-    let sources: Vec<_> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
-    Dataset::new(&sources, &parts, FRAMES_PER_SECOND).unwrap()
-}
-
-fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
-    let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
-    Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 3).unwrap()
-}
-
-/// Standard deviation of the latents over some frames, all dimensions together.
-fn spread(x: &nalgebra::DMatrix<f64>) -> f64 {
-    x.row_variance().sum().sqrt()
-}
-
-/// The reference numbers are this test's own, printed by a native run: what they guard is that native and wasm agree.
 #[test]
 fn native_and_wasm_take_the_same_path() {
-    let dataset = dataset();
-    let mut trainer = trainer(&dataset, 160);
-    let start = trainer.progress().best;
-    let mut progress = trainer.progress();
-    for _ in 0..10 {
-        progress = trainer.step();
-    }
-    println!("start {start:.9}, after ten iterations {:.9}", progress.best);
-    assert!((start - START).abs() < 1e-9 * START.abs(), "{start}");
-    assert!((progress.best - AFTER_TEN).abs() < 1e-6 * AFTER_TEN.abs(), "{}", progress.best);
+    training::native_and_wasm_take_the_same_path();
 }
-
-const START: f64 = 7_221.901_459_019;
-const AFTER_TEN: f64 = 41_717.943_212_709;
 
 #[test]
 fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
-    let dataset = dataset();
-    let mut trainer = trainer(&dataset, 300);
-    while !trainer.step().done {}
-    let model = MotionModel::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap();
-    let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
-    let rollout = model.rollout(&request).unwrap();
-    for (path, part) in rollout.latents.iter().zip(&trainer.best().parts) {
-        let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));
-        assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
-    }
-
-    let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
-    assert_eq!(again.rollout(&request).unwrap().y, rollout.y);
-
-    let clip = model.clip(&rollout, "rollout.bvh").unwrap();
-    let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap().into_clip();
-    assert_eq!(read.frames(), 300);
-    let hips = |frame: usize| read.world_pose(frame).positions[0];
-    let travelled = (hips(299) - hips(0)).norm() / read.height();
-    assert!(travelled > 3.0, "ten seconds of walking lead {travelled} body heights away");
+    training::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
 }

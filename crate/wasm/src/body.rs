@@ -48,7 +48,7 @@ struct Figure {
     nodes: Vec<FigureNode>,
 }
 
-/// The joints of a body, and what a picture of it draws: fields of a larger object.
+/// The joints of a body, and what a picture of it draws.
 #[derive(Serialize)]
 pub struct BodyInfo {
     joints: Vec<JointInfo>,

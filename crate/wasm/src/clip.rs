@@ -1,7 +1,7 @@
 //! Clips, and what there is to know of them.
 
 use crate::body::BodyInfo;
-use crate::convert::to_js;
+use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use vcgpdm::models::DatasetError;
@@ -49,8 +49,6 @@ export interface SampleInfo {
 struct ClipInfo<'a> {
     name: &'a str,
     sha256: &'a str,
-    #[serde(flatten)]
-    body: BodyInfo,
     frames: usize,
     frame_time: f64,
     height: f64,
@@ -96,17 +94,17 @@ impl Clip {
     #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
-        to_js(&ClipInfo {
+        let info = ClipInfo {
             name: &clip.name,
             sha256: &clip.sha256,
-            body: BodyInfo::new(&clip.skeleton),
             frames: clip.frames(),
             frame_time: clip.frame_time,
             height: clip.height(),
             up_axis: clip.up_axis().letter(),
             warnings: &clip.warnings,
             presets: parts::presets(&clip.skeleton),
-        })
+        };
+        to_js_beside(&info, &BodyInfo::new(&clip.skeleton))
     }
 
     /// The frames from `first` up to but not including `end`.

@@ -24,6 +24,33 @@ pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue
     serde_wasm_bindgen::from_value(value).map_err(|reason| failed(words(&reason)))
 }
 
+/// Two values with their fields side by side in one object. (serde's `flatten` would weigh twenty times as much.)
+pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
+    let (first, second) = (to_js(first)?, to_js(second)?);
+    Ok(Object::assign(first.unchecked_ref(), second.unchecked_ref()).into())
+}
+
+/// Two values with their fields side by side in one object: the fields of these names, in snake_case, are the first's.
+pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
+    code: ErrorCode,
+    what: &str,
+    value: &JsValue,
+    names: &[&str],
+) -> Result<(A, B), VcgpdmError> {
+    let (first, second) = (Object::new(), Object::new());
+    if value.is_object() {
+        for entry in Object::entries(value.unchecked_ref()).iter() {
+            let entry: Array = entry.unchecked_into();
+            let (name, value) = (entry.get(0), entry.get(1));
+            let of_first = name.as_string().and_then(|name| snake(&name).ok());
+            let of_first = of_first.is_some_and(|name| names.contains(&name.as_str()));
+            // A new plain object refuses no field.
+            let _ = Reflect::set(if of_first { &first } else { &second }, &name, &value);
+        }
+    }
+    Ok((from_js(code, what, &first)?, from_js(code, what, &second)?))
+}
+
 /// The numbers of a matrix, row after row.
 pub fn flat(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
@@ -92,8 +119,89 @@ fn snake(field: &str) -> Result<String, String> {
 /// What was wrong with a value, its fields named as JavaScript knows them: serde puts them in backticks.
 fn words(reason: &serde_wasm_bindgen::Error) -> String {
     let text = reason.to_string();
-    let pieces = text.trim_start_matches("Error: ").split('`').enumerate();
-    let pieces: Vec<String> =
-        pieces.map(|(k, piece)| if k % 2 == 1 { camel(piece) } else { piece.to_owned() }).collect();
-    pieces.join("`")
+    let mut words = String::new();
+    for (k, piece) in text.trim_start_matches("Error: ").split('`').enumerate() {
+        if k > 0 {
+            words.push('`');
+        }
+        if k % 2 == 1 {
+            words.push_str(&camel(piece));
+        } else {
+            words.push_str(piece);
+        }
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::ErrorCode;
+    use js_sys::JSON;
+    use serde::Deserialize;
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    #[derive(Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Inner {
+        dtw_mse: f64,
+    }
+
+    #[derive(Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Outer {
+        dynamics_ips: Vec<Vec<usize>>,
+        all_scores: Vec<Inner>,
+        sha256: Option<String>,
+    }
+
+    fn outer() -> Outer {
+        Outer {
+            dynamics_ips: vec![vec![1, 2], vec![]],
+            all_scores: vec![Inner { dtw_mse: 0.5 }],
+            sha256: None,
+        }
+    }
+
+    fn text(value: &JsValue) -> String {
+        JSON::stringify(value).unwrap().into()
+    }
+
+    fn refusal(text: &str) -> String {
+        let value = JSON::parse(text).unwrap();
+        let refused = from_js::<Outer>(ErrorCode::Settings, "it", &value);
+        let error: js_sys::Error = JsValue::from(refused.err().unwrap()).unchecked_into();
+        error.message().into()
+    }
+
+    #[wasm_bindgen_test]
+    fn fields_are_camel_case_in_javascript_at_every_depth() {
+        let value = to_js(&outer()).ok().unwrap();
+        let expected = r#"{"dynamicsIps":[[1,2],[]],"allScores":[{"dtwMse":0.5}],"sha256":null}"#;
+        assert_eq!(text(&value), expected);
+        assert_eq!(from_js::<Outer>(ErrorCode::Settings, "it", &value).ok().unwrap(), outer());
+        assert_eq!(text(&value), expected, "what JavaScript gave is left as it was");
+    }
+
+    #[wasm_bindgen_test]
+    fn rows_may_be_typed_arrays() {
+        let row = js_sys::Float64Array::new_with_length(2);
+        let value = from_js::<Vec<Vec<f64>>>(ErrorCode::Rollout, "it", &Array::of1(&row)).ok().unwrap();
+        assert_eq!(value, [[0.0, 0.0]]);
+    }
+
+    #[wasm_bindgen_test]
+    fn errors_name_fields_as_javascript_knows_them() {
+        let snake = refusal(r#"{"dynamics_ips":[],"allScores":[]}"#);
+        assert_eq!(snake, "it: expected fields in camelCase, found `dynamics_ips`; write `dynamicsIps`");
+        assert_eq!(refusal(r#"{"allScores":[]}"#), "it: missing field `dynamicsIps`");
+        assert_eq!(refusal(r#"{"dynamicsIps":[],"allScores":[{}]}"#), "it: missing field `dtwMse`");
+        let unknown = refusal(r#"{"dynamicsIps":[],"allScores":[],"poseIps":1}"#);
+        assert_eq!(
+            unknown,
+            "it: unknown field `poseIps`, expected one of `dynamicsIps`, `allScores`, `sha256`"
+        );
+        let kind = refusal(r#"{"dynamicsIps":"a_b","allScores":[]}"#);
+        assert_eq!(kind, "it: invalid type: string \"a_b\", expected a sequence");
+    }
 }

@@ -202,3 +202,25 @@ impl LibraryError for SyntheticError {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    #[wasm_bindgen_test]
+    fn the_code_is_that_of_the_reason() {
+        let thrown = |error: VcgpdmError| -> (String, String, String) {
+            let error: js_sys::Error = JsValue::from(error).unchecked_into();
+            let code = Reflect::get(&error, &"code".into()).unwrap().as_string().unwrap();
+            (error.name().into(), code, error.message().into())
+        };
+        let setting = || TrainingError::Setting { name: "the order", lowest: 1, highest: 9, found: 0 };
+        let expected = ("VcgpdmError".to_owned(), "settings".to_owned(), setting().to_string());
+        assert_eq!(thrown(setting().into()), expected);
+        let in_clip = DatasetError::Sequence { clip: "walk".to_owned(), reason: Box::new(setting()) };
+        assert_eq!(thrown(in_clip.into()).1, "settings");
+        assert_eq!(thrown(NumericsError::NotFinite { what: "bound" }.into()).1, "numerics");
+        assert_eq!(thrown(RolloutError::Sequence { count: 1, found: 1 }.into()).1, "rollout");
+    }
+}

@@ -1,12 +1,12 @@
 //! Results of a comparison: which jobs are asked for, which are finished, and what they say.
 
 use crate::clip::TrainingSet;
-use crate::convert::{from_js, to_js};
+use crate::convert::{from_js, to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
-use js_sys::Reflect;
+use js_sys::{Array, Reflect};
 use serde::Serialize;
-use vcgpdm::evaluation::{Comparison, Finished, Plan, Results as AllResults, Setting};
+use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, Setting};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -182,12 +182,15 @@ export interface Comparison {
 }
 "#;
 
-/// Something about a job, with the job's id.
+/// What tells a job from every other.
 #[derive(Serialize)]
-struct Identified<'a, T> {
+struct Identity {
     id: String,
-    #[serde(flatten)]
-    value: &'a T,
+}
+
+/// What there is to say about a job, with its id.
+fn identified<T: Serialize>(job: &Job, value: &T) -> Result<JsValue, VcgpdmError> {
+    to_js_beside(&Identity { id: job.to_string() }, value)
 }
 
 /// All results of a comparison so far.
@@ -227,7 +230,7 @@ impl Results {
         let setting = to_js(self.results.setting())?;
         // A file leaves out the piece of a whole clip.
         let trials = Reflect::get(&setting, &"trials".into()).unwrap_or_default();
-        for trial in js_sys::Array::from(&trials).iter() {
+        for trial in Array::from(&trials).iter() {
             if !Reflect::has(&trial, &"piece".into()).unwrap_or(true) {
                 let _ = Reflect::set(&trial, &"piece".into(), &JsValue::NULL);
             }
@@ -237,9 +240,8 @@ impl Results {
 
     /// The jobs that are finished, in the order of tables: by model, then by size, then by seed.
     #[wasm_bindgen(unchecked_return_type = "FinishedJob[]")]
-    pub fn finished(&self) -> Result<JsValue, VcgpdmError> {
-        let finished = self.results.in_order().into_iter();
-        to_js(&finished.map(|value| Identified { id: value.job.to_string(), value }).collect::<Vec<_>>())
+    pub fn finished(&self) -> Result<Array, VcgpdmError> {
+        self.results.in_order().into_iter().map(|finished| identified(&finished.job, finished)).collect()
     }
 
     /// The jobs that the plan asks for, fold after fold, so that the first tables come early.
@@ -247,12 +249,11 @@ impl Results {
     pub fn jobs(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
-    ) -> Result<JsValue, VcgpdmError> {
+    ) -> Result<Array, VcgpdmError> {
         let plan: Plan = from_js(ErrorCode::Comparison, "plan", &plan)?;
         let one_part = self.results.setting().parts.len() < 2;
         let jobs = self.results.jobs(&if one_part { plan.without_coupled() } else { plan })?;
-        let jobs = jobs.iter().map(|value| Identified { id: value.job.to_string(), value });
-        to_js(&jobs.collect::<Vec<_>>())
+        jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
     }
 
     /// Keeps the outcome of a job that this program trained. An outcome that is there already stays.

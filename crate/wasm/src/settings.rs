@@ -1,5 +1,7 @@
-//! What a training is asked to do.
+//! What a training is asked to do: in JavaScript one object with the model's own settings and what they are applied to.
 
+use crate::convert::{from_js_beside, to_js_beside};
+use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::VariationalSettings;
 use vcgpdm::motion::parts::PartSpec;
@@ -27,16 +29,23 @@ export interface TrainingSettings {
 }
 "#;
 
-/// The settings of the model, and what they are applied to.
+/// What a model's settings are applied to.
 #[derive(Serialize, Deserialize)]
-pub struct TrainingSettings {
+pub struct Task {
     /// How the body is split.
     pub parts: Vec<PartSpec>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
     /// The seed of everything random.
     pub seed: u32,
-    /// The model's own.
-    #[serde(flatten)]
-    pub variational: VariationalSettings,
+}
+
+/// The settings of a training for JavaScript.
+pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsValue, VcgpdmError> {
+    to_js_beside(task, settings)
+}
+
+/// The settings of a training from JavaScript.
+pub fn settings_from_js(value: &JsValue) -> Result<(Task, VariationalSettings), VcgpdmError> {
+    from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "frames_per_second", "seed"])
 }

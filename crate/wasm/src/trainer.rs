@@ -1,13 +1,13 @@
 //! A training under way, step by step.
 
 use crate::clip::TrainingSet;
-use crate::convert::{flat, from_js, to_js};
-use crate::error::{ErrorCode, VcgpdmError};
+use crate::convert::{flat, to_js};
+use crate::error::VcgpdmError;
 use crate::model::Model;
-use crate::settings::TrainingSettings;
+use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
-use vcgpdm::models::variational::{InducingError, Trainer as Training};
-use vcgpdm::models::{Dataset, MotionModel, Source};
+use vcgpdm::models::variational::{InducingError, Trainer as Training, Vcgpdm};
+use vcgpdm::models::{Dataset, Source, TrainedModel};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -66,12 +66,11 @@ impl Trainer {
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "TrainingSettings")] settings: JsValue,
     ) -> Result<Trainer, VcgpdmError> {
-        let TrainingSettings { parts, frames_per_second, seed, variational } =
-            from_js(ErrorCode::Settings, "settings", &settings)?;
+        let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
         let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
-        let training = Training::new(dataset.y.clone(), dataset.lengths(), &variational, seed)
+        let training = Training::new(dataset.y.clone(), dataset.lengths(), &settings, seed)
             .map_err(|reason| dataset.refusal(reason))?;
         Ok(Trainer { dataset, training, frames_per_second })
     }
@@ -84,7 +83,7 @@ impl Trainer {
 
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
-        let model = MotionModel::trained(&self.dataset, &self.training, self.frames_per_second)?;
+        let model = TrainedModel::<Vcgpdm>::trained(&self.dataset, &self.training, self.frames_per_second)?;
         Ok(Model { model: Rc::new(model) })
     }
 

@@ -9,7 +9,8 @@ mod write;
 
 use crate::gp::NumericsError;
 use crate::json::{FieldError, JsonError, NotFinite, Value};
-use crate::models::{AnyModel, BaselineModel, MotionModel};
+use crate::models::TrainedModel;
+use crate::models::variational::Vcgpdm;
 use crate::motion::parts::PartsError;
 use thiserror::Error;
 
@@ -21,6 +22,7 @@ const MOST_BYTES: usize = 100 << 20;
 
 /// Why a text is not a model that can be used, or a model cannot become a text.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum DocumentError {
     /// Larger than any model.
     #[error("expected a model of at most {} megabytes, found {found} bytes", MOST_BYTES >> 20)]
@@ -51,12 +53,6 @@ pub enum DocumentError {
         /// Its kind.
         found: &'static str,
     },
-    /// A variational model that lost what its document tells.
-    #[error("a {found} model is written with its couplings and provenance, as a motion model")]
-    Unwritten {
-        /// Its kind.
-        found: &'static str,
-    },
     /// A field is missing, of the wrong type or out of its range.
     #[error("at {path}: {message}")]
     Field {
@@ -68,7 +64,7 @@ pub enum DocumentError {
     /// The parts do not fit the body.
     #[error("at parts: {0}")]
     Parts(#[from] PartsError),
-    /// The pose maps cannot be solved for.
+    /// The maps of the model cannot be solved for.
     #[error("the model cannot be used: {0}")]
     Numerics(#[from] NumericsError),
     /// The model to be written holds NaN or an infinity.
@@ -82,38 +78,43 @@ impl From<FieldError> for DocumentError {
     }
 }
 
-impl MotionModel {
+impl TrainedModel<Vcgpdm> {
     /// The model as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
-        text(&write::variational(self))
+        text(&write::vcgpdm_document(self))
     }
 
     /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
-        read::motion_model(&parsed(text)?)
+        read::vcgpdm_document(&parsed(text)?)
     }
 }
 
-impl AnyModel {
+impl TrainedModel {
     /// The model as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
-        match self {
-            AnyModel::Variational(model) => model.to_json(),
-            AnyModel::Baseline(model) => model.to_json(),
-        }
+        text(&write::document(self))
     }
 
     /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
-    }
-}
-
-impl BaselineModel {
-    /// The model as a JSON document.
-    pub fn to_json(&self) -> Result<String, DocumentError> {
-        let found = self.model.kind().id();
-        text(&write::baseline(self).ok_or(DocumentError::Unwritten { found })?)
     }
 }
 

@@ -7,14 +7,15 @@ use crate::json::{Field, FieldError, Object, Value, write};
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
-use crate::models::variational::{BoundTerms, DynamicsSums, FittedExpert, FittedModel, PoseMap};
+use crate::models::variational::{BoundTerms, DynamicsSums, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{
-    AnyModel, BaselineModel, Body, ModelKind, MotionModel, MovementModel, Provenance, Record, SequenceInfo,
-    VariationalSettings,
+    Body, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Provenance, SequenceInfo, TmpSettings,
+    TrainedModel, VariationalSettings,
 };
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::motion::pose::PoseMapping;
 use nalgebra::{DMatrix, DVector};
+use std::ops::RangeInclusive;
 
 const MOST_PARTS: usize = 64;
 const MOST_LATENT: usize = 100;
@@ -23,16 +24,20 @@ const MOST_ORDER: usize = 100;
 const MOST_SEQUENCES: usize = 10_000;
 
 /// A model of any kind.
-pub(super) fn document(value: &Value) -> Result<AnyModel, DocumentError> {
+pub(super) fn document(value: &Value) -> Result<TrainedModel, DocumentError> {
     let head = head(value)?;
-    Ok(match head.kind {
-        ModelKind::Vcgpdm | ModelKind::Vgpdm => AnyModel::Variational(Box::new(variational(head)?)),
-        _ => AnyModel::Baseline(Box::new(baseline(head)?)),
-    })
+    match head.kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => Ok(variational(head)?.into()),
+        ModelKind::MapGpdm
+        | ModelKind::MapCgpdm
+        | ModelKind::Tmp
+        | ModelKind::DmpDiscrete
+        | ModelKind::DmpRhythmic => baseline(head),
+    }
 }
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
-pub(super) fn motion_model(value: &Value) -> Result<MotionModel, DocumentError> {
+pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
     let head = head(value)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => variational(head),
@@ -110,7 +115,7 @@ fn kind(field: &Field) -> Result<ModelKind, FieldError> {
 }
 
 /// What is left of a baseline's document after the body.
-fn baseline(mut head: Head) -> Result<BaselineModel, DocumentError> {
+fn baseline(mut head: Head) -> Result<TrainedModel, DocumentError> {
     let parts = head.document.get("parts")?;
     let specs = parts.list(|part| {
         let mut object = part.object()?;
@@ -131,30 +136,41 @@ fn baseline(mut head: Head) -> Result<BaselineModel, DocumentError> {
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
     let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
     let field = head.document.get("model")?;
-    let model: Box<dyn MovementModel> = match head.kind {
-        ModelKind::MapGpdm | ModelKind::MapCgpdm => Box::new(MapModel::from_field(field, &columns, lengths)?),
-        ModelKind::Tmp => Box::new(Tmp::from_field(field, &columns, lengths.len())?),
-        ModelKind::DmpDiscrete => Box::new(DmpDiscrete::from_field(field, &columns, lengths.len())?),
-        ModelKind::DmpRhythmic => Box::new(DmpRhythmic::from_field(field, &columns, lengths.len())?),
+    let count = lengths.len();
+    let model = match head.kind {
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => {
+            Model::Map(Box::new(MapModel::from_field(field, &columns, lengths)?))
+        }
+        ModelKind::Tmp => Model::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
+        ModelKind::DmpDiscrete => {
+            Model::DmpDiscrete(Box::new(DmpDiscrete::from_field(field, &columns, count)?))
+        }
+        ModelKind::DmpRhythmic => {
+            Model::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
+        }
         // They have a document of their own.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
     };
     let mut object = head.document.get("provenance")?.object()?;
-    let record = Record {
-        engine: object.get("engine")?.text()?.to_owned(),
-        settings: object.get("settings")?.fields(|field, name| setting(&field, name))?,
+    let engine = object.get("engine")?.text()?.to_owned();
+    let (settings, seed) = baseline_settings(object.get("settings")?, head.kind)?;
+    let provenance = Provenance {
+        engine,
+        settings,
+        seed,
         frames_per_second: frames_per_second(&mut object)?,
         objective: object.get("objective")?.number()?,
         iterations: object.get("iterations")?.whole()?,
+        evaluations: 0,
         note: note(&mut object)?,
     };
     object.end()?;
     let body = head.body(model.kind(), layout, sequences)?;
-    Ok(BaselineModel { body, model, record })
+    Ok(TrainedModel { model, body, provenance })
 }
 
 /// What is left of a variational model's document after the body.
-fn variational(mut head: Head) -> Result<MotionModel, DocumentError> {
+fn variational(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
     let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
@@ -164,7 +180,7 @@ fn variational(mut head: Head) -> Result<MotionModel, DocumentError> {
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
     let layout = PartsLayout::new(&specs, &head.mapping)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
-        let map: &PoseMap = &maps[i];
+        let map: &PoseFields = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
     }
     let latent: Vec<usize> = maps.iter().map(|map| map.r.ncols()).collect();
@@ -184,22 +200,25 @@ fn variational(mut head: Head) -> Result<MotionModel, DocumentError> {
     let (sequences, starts): (Vec<_>, Vec<_>) =
         field.list(|item| sequence(item, &latent, order))?.into_iter().unzip();
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
-    let provenance = provenance(head.document.get("provenance")?, m)?;
+    let (provenance, terms) = provenance(head.document.get("provenance")?, m)?;
     let found = if m == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm };
     let body = head.body(found, layout, sequences)?;
 
+    let mut parts = Vec::with_capacity(m);
+    for PoseFields { r, kernel, beta, mean, covariance } in maps {
+        parts.push(PoseMap::new(r, kernel, beta, mean, covariance, jitter)?);
+    }
     let mut experts = vec![Vec::with_capacity(m); m];
     let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
     for target in targets {
-        for (row, expert) in experts.iter_mut().zip(target.experts) {
-            row.push(expert);
+        for (row, ExpertFields { z, kernel, mean }) in experts.iter_mut().zip(target.experts) {
+            row.push(FittedExpert::new(z, kernel, mean, jitter)?);
         }
         dynamics_covariance.push(target.covariance);
         sums.push(target.sums);
     }
-    let fitted =
-        FittedModel { order, jitter, experts, dynamics_covariance, sums, parts: maps, alpha, starts };
-    Ok(MotionModel::new(fitted, body, provenance)?)
+    let model = Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, alpha, starts, terms };
+    Ok(TrainedModel { model, body, provenance })
 }
 
 fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {
@@ -224,7 +243,16 @@ fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
     }
 }
 
-fn part(field: Field) -> Result<(PartSpec, PoseMap), FieldError> {
+/// A part's pose map as it stands in the document.
+struct PoseFields {
+    r: DMatrix<f64>,
+    kernel: Kernel,
+    beta: f64,
+    mean: DMatrix<f64>,
+    covariance: DMatrix<f64>,
+}
+
+fn part(field: Field) -> Result<(PartSpec, PoseFields), FieldError> {
     let mut part = field.object()?;
     let spec = part_spec(&mut part)?;
     let field = part.get("lambda")?;
@@ -244,12 +272,19 @@ fn part(field: Field) -> Result<(PartSpec, PoseMap), FieldError> {
     shape(&field, &covariance, l, l)?;
     part.end()?;
     let kernel = Kernel { lambda: DVector::from_vec(lambda), variance };
-    Ok((spec, PoseMap { r, kernel, beta, mean, covariance }))
+    Ok((spec, PoseFields { r, kernel, beta, mean, covariance }))
+}
+
+/// An expert as it stands in the document.
+struct ExpertFields {
+    z: DMatrix<f64>,
+    kernel: Kernel,
+    mean: DMatrix<f64>,
 }
 
 /// The dynamics into one part; matrices over its sources stack them in order.
 struct Target {
-    experts: Vec<FittedExpert>,
+    experts: Vec<ExpertFields>,
     covariance: DMatrix<f64>,
     sums: DynamicsSums,
 }
@@ -278,7 +313,7 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
 }
 
 /// `dims`: of the source's history; `q`: of the target.
-fn expert(field: Field, dims: usize, q: usize) -> Result<FittedExpert, FieldError> {
+fn expert(field: Field, dims: usize, q: usize) -> Result<ExpertFields, FieldError> {
     let mut expert = field.object()?;
     let field = expert.get("lambda")?;
     let lambda = field.numbers()?;
@@ -292,7 +327,7 @@ fn expert(field: Field, dims: usize, q: usize) -> Result<FittedExpert, FieldErro
     let mean = tame_matrix(&field)?;
     shape(&field, &mean, k, q)?;
     expert.end()?;
-    Ok(FittedExpert { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
+    Ok(ExpertFields { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
 }
 
 /// A training sequence with the latent means of the first frames of each part.
@@ -316,59 +351,78 @@ fn sequence(
     Ok((info, start))
 }
 
-/// Of a model of `m` parts.
-fn provenance(field: Field, m: usize) -> Result<Provenance, FieldError> {
+/// How a variational model of `m` parts was made, and the terms of its bound.
+fn provenance(field: Field, m: usize) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
     let mut object = field.object()?;
     let engine = object.get("engine")?.text()?.to_owned();
-    let (settings, seed) = settings(object.get("settings")?)?;
-    let provenance = Provenance {
-        engine,
-        settings,
-        seed,
-        frames_per_second: frames_per_second(&mut object)?,
-        bound: object.get("bound")?.number()?,
-        terms: terms(object.get("terms")?, m)?,
-        iterations: object.get("iterations")?.whole()?,
-        evaluations: object.get("evaluations")?.whole()?,
-        note: note(&mut object)?,
-    };
+    let (settings, seed) = variational_settings(object.get("settings")?)?;
+    let frames_per_second = frames_per_second(&mut object)?;
+    let objective = object.get("bound")?.number()?;
+    let terms = terms(object.get("terms")?, m)?;
+    let iterations = object.get("iterations")?.whole()?;
+    let evaluations = object.get("evaluations")?.whole()?;
+    let note = note(&mut object)?;
     object.end()?;
-    Ok(provenance)
+    let provenance =
+        Provenance { engine, settings, seed, frames_per_second, objective, iterations, evaluations, note };
+    Ok((provenance, terms))
 }
 
-fn settings(field: Field) -> Result<(VariationalSettings, u32), FieldError> {
+/// What training was asked for, and the seed.
+fn variational_settings(field: Field) -> Result<(VariationalSettings, u32), FieldError> {
     let mut object = field.object()?;
-    let mut whole = |name: &str| {
-        let field = object.get(name)?;
-        setting(&field, name)?;
-        field.whole()
+    let settings = VariationalSettings {
+        latent: in_range(&object.get("latent")?, 1..=MOST_LATENT)?,
+        dynamics_ips: in_range(&object.get("dynamics_ips")?, 1..=MOST_IPS)?,
+        pose_ips: in_range(&object.get("pose_ips")?, 1..=MOST_IPS)?,
+        order: in_range(&object.get("order")?, 1..=MOST_ORDER)?,
+        max_iterations: object.get("max_iterations")?.whole()?,
     };
-    let (latent, dynamics_ips, pose_ips) = (whole("latent")?, whole("dynamics_ips")?, whole("pose_ips")?);
-    let (order, max_iterations) = (whole("order")?, whole("max_iterations")?);
-    let field = object.get("seed")?;
-    let seed =
-        u32::try_from(field.whole()?).map_err(|_| field.wrong("a whole number from 0 to 4294967295"))?;
+    let seed = seed(&mut object)?;
     object.end()?;
-    Ok((VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations }, seed))
+    Ok((settings, seed))
 }
 
-/// What training was asked for: within what it could have been asked for, where the name is known. Yes is 1.
-fn setting(field: &Field, name: &str) -> Result<f64, FieldError> {
-    let range = match name {
-        "latent" => 1..=MOST_LATENT,
-        "order" => 1..=MOST_ORDER,
-        "dynamics_ips" | "pose_ips" | "primitives" | "bases" => 1..=MOST_IPS,
-        "balanced" => 0..=1,
-        "seed" => 0..=u32::MAX as usize,
-        "max_iterations" => 0..=usize::MAX,
-        _ => {
-            let number = field.number()?;
-            tame(field, &[number])?;
-            return Ok(number);
+/// The same for a model that is not variational.
+fn baseline_settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+    let mut object = field.clone().object()?;
+    let (settings, seed) = match kind {
+        ModelKind::MapGpdm => (ModelSettings::MapGpdm(map_settings(&mut object)?), seed(&mut object)?),
+        ModelKind::MapCgpdm => (ModelSettings::MapCgpdm(map_settings(&mut object)?), seed(&mut object)?),
+        ModelKind::Tmp => {
+            let primitives = object.optional("primitives").map(|field| in_range(&field, 1..=MOST_IPS));
+            (ModelSettings::Tmp(TmpSettings { primitives: primitives.transpose()? }), 0)
         }
+        ModelKind::DmpDiscrete => (ModelSettings::DmpDiscrete(dmp_settings(&mut object)?), 0),
+        ModelKind::DmpRhythmic => (ModelSettings::DmpRhythmic(dmp_settings(&mut object)?), 0),
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected settings of a baseline")),
     };
-    count(field, field.whole()?, range)?;
-    field.number()
+    object.end()?;
+    Ok((settings, seed))
+}
+
+fn map_settings(object: &mut Object) -> Result<MapSettings, FieldError> {
+    Ok(MapSettings {
+        latent: in_range(&object.get("latent")?, 1..=MOST_LATENT)?,
+        order: in_range(&object.get("order")?, 1..=MOST_ORDER)?,
+        max_iterations: object.get("max_iterations")?.whole()?,
+        // Yes is 1.
+        balanced: in_range(&object.get("balanced")?, 0..=1)? == 1,
+    })
+}
+
+fn dmp_settings(object: &mut Object) -> Result<DmpSettings, FieldError> {
+    Ok(DmpSettings { bases: in_range(&object.get("bases")?, 1..=MOST_IPS)? })
+}
+
+/// A setting, within what training could have been asked for.
+fn in_range(field: &Field, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
+    count(field, field.whole()?, range)
+}
+
+fn seed(object: &mut Object) -> Result<u32, FieldError> {
+    let field = object.get("seed")?;
+    u32::try_from(field.whole()?).map_err(|_| field.wrong("a whole number from 0 to 4294967295"))
 }
 
 fn frames_per_second(object: &mut Object) -> Result<f64, FieldError> {

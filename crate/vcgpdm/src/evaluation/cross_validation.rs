@@ -4,8 +4,8 @@
 use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
 use crate::gp::NumericsError;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, ModelSettings, MovementModel, Movements,
-    RolloutError, Sequence, Source,
+    Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
+    Sequence, Source,
 };
 use crate::motion::parts::PartSpec;
 use crate::motion::pose::PoseError;
@@ -19,6 +19,7 @@ pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum EvaluationError {
     /// There is no such trial.
     #[error(
@@ -53,7 +54,7 @@ pub enum EvaluationError {
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
-    /// A number that went astray, though the predicted columns are finite.
+    /// A number that is not finite, though the predicted columns are.
     #[error("the prediction is not finite: {what} is {found}")]
     NotFinite {
         /// Which number of the outcome.
@@ -61,7 +62,7 @@ pub enum EvaluationError {
         /// What it is.
         found: f64,
     },
-    /// A time that no training takes.
+    /// A time that no training can take.
     #[error("expected the seconds of the training, from 0, found {0}")]
     Seconds(f64),
     /// The prediction could not be scored.
@@ -78,7 +79,7 @@ pub struct Fold {
     actual: DMatrix<f64>,
 }
 
-/// What came of one model in one fold.
+/// What came of one candidate in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Outcome {
@@ -150,7 +151,10 @@ impl Fold {
     }
 
     /// All columns that the model predicts for the trial held out [T x D].
-    pub fn predict(&self, model: &dyn MovementModel) -> Result<DMatrix<f64>, RolloutError> {
+    ///
+    /// # Errors
+    /// The model cannot be rolled out for the length of the trial.
+    pub fn predict(&self, model: &Model) -> Result<DMatrix<f64>, RolloutError> {
         let rollout = model.rollout(self.movements.sequences.len() - 1, self.actual.nrows())?;
         // A model of the whole body has one part with the columns of all parts side by side.
         if rollout.len() == self.movements.y.len() {
@@ -164,14 +168,20 @@ impl Fold {
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
     }
 
-    /// A training of a model in this fold, ready to begin.
+    /// A training of a candidate in this fold, ready to begin.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one of them.
     pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let learner = candidate.learner(&self.movements, seed);
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
 
-    /// Trains a model and scores its prediction. `watch` is told of every step and may end the training by saying false: then
-    /// there is no outcome. `seconds` is a clock.
+    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training by saying false:
+    /// then there is no outcome. `seconds` is a clock.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained, or its prediction cannot be scored.
     pub fn evaluate(
         &self,
         candidate: &ModelSettings,
@@ -190,13 +200,16 @@ impl Fold {
         } {}
         let model = learner.model()?;
         let trained = seconds() - begin;
-        self.outcome(&*model, &learner.progress(), trained).map(Some)
+        self.outcome(&model, &learner.progress(), trained).map(Some)
     }
 
-    /// What a model is worth, whose training ended so and took so many seconds.
+    /// How well a model predicts the trial held out; its training ended like this and took so many seconds.
+    ///
+    /// # Errors
+    /// The prediction cannot be made or scored, or a number of the outcome is not finite.
     pub fn outcome(
         &self,
-        model: &dyn MovementModel,
+        model: &Model,
         training: &LearningProgress,
         seconds: f64,
     ) -> Result<Outcome, EvaluationError> {
@@ -211,7 +224,7 @@ impl Fold {
             seconds,
             frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
-            reason: training.reason.clone(),
+            reason: training.reason.as_ref().map(ToString::to_string),
         };
         // A file of results could not hold such numbers. Squares may overflow where the predicted columns do not.
         for (what, found) in [
@@ -232,7 +245,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
+    use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
     use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -296,57 +309,48 @@ mod tests {
         assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
-    /// Predicts that all columns fly away.
-    struct Astray {
-        columns: Vec<usize>,
-        to: f64,
-    }
-
-    impl MovementModel for Astray {
-        fn kind(&self) -> ModelKind {
-            ModelKind::DmpRhythmic
+    /// Predicts that all columns stay where no body is.
+    fn astray(fold: &Fold, place: f64) -> Model {
+        let settings = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
+        let Model::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
+            panic!("another kind of model");
+        };
+        model.weights.fill(0.0);
+        model.centre.fill(place);
+        for start in &mut model.starts {
+            start.spring.position.fill(place);
+            start.spring.velocity.fill(0.0);
         }
-
-        fn rollout(&self, _: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-            let flight = |t: usize| if t.is_multiple_of(2) { self.to } else { -self.to };
-            Ok(self.columns.iter().map(|&d| DMatrix::from_fn(frames, d, |t, _| flight(t))).collect())
-        }
-
-        fn stored_numbers(&self) -> usize {
-            0
-        }
-
-        fn bound(&self) -> Option<f64> {
-            None
-        }
+        Model::DmpRhythmic(model)
     }
 
     #[test]
-    fn no_outcome_holds_what_is_no_number() {
+    fn no_outcome_holds_a_number_that_is_not_finite() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
-        let of = |to: f64, best: f64, seconds: f64| {
-            let columns = fold.movements().y.iter().map(|y| y.ncols()).collect();
+        let outcome = |to: f64, best: f64, seconds: f64| {
             let training = LearningProgress {
                 iteration: 1,
                 max_iterations: 1,
+                evaluations: 0,
                 objective: best,
                 best,
+                phase: None,
                 done: true,
                 reason: None,
                 fraction: 1.0,
             };
-            fold.outcome(&Astray { columns, to }, &training, seconds).map_err(|error| error.to_string())
+            fold.outcome(&astray(&fold, to), &training, seconds).map_err(|error| error.to_string())
         };
-        assert!(of(1.0, 0.0, 1.0).is_ok());
-        let far = of(1e200, 0.0, 1.0).unwrap_err();
+        assert!(outcome(1.0, 0.0, 1.0).is_ok());
+        let far = outcome(1e200, 0.0, 1.0).unwrap_err();
         assert_eq!(far, "the prediction is not finite: its mean squared error after time warping is inf");
-        assert!(of(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
-        let unbegun = of(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
+        assert!(outcome(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
+        let unbegun = outcome(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
         assert_eq!(unbegun, "the prediction is not finite: what the training maximised is -inf");
         for seconds in [-1.0, f64::NAN] {
-            let error = of(1.0, 0.0, seconds).unwrap_err();
+            let error = outcome(1.0, 0.0, seconds).unwrap_err();
             assert_eq!(error, format!("expected the seconds of the training, from 0, found {seconds}"));
         }
     }

@@ -20,6 +20,7 @@ pub struct Score {
 
 /// Why two motions cannot be compared.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ScoreError {
     /// A motion without frames or columns.
     #[error(
@@ -84,6 +85,19 @@ const MAX_CELLS: usize = 324_000_000;
 /// For an actual motion that stands still itself, `s` is 1.
 ///
 /// Takes O(T_1 T_2 D) operations, one byte for each pair of frames and two rows of costs.
+///
+/// ```
+/// use nalgebra::DMatrix;
+/// use vcgpdm::evaluation::dtw_mse;
+///
+/// let wave = |lag: f64| DMatrix::from_fn(60, 1, |t, _| (0.2 * t as f64 - lag).sin());
+/// let late = dtw_mse(&wave(0.4), &wave(0.0))?;
+/// assert!(late.dtw_mse < 0.2 * late.mse, "a difference in phase counts little");
+/// # Ok::<(), vcgpdm::evaluation::ScoreError>(())
+/// ```
+///
+/// # Errors
+/// A motion is empty, too long or not finite, or both have other columns.
 pub fn dtw_mse(predicted: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Score, ScoreError> {
     check("predicted", predicted)?;
     check("actual", actual)?;

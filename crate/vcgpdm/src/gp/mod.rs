@@ -8,6 +8,7 @@ pub mod bound;
 pub(crate) mod exp;
 mod gaussians;
 pub(crate) mod kernel;
+mod kernel_sum;
 pub(crate) mod lanes;
 pub(crate) mod linalg;
 pub mod psi;
@@ -15,4 +16,5 @@ pub(crate) mod tall;
 
 pub use gaussians::Gaussians;
 pub use kernel::{Kernel, KernelAdjoint};
+pub use kernel_sum::KernelSum;
 pub use linalg::NumericsError;

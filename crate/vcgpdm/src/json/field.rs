@@ -69,20 +69,6 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// All its fields: the name of each, and what `read` turns it into.
-    pub fn fields<T>(
-        &self,
-        mut read: impl FnMut(Field<'a>, &str) -> Result<T, FieldError>,
-    ) -> Result<Vec<(String, T)>, FieldError> {
-        let Value::Object(fields) = self.value else {
-            return Err(self.wrong("an object"));
-        };
-        let field = |(name, value): &'a (String, Value)| {
-            Ok((name.clone(), read(Field { value, path: format!("{}.{name}", self.path) }, name)?))
-        };
-        fields.iter().map(field).collect()
-    }
-
     /// All its items; `read` turns each into a `T`.
     pub fn list<T>(
         &self,

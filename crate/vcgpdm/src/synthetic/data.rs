@@ -2,8 +2,8 @@
 
 use crate::evaluation::dtw_mse;
 use crate::gp::NumericsError;
-use crate::models::variational::{FittedModel, Reading, Trainer};
-use crate::models::{Poser, Roller, RolloutError, TrainingError, VariationalSettings};
+use crate::models::variational::{Trainer, Vcgpdm};
+use crate::models::{RolloutError, TrainingError, VariationalSettings};
 use crate::synthetic::alignment::centre;
 use crate::synthetic::function::{DrawnFunction, Evidence, grid, normal, rbf};
 use nalgebra::DMatrix;
@@ -115,14 +115,11 @@ impl Synthetic {
     /// # Errors
     ///
     /// The model cannot be rolled out, or its rollout is not finite.
-    pub fn mse(&self, model: &FittedModel) -> Result<f64, SyntheticError> {
-        let roller = Roller::new(model, &model.alpha, Reading::AsLearned)?;
-        let paths = roller.latents(model.start(0)?, FRAMES)?;
-        let poser = Poser::new(model)?;
+    pub fn mse(&self, model: &Vcgpdm) -> Result<f64, SyntheticError> {
         let mut sum = 0.0;
-        for (part, y) in self.y.iter().enumerate() {
+        for (rolled_out, y) in model.rollout(0, FRAMES)?.iter().zip(&self.y) {
             // The shapes always agree, so the only possible reason is a number that is not finite.
-            let score = dtw_mse(&poser.observations(part, &paths[part]), y);
+            let score = dtw_mse(rolled_out, y);
             sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
         }
         Ok(sum / self.y.len() as f64)

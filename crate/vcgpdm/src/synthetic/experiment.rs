@@ -1,8 +1,8 @@
 //! The experiment while it runs: the data, a training on them, and what the training has found so far.
 
 use crate::gp::NumericsError;
-use crate::models::VariationalSettings;
-use crate::models::variational::{Params, Trainer, TrainingProgress, coupling_weight_matrix};
+use crate::models::variational::{Params, Trainer, TrainingProgress};
+use crate::models::{VariationalSettings, coupling_weight_matrix};
 use crate::synthetic::alignment::{Alignment, align};
 use crate::synthetic::data::{Synthetic, SyntheticError};
 use crate::synthetic::verdict::Verdict;

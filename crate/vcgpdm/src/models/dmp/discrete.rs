@@ -1,11 +1,8 @@
 //! Dynamic movement primitives towards a goal.
 
 use crate::gp::NumericsError;
-use crate::json::Value;
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -167,26 +164,21 @@ impl SpringStart {
     }
 }
 
-impl MovementModel for DmpDiscrete {
-    fn kind(&self) -> ModelKind {
-        ModelKind::DmpDiscrete
-    }
-
-    /// As fast as the training trials were in the mean; behind their end it stands at the goal.
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+impl DmpDiscrete {
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// It is as fast as the training trials were in the mean; behind their end it stands at the goal.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// Weights, goal, y(0), y'(0), start and rate of one sequence, which columns are scaled, and alpha_x.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: weights, goal, y(0), y'(0), start
+    /// and rate of one sequence, which columns are scaled, and alpha_x.
+    pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 4 * self.goal.len() + 3
-    }
-
-    fn bound(&self) -> Option<f64> {
-        None
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

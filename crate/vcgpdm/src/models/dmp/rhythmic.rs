@@ -1,11 +1,8 @@
 //! Dynamic movement primitives around a centre.
 
 use crate::gp::NumericsError;
-use crate::json::Value;
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -148,25 +145,19 @@ impl RhythmicStart {
     }
 }
 
-impl MovementModel for DmpRhythmic {
-    fn kind(&self) -> ModelKind {
-        ModelKind::DmpRhythmic
-    }
-
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+impl DmpRhythmic {
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// Weights, centre, y(0) and y'(0) of one sequence, its start, rate and amplitude, and the concentration.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: weights, centre, y(0) and y'(0) of
+    /// one sequence, its start, rate and amplitude, and the concentration.
+    pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 3 * self.centre.len() + 4
-    }
-
-    fn bound(&self) -> Option<f64> {
-        None
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

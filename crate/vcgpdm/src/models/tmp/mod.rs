@@ -31,9 +31,6 @@ mod weights;
 pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
-use crate::json::Value;
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -116,16 +113,16 @@ impl Tmp {
         });
         cross * &self.coefficients
     }
-}
 
-impl MovementModel for Tmp {
-    fn kind(&self) -> ModelKind {
-        ModelKind::Tmp
-    }
-
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
     /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do: more frames than
     /// reach there are spread over the same phases, so that the movement is slower.
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
         let trial = self
             .trials
@@ -139,17 +136,10 @@ impl MovementModel for Tmp {
         Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
     }
 
-    /// Primitives at the inducing phases, the weights of one trial, its start and rate, lengthscale and range.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: primitives at the inducing phases, the weights of one trial,
+    /// its start and rate, lengthscale and range.
+    pub fn stored_numbers(&self) -> usize {
         let weights = self.centre.len();
         self.coefficients.len() + weights + 2 + 1 + if self.axis == PhaseAxis::Trial { 2 } else { 0 }
-    }
-
-    fn bound(&self) -> Option<f64> {
-        Some(self.bound)
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

@@ -11,10 +11,10 @@
 //! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
 
 use crate::gp::{Kernel, NumericsError};
+use crate::models::couplings::coupling_weights;
 use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
 use crate::models::map::params::MapParams;
 use crate::models::sequences::Sequences;
-use crate::models::variational::coupling_weights;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 

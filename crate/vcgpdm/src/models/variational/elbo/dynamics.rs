@@ -5,6 +5,7 @@ use crate::gp::kernel::KernelAdjoint;
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::gp::{Gaussians, NumericsError};
+use crate::models::couplings::coupling_weights_into;
 use crate::models::variational::elbo::Objective;
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
@@ -18,30 +19,6 @@ pub struct DynamicsSums {
     pub psi2: DMatrix<f64>,
     /// psi1^{jT} mu_t [sum K x Q_i].
     pub psi1_mu: DMatrix<f64>,
-}
-
-/// alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji} for the column `alpha` of one target.
-pub fn coupling_weights(alpha: &[f64]) -> (f64, Vec<f64>) {
-    let mut weights = vec![0.0; alpha.len()];
-    (coupling_weights_into(alpha, &mut weights), weights)
-}
-
-/// As [`coupling_weights`]: gives alpha^i, and the weights in a vector that is there.
-fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
-    let combined = 1.0 / alpha.iter().map(|a| 1.0 / a).sum::<f64>();
-    for (w, a) in weights.iter_mut().zip(alpha) {
-        *w = combined / a;
-    }
-    combined
-}
-
-/// The weights w[source][target] that coupling variances alpha[source][target] give [M x M]; those into each part sum to 1.
-pub fn coupling_weight_matrix(alpha: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut weights = alpha.clone();
-    for (mut column, alpha) in weights.column_iter_mut().zip(alpha.column_iter()) {
-        coupling_weights_into(alpha.as_slice(), column.as_mut_slice());
-    }
-    weights
 }
 
 /// Where blocks of these heights start when stacked; one entry more than there are blocks.

@@ -12,7 +12,7 @@ use crate::gp::{Gaussians, NumericsError};
 use crate::models::sequences::Sequences;
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
-pub use dynamics::{DynamicsSums, coupling_weight_matrix, coupling_weights, stack_offsets};
+pub use dynamics::{DynamicsSums, stack_offsets};
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};

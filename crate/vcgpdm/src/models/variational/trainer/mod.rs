@@ -3,12 +3,14 @@
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
 use crate::models::latents::{check_dimensions, check_training};
-use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
+use crate::models::progress::TrainingPhase;
+use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
+use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
-use crate::models::variational::posterior::FittedModel;
+
 use crate::models::variational::start::starting_point;
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -19,34 +21,6 @@ const JITTER: f64 = 1e-6;
 const BLOCK_ITERATIONS: usize = 50;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
-
-/// What is being optimised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum TrainingPhase {
-    /// What the latents are explained with, while they are held.
-    CouplingsKernelsInducingPoints,
-    /// Everything together.
-    Everything,
-}
-
-impl TrainingPhase {
-    fn of(phase: &Phase) -> Self {
-        if phase.groups.contains(&Group::Latents) {
-            TrainingPhase::Everything
-        } else {
-            TrainingPhase::CouplingsKernelsInducingPoints
-        }
-    }
-
-    /// The phase in plain words.
-    pub fn words(self) -> &'static str {
-        match self {
-            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
-            TrainingPhase::Everything => "everything together",
-        }
-    }
-}
 
 /// How far training is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -68,7 +42,7 @@ pub struct TrainingProgress {
     /// Whether training has ended.
     pub done: bool,
     /// Why it ended.
-    pub reason: Option<EndReason>,
+    pub reason: Option<SearchEnd>,
     /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
     pub fraction: f64,
 }
@@ -158,7 +132,7 @@ impl Trainer {
             bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
-            phase: TrainingPhase::of(ascent.phase()),
+            phase: training_phase(ascent.phase()),
             done: ascent.reason().is_some(),
             reason: ascent.reason(),
             fraction: ascent.fraction(),
@@ -186,9 +160,22 @@ impl Trainer {
     }
 
     /// The model of the best bound so far.
-    pub fn model(&self) -> Result<FittedModel, NumericsError> {
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn model(&self) -> Result<Vcgpdm, NumericsError> {
         let search = self.ascent.search();
-        FittedModel::fit(&search.target.objective, &search.best_parameters())
+        Vcgpdm::fit(&search.target.objective, &search.best_parameters(), search.best_terms.clone())
+    }
+}
+
+/// What is optimised in a phase of the [`schedule`].
+fn training_phase(phase: &Phase) -> TrainingPhase {
+    if phase.groups.contains(&Group::Latents) {
+        TrainingPhase::Everything
+    } else {
+        TrainingPhase::CouplingsKernelsInducingPoints
     }
 }
 

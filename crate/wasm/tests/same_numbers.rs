@@ -1,0 +1,26 @@
+//! What the library's own tests hold natively holds in wasm: the same numbers, with the same code.
+
+#![cfg(target_arch = "wasm32")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[path = "../../vcgpdm/tests/shared/golden.rs"]
+mod golden;
+#[path = "../../vcgpdm/tests/shared/training.rs"]
+mod training;
+
+#[wasm_bindgen_test]
+fn golden_cases_agree() {
+    golden::golden_cases_agree();
+}
+
+#[wasm_bindgen_test]
+fn native_and_wasm_take_the_same_path() {
+    training::native_and_wasm_take_the_same_path();
+}
+
+#[wasm_bindgen_test]
+fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
+    training::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
+}
