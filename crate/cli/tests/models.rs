@@ -69,7 +69,7 @@ fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize)
     let sequences = sequences.map(|(k, frames)| Sequence { frames, whole: k != SEQUENCE }).collect();
     let mut learner = candidate.learner(&Movements { y: dataset.y.clone(), sequences }, seed).unwrap();
     while !learner.step().done {}
-    Body::of(&dataset).columns(&learner.model().unwrap().rollout(SEQUENCE, frames).unwrap())
+    Body::new(&dataset).columns(&learner.model().unwrap().rollout(SEQUENCE, frames).unwrap())
 }
 
 #[test]

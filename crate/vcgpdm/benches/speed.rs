@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use nalgebra::DMatrix;
 use std::hint::black_box;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+use vcgpdm::models::{Dataset, Reading, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
@@ -76,6 +76,15 @@ fn rollout(criterion: &mut Criterion) {
     group.bench_function("300 frames with figure positions", |bench| {
         bench.iter(|| model.positions(&model.rollout(black_box(&request)).unwrap()).unwrap());
     });
+    // What a walk of alpha asks for: other couplings at every step.
+    let mut alpha = model.model.alpha.clone();
+    alpha[(0, 1)] *= 2.0;
+    for (id, reading) in [("as learned", Reading::AsLearned), ("re-inferred", Reading::ReInferred)] {
+        let request = RolloutRequest { alpha: Some(alpha.clone()), reading, ..request.clone() };
+        group.bench_function(BenchmarkId::new("300 frames under changed couplings", id), |bench| {
+            bench.iter(|| model.rollout(black_box(&request)).unwrap());
+        });
+    }
     group.finish();
 }
 

@@ -26,7 +26,7 @@ fn evaluation(case: &Case) -> Value {
         times.push(1e3 * begin.elapsed().as_secs_f64());
     }
     times.sort_by(f64::total_cmp);
-    let (work, rates) = (Work::of(&case.objective, &case.params), Rates::measure());
+    let (work, rates) = (Work::new(&case.objective, &case.params), Rates::measure());
     json!({
         "bound": workspace.terms().total(),
         "median_ms": times[times.len() / 2],

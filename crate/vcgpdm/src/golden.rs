@@ -161,6 +161,10 @@ pub struct Case {
 
 impl Case {
     /// Reads a golden file, or the `input` of one alone.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not a case, shapes do not fit each other, or a variance is not positive.
     pub fn from_json(text: &str) -> Result<Self, CaseError> {
         let mut deserializer = serde_json::Deserializer::from_str(text);
         let document: Document = serde_path_to_error::deserialize(&mut deserializer)
@@ -178,6 +182,10 @@ impl Case {
     }
 
     /// Writes a problem and a point in its parameter space as a golden file with an `input` only.
+    ///
+    /// # Errors
+    ///
+    /// When a number is not finite.
     pub fn write(params: &Params, objective: &Objective) -> Result<String, serde_json::Error> {
         let input = Input {
             params: params_to_json(params),
@@ -190,6 +198,10 @@ impl Case {
     }
 
     /// Bound, terms, gradient, optimal posteriors and the rollouts asked for.
+    ///
+    /// # Errors
+    ///
+    /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot be made.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.objective.terms_and_gradient(&self.params)?;
         // Numbers near the ends of what an f64 holds may give a finite bound whose gradient is not.

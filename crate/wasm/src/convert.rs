@@ -27,7 +27,7 @@ pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue
 /// Two values with their fields side by side in one object. (serde's `flatten` would weigh twenty times as much.)
 pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
-    Ok(Object::assign(first.unchecked_ref(), second.unchecked_ref()).into())
+    Ok(Object::assign(first.unchecked_ref(), second.unchecked_ref::<Object>()).into())
 }
 
 /// Two values with their fields side by side in one object: the fields of these names, in snake_case, are the first's.

@@ -199,6 +199,7 @@ impl LibraryError for SyntheticError {
             SyntheticError::Numerics(_) => ErrorCode::Numerics,
             SyntheticError::Training(reason) => reason.code(),
             SyntheticError::Rollout(reason) => reason.code(),
+            _ => ErrorCode::Training,
         }
     }
 }

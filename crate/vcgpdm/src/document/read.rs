@@ -1,6 +1,6 @@
 //! From the tree of a document to a model: every field is checked where it is read.
 
-use crate::document::{DocumentError, FORMAT, VERSION};
+use crate::document::error::{DocumentError, FORMAT, VERSION};
 use crate::gp::Kernel;
 use crate::json::checks::{count, positive, positive_number, shape, tame, tame_matrix, within};
 use crate::json::{Field, FieldError, Object, Value, write};

@@ -132,7 +132,7 @@ impl Fold {
         let sequences =
             lengths.iter().enumerate().map(|(k, frames)| Sequence { frames: *frames, whole: k != last });
         let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
-        Ok(Self { body: Body::of(&dataset), movements, actual })
+        Ok(Self { body: Body::new(&dataset), movements, actual })
     }
 
     /// What a model of this fold is trained on; its last sequence is the beginning of the trial held out.

@@ -1,4 +1,5 @@
-//! The mean dynamics of the latents of all parts, under given couplings.
+//! The mean dynamics of the latents of all parts, under given couplings: iterated, they are the latent path of a rollout (as in
+//! Velychko et al. 2018, figure 3F).
 
 use crate::gp::KernelSum;
 use crate::models::rollout::RolloutError;

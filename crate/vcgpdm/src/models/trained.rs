@@ -69,7 +69,7 @@ impl TrainedModel {
             evaluations: progress.evaluations,
             note: None,
         };
-        Ok(Self { model: learner.model()?, body: Body::of(dataset), provenance })
+        Ok(Self { model: learner.model()?, body: Body::new(dataset), provenance })
     }
 
     /// The kind of model.
@@ -140,7 +140,7 @@ impl TrainedModel<Vcgpdm> {
             evaluations: progress.evaluations,
             note: None,
         };
-        Ok(Self { model: trainer.model()?, body: Body::of(dataset), provenance })
+        Ok(Self { model: trainer.model()?, body: Body::new(dataset), provenance })
     }
 
     /// The mean rollout from a training sequence's start latents, under the learned couplings or others.

@@ -25,7 +25,7 @@ pub struct DiscreteStart {
 /// Fitted discrete dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpDiscrete {
-    /// g [D]: the mean of the last frames of the whole trials.
+    /// Goal g [D]: the mean of the last frames of the whole trials.
     pub goal: DVector<f64>,
     /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
     pub alpha_x: f64,
@@ -33,19 +33,23 @@ pub struct DmpDiscrete {
     pub centres: Vec<f64>,
     /// psi_b(x) = exp(-widths_b (x - centres_b)^2) [B].
     pub widths: Vec<f64>,
-    /// w [B x D].
+    /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
     /// Whether the column's force is scaled by g - y(0) [D].
     pub scaled: Vec<bool>,
     /// One for each training sequence.
     pub starts: Vec<DiscreteStart>,
-    /// D_i of each part, in order.
+    /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpDiscrete {
     /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
     /// begin at the same place in it, and forces of different places must not be averaged.
+    ///
+    /// # Errors
+    ///
+    /// When the regression cannot be solved.
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alpha_x = ALPHA_X;
         // Equal distances in time; in x they shrink with it.
@@ -63,7 +67,7 @@ impl DmpDiscrete {
         let alignment = Alignment::new(trials, Some(PhaseAxis::Trial));
         let start = |(trial, map): (&Trial, &PhaseMap)| DiscreteStart {
             map: *map,
-            spring: SpringStart::of(&trial.y),
+            spring: SpringStart::at_first_frame(&trial.y),
         };
         let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
         let d = trials.first().map_or(0, |t| t.y.ncols());
@@ -158,8 +162,8 @@ fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
 }
 
 impl SpringStart {
-    /// At the first frame of `y` [T x D].
-    pub(super) fn of(y: &DMatrix<f64>) -> Self {
+    /// The springs at the first frame of `y` [T x D].
+    pub(super) fn at_first_frame(y: &DMatrix<f64>) -> Self {
         Self { position: y.row(0).transpose(), velocity: Curve::new(y).first_velocity() }
     }
 }

@@ -11,7 +11,7 @@ use crate::models::phase::Trial;
 use crate::models::progress::{EndReason, LearningProgress};
 use crate::models::settings::DmpSettings;
 use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::trials_of;
+use crate::models::trials::split_trials;
 use nalgebra::DMatrix;
 
 const MOST_BASES: usize = 200;
@@ -39,7 +39,7 @@ impl DmpLearner {
         settings: &DmpSettings,
     ) -> Result<Self, TrainingError> {
         in_range("the number of bases", settings.bases, MOST_BASES)?;
-        let (trials, columns) = trials_of(movements)?;
+        let (trials, columns) = split_trials(movements)?;
         let (bases, error) = (settings.bases, f64::INFINITY);
         Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
     }

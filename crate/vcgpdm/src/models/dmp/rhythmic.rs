@@ -19,7 +19,7 @@ const PLACES: usize = 256;
 pub struct RhythmicStart {
     /// Phase of the first frame and phase from frame to frame, in cycles.
     pub map: PhaseMap,
-    /// r.
+    /// Amplitude r of the movement; 1 in the training trials.
     pub amplitude: f64,
     /// The springs at the first frame.
     pub spring: SpringStart,
@@ -28,28 +28,32 @@ pub struct RhythmicStart {
 /// Fitted rhythmic dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpRhythmic {
-    /// g [D]: the mean of the cycle.
+    /// Centre g of the movement [D]: the mean of the cycle.
     pub centre: DVector<f64>,
     /// psi_b(phi) = exp(concentration (cos(phi - 2 pi b / B) - 1)).
     pub concentration: f64,
-    /// w [B x D].
+    /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
     /// One for each training sequence.
     pub starts: Vec<RhythmicStart>,
-    /// D_i of each part, in order.
+    /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpRhythmic {
     /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns; starts and rates of the
     /// trials are aligned to their mean cycle. A movement without a period is one cycle, as long as the longest trial.
+    ///
+    /// # Errors
+    ///
+    /// When the regression cannot be solved.
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alignment = Alignment::new(trials, Some(PhaseAxis::Cycle));
         let d = trials.first().map_or(0, |t| t.y.ncols());
         let start = |(trial, map): (&Trial, &PhaseMap)| RhythmicStart {
             map: *map,
             amplitude: 1.0,
-            spring: SpringStart::of(&trial.y),
+            spring: SpringStart::at_first_frame(&trial.y),
         };
         let mut model = Self {
             centre: alignment.template(trials).row_mean().transpose(),

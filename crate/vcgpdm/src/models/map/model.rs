@@ -38,6 +38,10 @@ pub struct MapModel {
 
 impl MapModel {
     /// The model at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn fit(density: &LogDensity, params: &MapParams) -> Result<Self, NumericsError> {
         let poses = density.pose_coefficients(params)?;
         let parts = params.parts.iter().zip(poses).map(|(part, coefficients)| MapPoseMap {
@@ -101,6 +105,10 @@ impl MapModel {
     }
 
     /// The latent path of every part [frames x Q_i] from the first latents of a training sequence.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
     pub fn latents(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
         let count = self.sequences.lengths().len();

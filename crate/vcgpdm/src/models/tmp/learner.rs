@@ -10,7 +10,7 @@ use crate::models::settings::TmpSettings;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::trials_of;
+use crate::models::trials::split_trials;
 
 /// More would only be slow.
 const MOST_PRIMITIVES: usize = 40;
@@ -80,7 +80,7 @@ impl TmpLearner {
     ) -> Result<Self, TrainingError> {
         let asked = settings.primitives;
         in_range("the number of primitives", asked.unwrap_or(1), MOST_PRIMITIVES)?;
-        let (trials, columns) = trials_of(movements)?;
+        let (trials, columns) = split_trials(movements)?;
         let alignment = Alignment::new(&trials, None);
         let count = asked.unwrap_or(1);
         // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the same footing, because

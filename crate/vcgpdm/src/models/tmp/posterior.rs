@@ -118,7 +118,7 @@ impl Posterior {
         Ok(posterior)
     }
 
-    /// Q.
+    /// Number of primitives Q.
     pub fn primitives(&self) -> usize {
         self.v.ncols()
     }
@@ -194,12 +194,12 @@ impl Posterior {
     /// Expected squared error of column `k` over all trials, `energies` as of [`Self::energy`].
     fn squared_error(&self, trials: &[Trial], energies: &[DMatrix<f64>], k: usize) -> f64 {
         let weights = &self.weights[k];
-        let one = |(s, trial): (usize, &Trial)| {
+        let of_trial = |(s, trial): (usize, &Trial)| {
             let seen = self.v.tr_mul(&self.views[s].projected.column(k));
             trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[s])
                 + weights.second[s].dot(&energies[s])
         };
-        trials.iter().enumerate().map(one).sum()
+        trials.iter().enumerate().map(of_trial).sum()
     }
 
     /// sigma^2, c, V and a, one after the other, each at the bound's maximum.

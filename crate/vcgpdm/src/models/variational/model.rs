@@ -239,7 +239,7 @@ impl Vcgpdm {
 
     /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise variance alpha^i.
     fn re_inferred(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Vec<KernelSum>, NumericsError> {
-        // K^-1 E[u] = A^-1 b / n with A = K + Psi2 / n, all sources stacked.
+        // The mean of (A36), Velychko et al. 2018: K^-1 E[u] = A^-1 b / n with A = K + Psi2 / n, all sources stacked.
         let experts: Vec<&FittedExpert> = self.experts.iter().map(|row| &row[i]).collect();
         let offsets = stack_offsets(experts.iter().map(|expert| expert.k.nrows()));
         let (psi2, b) = self.sums[i].weighted(weights, &offsets);

@@ -57,6 +57,10 @@ pub struct MapLearner {
 
 impl MapLearner {
     /// Ready to train. A sequence that is not whole is a short one like any other.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, or the movements cannot be learned from.
     pub fn new(movements: Movements, settings: &MapSettings, seed: u32) -> Result<Self, TrainingError> {
         let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
         let params = starting_point(&movements, &sequences, settings, seed);
@@ -91,6 +95,10 @@ impl MapLearner {
     }
 
     /// The model of the best density so far.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<MapModel, NumericsError> {
         let search = self.ascent.search();
         MapModel::fit(&search.target.density, &search.best_parameters())

@@ -79,7 +79,12 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say.
+    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say. The
+    /// `seed` is that of everything random.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, the observations do not fit the sequences, or the bound cannot be computed at the start.
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,
@@ -95,6 +100,10 @@ impl Trainer {
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
     /// number of iterations and, with the seed, for the model's provenance.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, there is no phase, or the bound cannot be computed at the start.
     pub fn from_start(
         objective: Objective,
         start: Params,
@@ -193,8 +202,8 @@ pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
     let first =
         Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
-    let all = &[Latents, Kernels, InducingInputs];
-    vec![first, Phase { groups: all, iterations: max_iterations }]
+    let last = Phase { groups: &[Latents, Kernels, InducingInputs], iterations: max_iterations };
+    vec![first, last]
 }
 
 #[cfg(test)]
