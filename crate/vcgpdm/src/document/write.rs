@@ -1,6 +1,7 @@
 //! From a model to the tree of its document.
 
-use crate::document::{FORMAT, VERSION, Value};
+use crate::document::error::{FORMAT, VERSION};
+use crate::json::Value;
 use crate::models::variational::{BoundTerms, FittedExpert, Vcgpdm};
 use crate::models::{
     Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, TmpSettings, TrainedModel,

@@ -6,7 +6,7 @@ use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::couplings::coupling_weights_into;
-use crate::models::variational::elbo::Objective;
+use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 

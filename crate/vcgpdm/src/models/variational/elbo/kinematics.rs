@@ -5,7 +5,7 @@ use crate::gp::bound::{BoundRoom, InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
 use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
-use crate::models::variational::elbo::Objective;
+use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 

@@ -5,16 +5,17 @@
 
 mod dynamics;
 mod kinematics;
+mod objective;
 
 use crate::gp::bound::InducingPosterior;
 use crate::gp::psi::{PairRoom, Purpose};
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::sequences::Sequences;
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
 pub use dynamics::{DynamicsSums, stack_offsets};
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
+pub use objective::Objective;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -37,15 +38,6 @@ impl BoundTerms {
     pub fn total(&self) -> f64 {
         self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
-}
-
-/// What the bound is computed on: centred observations and how they divide into sequences.
-#[derive(Clone, Debug)]
-pub struct Objective {
-    y: Vec<DMatrix<f64>>,
-    second_moments: Vec<f64>,
-    sequences: Sequences,
-    jitter: f64,
 }
 
 /// The optimal posteriors of all inducing outputs.
@@ -85,28 +77,6 @@ impl Workspace {
 }
 
 impl Objective {
-    /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added to the diagonal of
-    /// every inducing covariance. The matrices must have as many rows as the sequences have frames.
-    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, jitter: f64) -> Self {
-        let second_moments = y.iter().map(|y| y.norm_squared()).collect();
-        Self { y, second_moments, sequences, jitter }
-    }
-
-    /// The sequences.
-    pub fn sequences(&self) -> &Sequences {
-        &self.sequences
-    }
-
-    /// The centred observations of each part [N x D_i].
-    pub fn observations(&self) -> &[DMatrix<f64>] {
-        &self.y
-    }
-
-    /// The factor of the signal variance on the diagonal of every inducing covariance.
-    pub fn jitter(&self) -> f64 {
-        self.jitter
-    }
-
     /// Room to compute the bound for parameters of the shapes of `params`.
     pub fn workspace(&self, params: &Params) -> Workspace {
         let transitions = self.sequences.transitions();
