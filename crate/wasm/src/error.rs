@@ -162,6 +162,7 @@ impl LibraryError for DatasetError {
             DatasetError::Parts(_) => ErrorCode::Parts,
             DatasetError::Sequence { reason, .. } => reason.code(),
             DatasetError::Training(reason) => reason.code(),
+            _ => ErrorCode::Clips,
         }
     }
 }
@@ -199,6 +200,7 @@ impl LibraryError for SyntheticError {
             SyntheticError::Numerics(_) => ErrorCode::Numerics,
             SyntheticError::Training(reason) => reason.code(),
             SyntheticError::Rollout(reason) => reason.code(),
+            _ => ErrorCode::Training,
         }
     }
 }

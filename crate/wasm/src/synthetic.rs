@@ -3,7 +3,7 @@
 use crate::convert::{flat, rows, to_js};
 use crate::error::VcgpdmError;
 use serde::Serialize;
-use vcgpdm::models::LARGEST_ALPHA;
+use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
 use wasm_bindgen::prelude::*;
 
@@ -128,7 +128,7 @@ impl SyntheticExperiment {
             noise: NOISE_VARIANCE,
             much: MUCH,
             alike: ALIKE,
-            largest_alpha: LARGEST_ALPHA,
+            largest_alpha: LARGEST_COUPLING,
         })
     }
 

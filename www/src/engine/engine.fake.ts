@@ -232,7 +232,7 @@ export class FakeTrainers {
 
 function progress(iteration: number, bound: number): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
-  const rest = { terms, evaluations: iteration, phase: "", done: false, reason: null };
+  const rest = { terms, evaluations: iteration, phase: "everything" as const, done: false, reason: null };
   return { ...rest, iteration, maxIterations: 100, bound, best: bound, fraction: iteration / 100 } as TrainingProgress;
 }
 

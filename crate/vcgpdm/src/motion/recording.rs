@@ -18,7 +18,7 @@ pub struct Recording {
     pub frame_time: f64,
     /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
     pub values: DMatrix<f64>,
-    /// What was odd about the file but could be read.
+    /// What was odd about the file, in words; it could be read all the same.
     pub warnings: Vec<String>,
     /// SHA-256 of the file's bytes in lower-case hexadecimal.
     pub sha256: String,

@@ -12,25 +12,27 @@ use rand_chacha::rand_core::SeedableRng;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
-/// T of the paper.
+/// The number of frames, T in the paper.
 pub(super) const FRAMES: usize = 300;
 /// Observed columns of a part.
 pub(super) const COLUMNS: usize = 10;
 /// The share of g^1 in the second part, in the paper; the rest is g^2.
 pub const DRIVE: f64 = 0.1;
-/// Frames in which the start is forgotten, before the first that is seen.
+/// Frames before the first observed one, in which the start is forgotten.
 const LEAD: usize = 100;
 /// Frames of one turn of each part, in the evidence for the draws.
 const PERIODS: [f64; 2] = [19.0, 11.0];
-/// Standard deviation of that evidence: what lets the draws differ.
+/// Standard deviation of that evidence: it lets the draws differ.
 const LOOSENESS: f64 = 0.05;
-/// A part with a smaller standard deviation, both dimensions together, rests. On the unit circle it would be 1.
+/// A part whose standard deviation (both dimensions together) is smaller than this is at rest. On the unit circle it is 1.
 const REST: f64 = 0.3;
-/// A draw in which a part rests is drawn again, so many times at most.
+/// The most draws: one in which a part is at rest is drawn again.
 const DRAWS: usize = 20;
+/// Lengthscale of g^1 and g^2.
 const DYNAMICS_LENGTHSCALE: f64 = 1.0;
+/// Lengthscale of the observed functions.
 const POSE_LENGTHSCALE: f64 = 1.5;
-/// Of the observations, whose signal has variance 1.
+/// Variance of the noise of the observations; the variance of their signal is 1.
 pub const NOISE_VARIANCE: f64 = 0.01;
 
 /// Data of two coupled systems, and the truth about them.
@@ -46,8 +48,9 @@ pub struct Synthetic {
 
 /// Why the experiment could not be made.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum SyntheticError {
-    /// The share of the first part in the second is none.
+    /// The share of the first part in the second is not from 0 to 1.
     #[error("the share of the first part in the second must be from 0 to 1, found {0:?}")]
     Drive(f64),
     /// A covariance could not be factorised.
@@ -64,6 +67,10 @@ pub enum SyntheticError {
 impl Synthetic {
     /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share of g^1 in the
     /// second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do with each other.
+    ///
+    /// # Errors
+    ///
+    /// [`SyntheticError::Drive`] for another share, [`SyntheticError::Numerics`] when a covariance cannot be factorised.
     pub fn draw(seed: u32, drive: f64) -> Result<Self, SyntheticError> {
         if !(0.0..=1.0).contains(&drive) {
             return Err(SyntheticError::Drive(drive));
@@ -93,17 +100,25 @@ impl Synthetic {
         VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
     }
 
-    /// Ready to train on the observations.
+    /// A training on the observations, ready to begin.
+    ///
+    /// # Errors
+    ///
+    /// As [`Trainer::new`].
     pub fn trainer(&self, settings: &VariationalSettings, seed: u32) -> Result<Trainer, TrainingError> {
         Trainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
     /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;
-    /// the mean of the parts. A part has a path of its own because it has a rhythm of its own.
+    /// the mean over the parts. Each part is warped on its own, because it has a rhythm of its own.
+    ///
+    /// # Errors
+    ///
+    /// The model cannot be rolled out, or its rollout is not finite.
     pub fn mse(&self, model: &Vcgpdm) -> Result<f64, SyntheticError> {
         let mut sum = 0.0;
         for (rolled_out, y) in model.rollout(0, FRAMES)?.iter().zip(&self.y) {
-            // The shapes fit each other; only a number that is not finite can be refused.
+            // The shapes always agree, so the only possible reason is a number that is not finite.
             let score = dtw_mse(rolled_out, y);
             sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
         }
@@ -111,7 +126,7 @@ impl Synthetic {
     }
 }
 
-/// Transitions on two rings about the origin, each by the same angle and half the way to the unit circle.
+/// Transitions on two rings around the origin, each by the same angle and half the way to the unit circle.
 fn turn(angle: f64) -> Evidence {
     const AROUND: usize = 8;
     let (sin, cos) = angle.sin_cos();
@@ -128,7 +143,7 @@ fn turn(angle: f64) -> Evidence {
     Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }
 }
 
-/// Standard deviation, all dimensions together.
+/// The standard deviation, all dimensions together.
 fn spread(x: &DMatrix<f64>) -> f64 {
     let mut centred = x.clone();
     centre(&mut centred);

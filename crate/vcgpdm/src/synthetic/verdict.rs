@@ -2,22 +2,22 @@
 
 use nalgebra::DMatrix;
 
-/// How many times larger alpha^{21} is than alpha^{11} at least for "much larger".
+/// alpha^{21} is "much larger" than alpha^{11} where it is at least so many times as large.
 pub const MUCH: f64 = 10.0;
-/// alpha^{12} is at most so many times alpha^{22}, and at least this part of it, when the first part drives the second.
+/// When the first part drives the second, alpha^{12} is within this factor of alpha^{22}, larger or smaller.
 pub const ALIKE: f64 = 4.0;
 
-/// What coupling variances say about who drives whom, `alpha[source][target]`.
+/// What coupling variances `alpha[source][target]` say about who drives whom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// alpha^{21} / alpha^{11}: how much less the second part says about the first than the first itself.
+    /// alpha^{21} / alpha^{11}: how many times weaker the second part drives the first than the first itself does.
     pub back: f64,
-    /// alpha^{12} / alpha^{22}: how much less the first part says about the second than the second itself.
+    /// alpha^{12} / alpha^{22}: how many times weaker the first part drives the second than the second itself does.
     pub forth: f64,
 }
 
 impl Verdict {
-    /// Of learned couplings [2 x 2].
+    /// The verdict of learned couplings [2 x 2].
     pub fn new(alpha: &DMatrix<f64>) -> Self {
         Self { back: alpha[(1, 0)] / alpha[(0, 0)], forth: alpha[(0, 1)] / alpha[(1, 1)] }
     }

@@ -1,17 +1,17 @@
-//! The sums over rows, block by block: what a block of rows brings to the exponents, and what comes back from them.
+//! The sums over rows, block by block: what a block of rows adds to the exponents, and the way back to its inputs.
 //!
 //! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into one term for each
 //! of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
 
+use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
 use crate::gp::lanes::{LANES, Lanes};
-use crate::gp::psi::gaussians::Gaussians;
 use nalgebra::DMatrix;
 use wide::f64x2;
 
-/// Rows a block.
+/// Rows in a block.
 pub(super) const BLOCK: usize = 64;
-/// Chunks of lanes a block.
+/// Chunks of lanes in a block.
 const CHUNKS: usize = BLOCK / LANES;
 
 /// The lanes `c` of rows `start` to `start + len` of a column; zero past the end.
@@ -21,7 +21,7 @@ fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usiz
     Lanes::load(&rows[c * LANES..])
 }
 
-/// What one block of rows brings to the exponents. Rows past the end have scale 0, so they count for nothing.
+/// What one block of rows adds to the exponents. Rows past the end have scale 0, so they count for nothing.
 ///
 /// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`, what depends on the
 /// inducing input a at `[a * CHUNKS + chunk]`.
@@ -77,7 +77,7 @@ impl Block {
         &self.z[a * self.dims..(a + 1) * self.dims]
     }
 
-    /// Takes the inducing inputs [K x P] and starts the sums anew.
+    /// Sets the inducing inputs [K x P] and the sums to zero.
     pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
         self.sums.fill(Lanes::ZERO);
         let mut products = self.products.iter_mut();

@@ -1,19 +1,19 @@
 //! The psi statistics of all rows, and their adjoints.
 
+use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
 use crate::gp::lanes::{LANES, Lanes};
 use crate::gp::psi::block::{BLOCK, Block, PullBack};
-use crate::gp::psi::gaussians::Gaussians;
 use nalgebra::DMatrix;
 
 /// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are computed again.
 const MOST_KEPT: usize = 4 << 20;
 
-/// The psi statistics of K inducing inputs, with the room to compute them again and again.
+/// The psi statistics of K inducing inputs, with the memory to compute them again and again.
 pub struct PsiStatistics {
     /// Sum over rows of psi0.
     pub psi0: f64,
-    /// psi1 [rows x K].
+    /// psi1 [N x K].
     pub psi1: DMatrix<f64>,
     /// Sum over rows of psi2 [K x K], symmetric.
     pub psi2: DMatrix<f64>,
@@ -23,13 +23,13 @@ pub struct PsiStatistics {
     pull: PullBack,
 }
 
-/// Room for psi2's summands. It can be lent to one [`PsiStatistics`] after the other, but must hold from a computation to its
-/// [`PsiStatistics::pull_back`].
+/// Memory for psi2's summands. Several [`PsiStatistics`] can use it one after the other, but from
+/// [`PsiStatistics::compute`] to the [`PsiStatistics::pull_back`] that belongs to it, it must stay as it is.
 #[derive(Default)]
-pub struct PairRoom {
+pub struct PairWorkspace {
     /// Chunk of rows after chunk, pair after pair.
     values: Vec<Lanes>,
-    /// Whether all rows are there, and not the last block alone.
+    /// Whether it holds the summands of all rows, not only those of the last block.
     whole: bool,
 }
 
@@ -42,18 +42,18 @@ pub enum Purpose {
     Gradient,
 }
 
-/// dF with respect to the psi statistics.
+/// dF with respect to the psi statistics, where F is any function of them.
 pub struct PsiAdjoint<'a> {
     /// dF/dpsi0.
     pub psi0: f64,
-    /// dF/dpsi1 [rows x K].
+    /// dF/dpsi1 [N x K].
     pub psi1: &'a DMatrix<f64>,
     /// dF/dpsi2 [K x K], symmetric, every entry counted once.
     pub psi2: &'a DMatrix<f64>,
 }
 
 impl PsiStatistics {
-    /// For `rows` inputs and `ips` inducing inputs of `dims` dimensions.
+    /// For N = `rows` inputs and K = `ips` inducing inputs of P = `dims` dimensions.
     pub fn new(rows: usize, ips: usize, dims: usize) -> Self {
         Self {
             psi0: 0.0,
@@ -65,14 +65,14 @@ impl PsiStatistics {
         }
     }
 
-    /// psi0, psi1 and psi2 of the inputs `x` [rows x P] at the inducing inputs `z` [K x P].
+    /// Computes psi0, psi1 and psi2 of the inputs `x` [N x P] at the inducing inputs `z` [K x P].
     pub fn compute(
         &mut self,
         x: &Gaussians,
         z: &DMatrix<f64>,
         kernel: &Kernel,
         purpose: Purpose,
-        room: &mut PairRoom,
+        workspace: &mut PairWorkspace,
     ) {
         let (rows, ips, pairs) = (x.mean.nrows(), z.nrows(), self.spread.len());
         let block = &mut self.block;
@@ -84,9 +84,9 @@ impl PsiStatistics {
                 *spread = -0.25 * (0..z.ncols()).map(square).sum::<f64>();
             }
         }
-        room.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
-        let chunks = if room.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
-        room.values.resize(chunks * pairs, Lanes::ZERO);
+        workspace.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
+        let chunks = if workspace.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
+        workspace.values.resize(chunks * pairs, Lanes::ZERO);
         self.psi0 = rows as f64 * kernel.variance;
         for start in (0..rows).step_by(BLOCK) {
             let len = BLOCK.min(rows - start);
@@ -96,18 +96,18 @@ impl PsiStatistics {
             }
             block.load(x, start, len, kernel, 2.0);
             block.split_exponent();
-            block.psi2(&self.spread, room.block_mut(start, pairs), true);
+            block.psi2(&self.spread, workspace.block_mut(start, pairs), true);
         }
         block.psi2_sums(&mut self.psi2);
     }
 
-    /// Turns the adjoint of [`compute`](Self::compute) into those of its arguments, which must be the same as then, and adds
-    /// them to `into_x` and `into_kernel`.
+    /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with respect to the
+    /// arguments, which must be the same as then. It is added to `into_x` and `into_kernel`.
     pub fn pull_back(
         &mut self,
         (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
         adjoint: &PsiAdjoint,
-        room: &mut PairRoom,
+        workspace: &mut PairWorkspace,
         into_x: &mut Gaussians,
         into_kernel: &mut KernelAdjoint,
     ) {
@@ -120,11 +120,11 @@ impl PsiStatistics {
             pull.psi1(block, &self.psi1, adjoint.psi1, start, len);
             pull.scatter(block, start, len, into_x, into_kernel);
             block.load(x, start, len, kernel, 2.0);
-            if !room.whole {
+            if !workspace.whole {
                 block.split_exponent();
-                block.psi2(&self.spread, room.block_mut(start, pairs), false);
+                block.psi2(&self.spread, workspace.block_mut(start, pairs), false);
             }
-            pull.psi2(block, adjoint.psi2, room.block_mut(start, pairs));
+            pull.psi2(block, adjoint.psi2, workspace.block_mut(start, pairs));
             pull.scatter(block, start, len, into_x, into_kernel);
         }
         // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
@@ -147,7 +147,7 @@ impl PsiStatistics {
     }
 }
 
-impl PairRoom {
+impl PairWorkspace {
     /// The values of the block that begins at row `start`.
     fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Lanes] {
         let from = if self.whole { start / LANES * pairs } else { 0 };

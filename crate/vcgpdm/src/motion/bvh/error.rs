@@ -17,8 +17,9 @@ pub struct BvhError {
 
 /// What is wrong with a file.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum BvhProblem {
-    /// Something else stands where the format wants something.
+    /// Something else stands where the format requires something.
     #[error("expected {expected}, found {found}")]
     Expected {
         /// What should stand there.
@@ -29,13 +30,13 @@ pub enum BvhProblem {
     /// A second ROOT.
     #[error("expected MOTION, found a second ROOT: a clip of one body is expected, please split the file")]
     SecondRoot,
-    /// More joints than any body has.
+    /// Too many joints, or too many end sites.
     #[error("expected at most {max} joints and as many end sites, found more")]
     TooManyJoints {
         /// The limit.
         max: usize,
     },
-    /// More numbers than can be meant.
+    /// More than [`MAX_VALUES`] values.
     #[error("expected at most {MAX_VALUES} values in all, found {frames} frames of {channels} channels")]
     TooManyValues {
         /// Frames declared or found.
@@ -43,7 +44,7 @@ pub enum BvhProblem {
         /// Channels of one frame.
         channels: usize,
     },
-    /// The rows are far from as many as the header declares.
+    /// The number of rows is far from the one that the header declares.
     #[error("expected {declared} rows as \"Frames:\" declares, found {found}")]
     RowCount {
         /// Rows declared.

@@ -5,7 +5,12 @@ use crate::motion::skeleton::Skeleton;
 use serde::Deserialize;
 
 /// Reads a split made by hand: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or by place
-/// (counted from 0). Every joint has to be in one part.
+/// (counted from 0). Every joint must be in one part.
+///
+/// # Errors
+///
+/// A [`PartsError`] for a text that is not such a list, a joint that the skeleton does not have, or a split that
+/// [`check`] refuses.
 pub fn from_json(text: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, PartsError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]

@@ -12,7 +12,11 @@ pub struct PartsLayout {
 }
 
 impl PartsLayout {
-    /// The columns of each part, in their order in Y.
+    /// The layout for these parts of the mapping's body.
+    ///
+    /// # Errors
+    ///
+    /// As [`check`].
     pub fn new(parts: &[PartSpec], mapping: &PoseMapping) -> Result<PartsLayout, PartsError> {
         check(parts, mapping.skeleton())?;
         let all = mapping.columns();
@@ -22,17 +26,17 @@ impl PartsLayout {
         Ok(PartsLayout { parts: parts.to_vec(), columns })
     }
 
-    /// The parts.
+    /// The parts, in their order.
     pub fn parts(&self) -> &[PartSpec] {
         &self.parts
     }
 
-    /// The columns of a part in Y; none for a part that is not there.
+    /// The columns of a part in Y, ascending; empty for a part that does not exist.
     pub fn columns(&self, part: usize) -> &[usize] {
         self.columns.get(part).map_or(&[], Vec::as_slice)
     }
 
-    /// Y [frames x columns] taken apart: Y^i [frames x columns of part i] for each part.
+    /// Splits Y [frames x columns] into Y^i [frames x columns of part i], one for each part.
     pub fn split(&self, y: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
         self.columns.iter().map(|columns| y.select_columns(columns)).collect()
     }

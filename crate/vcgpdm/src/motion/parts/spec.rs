@@ -1,4 +1,4 @@
-//! A part, and what a split of a body into parts must hold.
+//! A part, and when a split of a body into parts is valid.
 
 use crate::motion::skeleton::Skeleton;
 use serde::{Deserialize, Serialize};
@@ -14,8 +14,9 @@ pub struct PartSpec {
     pub joints: Vec<usize>,
 }
 
-/// Why a split is none.
+/// Why a split of a body into parts is invalid.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum PartsError {
     /// No part at all.
     #[error("expected at least one part, found none")]
@@ -23,25 +24,25 @@ pub enum PartsError {
     /// A part without joints.
     #[error("part {part} ({name:?}): expected at least one joint, found none")]
     EmptyPart {
-        /// Counted from 1.
+        /// The number of the part, counted from 1.
         part: usize,
-        /// Its name.
+        /// The name of the part.
         name: String,
     },
     /// A name that is empty, or that two parts have.
     #[error("part {part}: expected a name of its own, found {name:?}")]
     PartName {
-        /// Counted from 1.
+        /// The number of the part, counted from 1.
         part: usize,
-        /// Its name.
+        /// The name of the part.
         name: String,
     },
     /// A joint that the skeleton does not have.
     #[error("part {part} ({name:?}), joint {entry}: expected {expected}, found {found}")]
     UnknownJoint {
-        /// Counted from 1.
+        /// The number of the part, counted from 1.
         part: usize,
-        /// Its name.
+        /// The name of the part.
         name: String,
         /// The entry among its joints, counted from 1.
         entry: usize,
@@ -56,7 +57,7 @@ pub enum PartsError {
     /// Joints that are in no part.
     #[error("expected each joint in one part, found no part for {0}")]
     Missing(String),
-    /// A text that is no list of parts.
+    /// A text that is not a list of parts.
     #[error(
         "expected a list like [{{\"name\": \"legs\", \"joints\": [\"LeftUpLeg\", 3]}}], found at {path}: {problem}"
     )]
@@ -69,6 +70,10 @@ pub enum PartsError {
 }
 
 /// Checks that every joint is in exactly one part, and that every part has joints and a name of its own.
+///
+/// # Errors
+///
+/// A [`PartsError`] about the first part that is wrong, or the joints that are in no part or in several.
 pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> {
     if parts.is_empty() {
         return Err(PartsError::NoParts);

@@ -9,22 +9,27 @@ use crate::motion::skeleton::LocalPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
-/// A clip as a model sees it.
+/// A clip as rows of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoded {
     /// Poses [frames x columns of the mapping].
     pub y: DMatrix<f64>,
-    /// Where the clip sets out: with `y`, all of the motion.
+    /// Where the clip starts. Together with `y` it determines the whole motion.
     pub start: RootStart,
-    /// What the rows cannot hold, in words.
+    /// What of the clip the rows cannot hold, in words.
     pub warnings: Vec<String>,
 }
 
-/// Positions that vary by less than this part of the body's height are constant.
+/// Positions that vary by less than this share of the body's height count as constant.
 const STILL: f64 = 1e-3;
 
 impl PoseMapping {
-    /// Turns a clip of the same body into rows of Y. The clip may have other channels than the mapping's body.
+    /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than the mapping's
+    /// body.
+    ///
+    /// # Errors
+    ///
+    /// [`PoseError::Body`] when the clip shows another body.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -70,8 +75,8 @@ impl PoseMapping {
     }
 }
 
-/// The rotation vector that continues `previous`: the nearest one, unless even that is a leap. Sensors that flip over would
-/// otherwise wind a joint up turn by turn.
+/// The rotation vector that continues `previous`: the nearest one, unless even that is far away. Otherwise a sensor that
+/// flips over would wind the joint up, turn by turn.
 fn next_rotation(rotation: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
     let near = rotation::log_near(rotation, previous);
     if (near - previous).norm() > FRAC_PI_2 { rotation::log(rotation) } else { near }

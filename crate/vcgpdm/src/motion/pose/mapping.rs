@@ -31,7 +31,7 @@ pub enum ColumnKind {
 /// One column of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// The joint it belongs to.
+    /// The place of the joint that it belongs to.
     pub joint: usize,
     /// What it holds.
     pub kind: ColumnKind,
@@ -49,16 +49,17 @@ pub(crate) const ROOT_COLUMNS: [ColumnKind; 6] = [
 
 /// Why poses could not be turned into numbers or back.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum PoseError {
     /// The clip shows another body.
     #[error("{clip}: not the same skeleton as the first clip: {reason}")]
     Body {
-        /// The clip.
+        /// The name of the clip.
         clip: String,
         /// The difference.
         reason: BodyMismatch,
     },
-    /// Rows of another width.
+    /// The rows have another width.
     #[error("expected {expected} columns, found {found}")]
     Columns {
         /// Columns of the mapping.
@@ -73,24 +74,39 @@ pub enum PoseError {
         frame: usize,
         /// The column, counted from 0.
         column: usize,
-        /// What stands there.
+        /// The number found.
         found: f64,
     },
-    /// Where a motion sets out, with numbers that cannot be used.
+    /// The start of a motion holds numbers that cannot be used.
     #[error("{field}: expected {expected}")]
     Field {
         /// The field.
         field: &'static str,
-        /// What it should be.
+        /// What was expected.
         expected: String,
     },
 }
 
 /// How poses of one body become rows of Y, and back: all that a rollout needs to know about the body.
 ///
+/// ```
+/// use vcgpdm::motion::pose::{ColumnKind, PoseMapping};
+/// use vcgpdm::motion::samples;
+///
+/// let clip = samples::clip("walk-1").ok_or("no such sample")?;
+/// let mapping = PoseMapping::new(&clip);
+/// assert_eq!(mapping.columns()[1].kind, ColumnKind::Forward);
+///
+/// let encoded = mapping.encode(&clip)?; // y [frames x columns], and where the walk starts
+/// let step = encoded.y.column(1).mean(); // in leg lengths a frame
+/// let leg = 0.5 * 1.7; // metres, of a body 1.7 m tall
+/// assert!((1.0..1.6).contains(&(step * leg / clip.frame_time)), "a walk is 1 to 1.6 metres a second fast");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the file's world
-/// to y up, and R0 the one of the 24 axis-aligned rotations that stands the body of the clip upright, facing z: whatever
-/// axes its root has, yaw is then its heading and pitch and roll are near zero. Displacements and height are in leg
+/// to y up, and R0 that of the 24 axis-aligned rotations that turns the body of the clip upright, facing z. So yaw is the
+/// heading and pitch and roll are near zero, whatever axes the root has. Displacements and height are in leg
 /// lengths, taken as half the body's height: a step is then as large as the angle that the leg sweeps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMapping {
@@ -107,7 +123,8 @@ pub struct PoseMapping {
 }
 
 impl PoseMapping {
-    /// The mapping for the body of a clip.
+    /// The mapping for the body of a clip. The clip also gives the up axis, the ground, the mean joint positions, and the first
+    /// pose, from which rotation vectors continue without jumps.
     pub fn new(clip: &Clip) -> PoseMapping {
         let stage = clip.stage();
         PoseMapping {
@@ -119,12 +136,12 @@ impl PoseMapping {
         }
     }
 
-    /// The body.
+    /// The body whose poses are mapped.
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// Up axis, height and ground.
+    /// Up axis, height and ground of the clip that the mapping was made from.
     pub fn stage(&self) -> &Stage {
         &self.stage
     }
@@ -142,12 +159,12 @@ impl PoseMapping {
         ROOT_COLUMNS.len() + 3 * (self.skeleton.joints.len() - 1)
     }
 
-    /// A leg's length in file units, in which displacements and height are given.
+    /// The length of a leg in file units: the unit of displacements and height.
     pub(super) fn leg(&self) -> f64 {
         0.5 * self.stage.height
     }
 
-    /// R0.
+    /// R0 as a rotation.
     pub(super) fn upright(&self) -> UnitQuaternion<f64> {
         let [w, x, y, z] = self.upright;
         UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
@@ -159,7 +176,7 @@ impl PoseMapping {
     }
 }
 
-/// The mean place of each joint in its parent's frame, and the most that it strays from there in any axis.
+/// The mean place of each joint in its parent's frame, and its largest distance from there along any axis.
 pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
     let mut means = Vec::new();
     let mut spreads = Vec::new();

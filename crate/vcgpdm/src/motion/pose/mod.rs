@@ -1,6 +1,6 @@
-//! Joint rotations and root to rows of Y and back.
+//! Poses as rows of numbers Y that a model can learn from, and back.
 //!
-//! A row holds, for the root, what does not depend on where the body is and which way it faces, and for each other
+//! A row holds six numbers of the root that do not depend on where the body is and which way it faces, and for each other
 //! joint its rotation vector (exponential map). See [`PoseMapping`].
 
 mod decode;

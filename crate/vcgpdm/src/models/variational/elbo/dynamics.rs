@@ -1,8 +1,8 @@
 //! The dynamics into one part: the collapsed bound of all experts about it, stacked and weighted by the couplings.
 
-use crate::gp::bound::{BoundRoom, InducingPosterior, SparseGp};
+use crate::gp::bound::{BoundWorkspace, InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
-use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
+use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::couplings::coupling_weights_into;
@@ -94,7 +94,7 @@ pub struct Dynamics {
     psi2: DMatrix<f64>,
     b: DMatrix<f64>,
     psi0: f64,
-    room: BoundRoom,
+    room: BoundWorkspace,
 }
 
 impl Dynamics {
@@ -133,7 +133,7 @@ impl Dynamics {
             psi2: DMatrix::zeros(total, total),
             b: DMatrix::zeros(total, latent),
             psi0: 0.0,
-            room: BoundRoom::new(total, latent),
+            room: BoundWorkspace::new(total, latent),
         }
     }
 
@@ -144,7 +144,7 @@ impl Dynamics {
         params: &Params,
         histories: &[Gaussians],
         purpose: Purpose,
-        rooms: &mut [PairRoom],
+        rooms: &mut [PairWorkspace],
     ) {
         let i = self.target;
         self.noise = coupling_weights_into(params.alpha.column(i).as_slice(), &mut self.weights);
@@ -182,7 +182,7 @@ impl Dynamics {
     }
 
     /// The bound and the room to compute it in, apart.
-    fn gp(&mut self) -> (SparseGp<'_>, &mut BoundRoom) {
+    fn gp(&mut self) -> (SparseGp<'_>, &mut BoundWorkspace) {
         let gp = SparseGp {
             k: &self.k,
             psi2: &self.psi2,
@@ -217,7 +217,7 @@ impl Dynamics {
         objective: &Objective,
         params: &Params,
         histories: &[Gaussians],
-        rooms: &mut [PairRoom],
+        rooms: &mut [PairWorkspace],
         gradient: &mut Params,
         histories_adjoint: &mut [Gaussians],
     ) -> Result<f64, NumericsError> {

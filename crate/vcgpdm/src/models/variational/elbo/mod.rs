@@ -8,7 +8,7 @@ mod kinematics;
 mod objective;
 
 use crate::gp::bound::InducingPosterior;
-use crate::gp::psi::{PairRoom, Purpose};
+use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
@@ -60,7 +60,7 @@ pub struct Workspace {
     kinematics: Vec<Kinematics>,
     dynamics: Vec<Dynamics>,
     /// One for each source of a target at a time.
-    rooms: Vec<PairRoom>,
+    rooms: Vec<PairWorkspace>,
 }
 
 impl Workspace {
@@ -97,7 +97,7 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: (0..m).map(|_| PairRoom::default()).collect(),
+            rooms: (0..m).map(|_| PairWorkspace::default()).collect(),
         }
     }
 

@@ -2,17 +2,17 @@
 
 use nalgebra::DMatrix;
 
-/// Independent Gaussians, one a row and dimension.
+/// Independent Gaussians, one for each row and dimension: what is known of N uncertain inputs of P dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gaussians {
-    /// Means [rows x P].
+    /// Means mu [N x P].
     pub mean: DMatrix<f64>,
-    /// Variances [rows x P].
+    /// Variances S [N x P].
     pub variance: DMatrix<f64>,
 }
 
 impl Gaussians {
-    /// All zero: a place to add adjoints to.
+    /// All entries zero, for `rows` inputs of `dims` dimensions: a place to add adjoints to.
     pub fn zeros(rows: usize, dims: usize) -> Self {
         Self { mean: DMatrix::zeros(rows, dims), variance: DMatrix::zeros(rows, dims) }
     }
