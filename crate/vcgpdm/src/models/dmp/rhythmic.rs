@@ -28,7 +28,7 @@ pub struct RhythmicStart {
 /// Fitted rhythmic dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpRhythmic {
-    /// Centre g of the movement [D]: the mean of the cycle.
+    /// Centre g of the movement `[D]`: the mean of the cycle.
     pub centre: DVector<f64>,
     /// psi_b(phi) = exp(concentration (cos(phi - 2 pi b / B) - 1)).
     pub concentration: f64,

@@ -84,7 +84,7 @@ impl MapModel {
         &self.sequences
     }
 
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub fn parts(&self) -> &[MapPoseMap] {
         &self.parts
     }
