@@ -11,10 +11,13 @@ use wasm_bindgen::prelude::*;
 
 /// A value for JavaScript.
 pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
+    let value = serialized(value)?;
+    renamed(&value, &|field| Ok(camel(field))).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
+}
+
+fn serialized<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
     let serializer = Serializer::new().serialize_missing_as_null(true).serialize_maps_as_objects(true);
-    let failed = |reason| VcgpdmError::new(ErrorCode::Numerics, reason);
-    let value = value.serialize(&serializer).map_err(|reason| failed(words(&reason)))?;
-    renamed(&value, &|field| Ok(camel(field))).map_err(failed)
+    value.serialize(&serializer).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, words(&reason)))
 }
 
 /// A value from JavaScript. The error has this code; its words begin with `what` the value is.
@@ -24,10 +27,32 @@ pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue
     serde_wasm_bindgen::from_value(value).map_err(|reason| failed(words(&reason)))
 }
 
+/// A value as JSON, for a file: with the fields of the library. JavaScript writes it, as a library for it would weigh more.
+#[cfg(feature = "comparison")]
+pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
+    let text = js_sys::JSON::stringify(&serialized(value)?);
+    text.map(String::from).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, thrown(&reason)))
+}
+
+/// A value from the JSON of a file: with the fields of the library.
+#[cfg(feature = "comparison")]
+pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -> Result<T, VcgpdmError> {
+    let failed = |reason| VcgpdmError::new(code, format!("{what}: {reason}"));
+    let value = js_sys::JSON::parse(text).map_err(|reason| failed(thrown(&reason)))?;
+    serde_wasm_bindgen::from_value(value).map_err(|reason| failed(thrown(&reason.into())))
+}
+
+/// What JavaScript says that it threw.
+#[cfg(feature = "comparison")]
+fn thrown(reason: &JsValue) -> String {
+    reason.dyn_ref::<js_sys::Error>().map_or_else(String::new, |error| error.message().into())
+}
+
 /// Two values with their fields side by side in one object. (serde's `flatten` would weigh twenty times as much.)
 pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
-    Ok(Object::assign(first.unchecked_ref(), second.unchecked_ref::<Object>()).into())
+    let (first, second): (&Object, &Object) = (first.unchecked_ref(), second.unchecked_ref());
+    Ok(Object::assign(first, second).into())
 }
 
 /// Two values with their fields side by side in one object: the fields of these names, in snake_case, are the first's.

@@ -162,6 +162,7 @@ impl LibraryError for DatasetError {
             DatasetError::Parts(_) => ErrorCode::Parts,
             DatasetError::Sequence { reason, .. } => reason.code(),
             DatasetError::Training(reason) => reason.code(),
+            _ => ErrorCode::Clips,
         }
     }
 }

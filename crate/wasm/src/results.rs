@@ -1,7 +1,7 @@
 //! Results of a comparison: which jobs are asked for, which are finished, and what they say.
 
 use crate::clip::TrainingSet;
-use crate::convert::{from_js, to_js, to_js_beside};
+use crate::convert::{from_js, from_json, to_js, to_js_beside, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
 use js_sys::{Array, Reflect};
@@ -215,13 +215,16 @@ impl Results {
     /// Reads a file of results, from the page or from the terminal program.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &str) -> Result<Results, VcgpdmError> {
-        Ok(Results { results: AllResults::from_json(text)? })
+        let results: AllResults =
+            from_json(ErrorCode::Results, "expected the results of an evaluation", text)?;
+        results.check()?;
+        Ok(Results { results })
     }
 
     /// The file: its fields have the names of the terminal program, in snake_case.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> Result<String, VcgpdmError> {
-        Ok(self.results.to_json()?)
+        to_json(&self.results)
     }
 
     /// What was compared on what.

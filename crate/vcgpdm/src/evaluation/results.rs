@@ -122,7 +122,11 @@ impl Results {
         serde_json::to_string(self).map_err(|error| ResultsError::Json(error.to_string()))
     }
 
-    fn check(&self) -> Result<(), ResultsError> {
+    /// Checks what [`Results::from_json`] checks, for whoever reads the document with another parser.
+    ///
+    /// # Errors
+    /// It is another document, or its results do not fit its setting.
+    pub fn check(&self) -> Result<(), ResultsError> {
         if self.format != FORMAT || self.version != VERSION {
             return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
         }
