@@ -1,14 +1,16 @@
-//! What a document calls itself, and why it may be refused.
+//! The form of a document, and why a text or a model does not have it.
 
 use crate::gp::NumericsError;
 use crate::json::{FieldError, JsonError};
 use crate::motion::parts::PartsError;
 use thiserror::Error;
 
+/// What a document says that it is.
 pub(super) const FORMAT: &str = "vcgpdm model";
 /// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
 /// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
 pub(super) const VERSION: usize = 2;
+/// More bytes than any model has.
 pub(super) const MOST_BYTES: usize = 100 << 20;
 
 /// Why a text is not a model that can be used, or a model cannot become a text.

@@ -8,12 +8,12 @@ mod error;
 mod read;
 mod write;
 
+pub use error::DocumentError;
+
 use crate::json::{NotFinite, Value};
 use crate::models::TrainedModel;
 use crate::models::variational::Vcgpdm;
 use error::MOST_BYTES;
-
-pub use error::DocumentError;
 
 impl TrainedModel<Vcgpdm> {
     /// The model as a JSON document.
