@@ -54,11 +54,11 @@ pub struct SparseGp<'a> {
     pub k: &'a DMatrix<f64>,
     /// Sum over rows of psi2 [K x K].
     pub psi2: &'a DMatrix<f64>,
-    /// b = sum over rows of psi1^T E[target] [K x C].
+    /// b = sum over rows of psi1^T `E[target]` [K x C].
     pub b: &'a DMatrix<f64>,
     /// Sum over rows of psi0.
     pub psi0: f64,
-    /// c2, the sum over rows and columns of E[target^2].
+    /// c2, the sum over rows and columns of `E[target^2]`.
     pub second_moment: f64,
     /// The number of rows R.
     pub rows: usize,

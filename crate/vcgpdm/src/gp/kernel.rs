@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernel {
-    /// Squared lengthscales, one per input dimension [P].
+    /// Squared lengthscales, one per input dimension `[P]`.
     pub lambda: DVector<f64>,
     /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise an expert of a larger scale with a smaller weight
     /// would be the same model, and the couplings would mean nothing.
@@ -125,7 +125,7 @@ impl Kernel {
 pub struct KernelAdjoint {
     /// dF/dz [K x P].
     pub z: DMatrix<f64>,
-    /// dF/dlambda [P].
+    /// dF/dlambda `[P]`.
     pub lambda: DVector<f64>,
     /// dF/dvariance.
     pub variance: f64,

@@ -16,7 +16,7 @@ pub struct Body {
     pub mapping: PoseMapping,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
-    /// The mean of every column [D].
+    /// The mean of every column `[D]`.
     pub column_means: Vec<f64>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,

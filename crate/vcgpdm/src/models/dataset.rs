@@ -102,7 +102,7 @@ pub struct Dataset {
     pub layout: PartsLayout,
     /// Centred observations of each part [N x D_i].
     pub y: Vec<DMatrix<f64>>,
-    /// The mean of every column of the mapping [D].
+    /// The mean of every column of the mapping `[D]`.
     pub column_means: Vec<f64>,
     /// The sequences, in the order given.
     pub sequences: Vec<SequenceInfo>,

@@ -175,7 +175,7 @@ impl TrainedModel<Vcgpdm> {
         self.body.positions(&rollout.y)
     }
 
-    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point [Q_i] and the others at their mean pose.
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point `[Q_i]` and the others at their mean pose.
     ///
     /// # Errors
     ///

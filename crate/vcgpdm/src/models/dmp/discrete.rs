@@ -25,17 +25,17 @@ pub struct DiscreteStart {
 /// Fitted discrete dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpDiscrete {
-    /// Goal g [D]: the mean of the last frames of the whole trials.
+    /// Goal g `[D]`: the mean of the last frames of the whole trials.
     pub goal: DVector<f64>,
     /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
     pub alpha_x: f64,
-    /// Centres of the bases, in x [B].
+    /// Centres of the bases, in x `[B]`.
     pub centres: Vec<f64>,
-    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) [B].
+    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) `[B]`.
     pub widths: Vec<f64>,
     /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
-    /// Whether the column's force is scaled by g - y(0) [D].
+    /// Whether the column's force is scaled by g - y(0) `[D]`.
     pub scaled: Vec<bool>,
     /// One for each training sequence.
     pub starts: Vec<DiscreteStart>,
@@ -113,7 +113,7 @@ impl DmpDiscrete {
         Ok(model)
     }
 
-    /// x psi_b(x) / sum psi at `phase` = t / tau [B].
+    /// x psi_b(x) / sum psi at `phase` = t / tau `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let x = (-self.alpha_x * phase).exp();
         let exponents =

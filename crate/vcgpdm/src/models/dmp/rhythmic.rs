@@ -28,7 +28,7 @@ pub struct RhythmicStart {
 /// Fitted rhythmic dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpRhythmic {
-    /// Centre g of the movement [D]: the mean of the cycle.
+    /// Centre g of the movement `[D]`: the mean of the cycle.
     pub centre: DVector<f64>,
     /// psi_b(phi) = exp(concentration (cos(phi - 2 pi b / B) - 1)).
     pub concentration: f64,
@@ -80,7 +80,7 @@ impl DmpRhythmic {
         Ok(model)
     }
 
-    /// psi_b / sum psi at a phase in cycles [B].
+    /// psi_b / sum psi at a phase in cycles `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let bases = self.weights.nrows();
         let value =

@@ -7,7 +7,7 @@
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
 //!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
 //!   normalisation of their lengths would add up steps of the left and of the right leg. Start and rate begin with an alignment
-//!   to the mean of all trials ([`Alignment`]) and then follow the bound like everything else. The frames themselves are
+//!   to the mean of all trials ([`Alignment`](crate::models::Alignment)) and then follow the bound like everything else. The frames themselves are
 //!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
 //! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing phases, their number
 //!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
@@ -43,7 +43,7 @@ use posterior::Posterior;
 pub struct TrialWeights {
     /// Where it lies.
     pub map: PhaseMap,
-    /// E[w_sk] [D x Q].
+    /// `E[w_sk]` [D x Q].
     pub weights: DMatrix<f64>,
 }
 
@@ -56,19 +56,19 @@ pub struct Tmp {
     pub lengthscale: f64,
     /// Between which phases the whole trials lie: 0 and 1 on a cycle.
     pub range: (f64, f64),
-    /// Inducing phases z [R].
+    /// Inducing phases z `[R]`.
     pub inducing: Vec<f64>,
     /// K_zz^-1 E[m(z)] [R x Q]: primitive q at phase p is sum_r k(p, z_r) coefficients_rq.
     pub coefficients: DMatrix<f64>,
     /// One for each training sequence.
     pub trials: Vec<TrialWeights>,
-    /// E[mu_k] [D x Q]: the mean movement.
+    /// `E[mu_k]` [D x Q]: the mean movement.
     pub centre: DMatrix<f64>,
-    /// c_k [D].
+    /// c_k `[D]`.
     pub scale: DVector<f64>,
     /// V [Q x Q].
     pub spread: DMatrix<f64>,
-    /// sigma_k^2 [D].
+    /// sigma_k^2 `[D]`.
     pub noise: DVector<f64>,
     /// D_i of each part, in order.
     pub columns: Vec<usize>,
@@ -106,7 +106,7 @@ impl Tmp {
         })
     }
 
-    /// The primitives at `phases` [T]: [T x Q].
+    /// The primitives at `phases` `[T]`: [T x Q].
     pub fn primitives(&self, phases: &[f64]) -> DMatrix<f64> {
         let cross = DMatrix::from_fn(phases.len(), self.inducing.len(), |t, r| {
             covariance(self.axis, self.lengthscale, phases[t] - self.inducing[r])

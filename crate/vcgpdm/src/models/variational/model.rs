@@ -10,7 +10,7 @@ use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stac
 use crate::models::variational::params::{Params, PartParams};
 use nalgebra::DMatrix;
 
-/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = k(x, r) K_rr^-1 E[v].
+/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = k(x, r) K_rr^-1 `E[v]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMap {
     r: DMatrix<f64>,
@@ -18,12 +18,12 @@ pub struct PoseMap {
     beta: f64,
     mean: DMatrix<f64>,
     covariance: DMatrix<f64>,
-    /// k(x, r) K_rr^-1 E[v].
+    /// k(x, r) K_rr^-1 `E[v]`.
     sum: KernelSum,
 }
 
 impl PoseMap {
-    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean` E[v] [L x D] and the
+    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean` `E[v]` [L x D] and the
     /// `covariance` of every column of v [L x L]. `jitter` times the signal variance is added to the diagonal of K_rr.
     ///
     /// # Errors
@@ -58,7 +58,7 @@ impl PoseMap {
         self.beta
     }
 
-    /// Mean E[v] of the inducing outputs [L x D].
+    /// Mean `E[v]` of the inducing outputs [L x D].
     pub fn mean(&self) -> &DMatrix<f64> {
         &self.mean
     }
@@ -75,7 +75,7 @@ impl PoseMap {
 }
 
 /// One expert f^{ji}, what part j predicts about part i, with the posterior mean of its inducing outputs u:
-/// f(x) = k(x, z) K_zz^-1 E[u].
+/// f(x) = k(x, z) K_zz^-1 `E[u]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedExpert {
     z: DMatrix<f64>,
@@ -83,12 +83,12 @@ pub struct FittedExpert {
     mean: DMatrix<f64>,
     /// K_zz [K x K].
     k: DMatrix<f64>,
-    /// k(x, z) K_zz^-1 E[u], which no coupling changes.
+    /// k(x, z) K_zz^-1 `E[u]`, which no coupling changes.
     sum: KernelSum,
 }
 
 impl FittedExpert {
-    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` E[u] [K x Q_i]. `jitter` is
+    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` `E[u]` [K x Q_i]. `jitter` is
     /// added to the diagonal of K_zz.
     ///
     /// # Errors
@@ -116,7 +116,7 @@ impl FittedExpert {
         &self.kernel
     }
 
-    /// Mean E[u] of the inducing outputs [K x Q_i].
+    /// Mean `E[u]` of the inducing outputs [K x Q_i].
     pub fn mean(&self) -> &DMatrix<f64> {
         &self.mean
     }
@@ -129,13 +129,13 @@ pub struct Vcgpdm {
     pub order: usize,
     /// The factor of the signal variance on the diagonal of every inducing covariance.
     pub jitter: f64,
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub parts: Vec<PoseMap>,
     /// Experts by source and target: `experts[j][i]` is j's prediction about i.
     pub experts: Vec<Vec<FittedExpert>>,
-    /// Covariance of every column of u into each target, its sources stacked in order [M].
+    /// Covariance of every column of u into each target, its sources stacked in order `[M]`.
     pub dynamics_covariance: Vec<DMatrix<f64>>,
-    /// The sums from which the experts into each target can be inferred again under other couplings [M].
+    /// The sums from which the experts into each target can be inferred again under other couplings `[M]`.
     pub sums: Vec<DynamicsSums>,
     /// Learned coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,

@@ -24,9 +24,9 @@ const DYNAMICS: &str = "covariance of the dynamics";
 /// The terms of the log density, in nats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapTerms {
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part, balanced where that was asked for [M].
+    /// The dynamics into each part, balanced where that was asked for `[M]`.
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,

@@ -23,9 +23,9 @@ use std::f64::consts::TAU;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BoundTerms {
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part [M].
+    /// The dynamics into each part `[M]`.
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,
@@ -43,11 +43,11 @@ impl BoundTerms {
 /// The optimal posteriors of all inducing outputs.
 #[derive(Clone, Debug)]
 pub struct Posteriors {
-    /// q(v^i) [M].
+    /// q(v^i) `[M]`.
     pub kinematics: Vec<InducingPosterior>,
-    /// q(u) into each target, its sources stacked in order [M].
+    /// q(u) into each target, its sources stacked in order `[M]`.
     pub dynamics: Vec<InducingPosterior>,
-    /// What q(u) was computed from [M].
+    /// What q(u) was computed from `[M]`.
     pub sums: Vec<DynamicsSums>,
 }
 
