@@ -1,79 +1,60 @@
 //! Values of the library in JavaScript and back. Fields are snake_case in the library and in files, camelCase in JavaScript;
 //! this is the only place that knows. Absent options are `null`.
+//!
+//! A visitor downloads this: what is generic over the value is kept small, the rest stands in functions of its own.
 
 use crate::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, Object, Reflect, Symbol};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_wasm_bindgen::Serializer;
+use serde_wasm_bindgen::{Error, Serializer};
 use wasm_bindgen::prelude::*;
+
+const SERIALIZER: Serializer =
+    Serializer::new().serialize_missing_as_null(true).serialize_maps_as_objects(true);
 
 /// A value for JavaScript.
 pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
-    let value = serialized(value)?;
-    renamed(&value, &|field| Ok(camel(field))).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
-}
-
-fn serialized<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
-    let serializer = Serializer::new().serialize_missing_as_null(true).serialize_maps_as_objects(true);
-    value.serialize(&serializer).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, words(&reason)))
+    in_camel_case(value.serialize(&SERIALIZER))
 }
 
 /// A value from JavaScript. The error has this code; its words begin with `what` the value is.
 pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue) -> Result<T, VcgpdmError> {
-    let failed = |reason| VcgpdmError::new(code, format!("{what}: {reason}"));
-    let value = renamed(value, &snake).map_err(failed)?;
-    serde_wasm_bindgen::from_value(value).map_err(|reason| failed(words(&reason)))
+    let value = in_snake_case(value).map_err(|reason| refused(code, what, &reason))?;
+    serde_wasm_bindgen::from_value(value).map_err(|reason| refused(code, what, &words(&reason)))
 }
 
-/// A value as JSON, for a file: with the fields of the library. JavaScript writes it, as a library for it would weigh more.
-#[cfg(feature = "comparison")]
-pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
-    let text = js_sys::JSON::stringify(&serialized(value)?);
-    text.map(String::from).map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, thrown(&reason)))
-}
-
-/// A value from the JSON of a file: with the fields of the library.
-#[cfg(feature = "comparison")]
-pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -> Result<T, VcgpdmError> {
-    let failed = |reason| VcgpdmError::new(code, format!("{what}: {reason}"));
-    let value = js_sys::JSON::parse(text).map_err(|reason| failed(thrown(&reason)))?;
-    serde_wasm_bindgen::from_value(value).map_err(|reason| failed(thrown(&reason.into())))
-}
-
-/// What JavaScript says that it threw.
-#[cfg(feature = "comparison")]
-fn thrown(reason: &JsValue) -> String {
-    reason.dyn_ref::<js_sys::Error>().map_or_else(String::new, |error| error.message().into())
-}
-
-/// Two values with their fields side by side in one object. (serde's `flatten` would weigh twenty times as much.)
+/// Two values with their fields side by side in one object. (serde's `flatten` would weigh ten times as much.)
 pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
     let (first, second): (&Object, &Object) = (first.unchecked_ref(), second.unchecked_ref());
     Ok(Object::assign(first, second).into())
 }
 
-/// Two values with their fields side by side in one object: the fields of these names, in snake_case, are the first's.
+/// Two values with their fields side by side in one object: the fields of these names are the first's, the others the second's.
 pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
     code: ErrorCode,
     what: &str,
     value: &JsValue,
     names: &[&str],
 ) -> Result<(A, B), VcgpdmError> {
-    let (first, second) = (Object::new(), Object::new());
-    if value.is_object() {
-        for entry in Object::entries(value.unchecked_ref()).iter() {
-            let entry: Array = entry.unchecked_into();
-            let (name, value) = (entry.get(0), entry.get(1));
-            let of_first = name.as_string().and_then(|name| snake(&name).ok());
-            let of_first = of_first.is_some_and(|name| names.contains(&name.as_str()));
-            // A new plain object refuses no field.
-            let _ = Reflect::set(if of_first { &first } else { &second }, &name, &value);
-        }
-    }
+    let (first, second) = divided(value, names);
     Ok((from_js(code, what, &first)?, from_js(code, what, &second)?))
+}
+
+/// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would weigh more.
+#[cfg(feature = "comparison")]
+pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
+    let value = value.serialize(&SERIALIZER).map_err(unconverted)?;
+    js_sys::JSON::stringify(&value).map(String::from).map_err(|reason| unconverted(reason.into()))
+}
+
+/// A value from the JSON of a file, with the fields of the library.
+#[cfg(feature = "comparison")]
+pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -> Result<T, VcgpdmError> {
+    let value = js_sys::JSON::parse(text).map_err(Error::from).and_then(serde_wasm_bindgen::from_value);
+    value.map_err(|reason| refused(code, what, plain(&reason.to_string())))
 }
 
 /// The numbers of a matrix, row after row.
@@ -84,6 +65,39 @@ pub fn flat(matrix: &DMatrix<f64>) -> Vec<f64> {
 /// The rows of a matrix.
 pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+}
+
+fn in_camel_case(value: Result<JsValue, Error>) -> Result<JsValue, VcgpdmError> {
+    let value = value.map_err(unconverted)?;
+    renamed(&value, &|field| Ok(camel(field, true)))
+        .map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
+}
+
+fn in_snake_case(value: &JsValue) -> Result<JsValue, String> {
+    renamed(value, &snake)
+}
+
+fn unconverted(reason: Error) -> VcgpdmError {
+    VcgpdmError::new(ErrorCode::Numerics, plain(&reason.to_string()))
+}
+
+fn refused(code: ErrorCode, what: &str, reason: &str) -> VcgpdmError {
+    VcgpdmError::new(code, [what, reason].join(": "))
+}
+
+/// The object's fields of these names, and the others.
+fn divided(value: &JsValue, names: &[&str]) -> (Object, Object) {
+    let (first, second) = (Object::new(), Object::new());
+    if value.is_object() {
+        for entry in Object::entries(value.unchecked_ref()).iter() {
+            let entry: Array = entry.unchecked_into();
+            let name = entry.get(0).as_string().unwrap_or_default();
+            let object = if names.contains(&name.as_str()) { &first } else { &second };
+            // A new plain object refuses no field.
+            let _ = Reflect::set(object, &entry.get(0), &entry.get(1));
+        }
+    }
+    (first, second)
 }
 
 /// A copy in which every field of every object has another name.
@@ -104,8 +118,8 @@ fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Re
     if !has_fields {
         return Ok(value.clone());
     }
-    let (object, copy): (&Object, _) = (value.unchecked_ref(), Object::new());
-    for entry in Object::entries(object).iter() {
+    let copy = Object::new();
+    for entry in Object::entries(value.unchecked_ref()).iter() {
         let entry: Array = entry.unchecked_into();
         let field = name(&entry.get(0).as_string().unwrap_or_default())?;
         // A new plain object refuses no field.
@@ -114,48 +128,50 @@ fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Re
     Ok(copy.into())
 }
 
-/// "dynamics_ips" as "dynamicsIps".
-fn camel(field: &str) -> String {
-    let mut words = field.split('_');
-    let first = words.next().unwrap_or_default().to_owned();
-    words.fold(first, |mut name, word| {
-        let mut letters = word.chars();
-        name.extend(letters.next().map(|letter| letter.to_ascii_uppercase()));
-        name.push_str(letters.as_str());
-        name
-    })
+/// "dynamics_ips" as "dynamicsIps". Backticks begin and end a field; what stands outside stays as it is.
+fn camel(text: &str, mut is_field: bool) -> String {
+    let mut words = String::new();
+    let mut capital = false;
+    for letter in text.chars() {
+        is_field ^= letter == '`';
+        if is_field && letter == '_' {
+            capital = true;
+        } else {
+            words.push(if capital { letter.to_ascii_uppercase() } else { letter });
+            capital = false;
+        }
+    }
+    words
 }
 
 /// "dynamicsIps" as "dynamics_ips".
 fn snake(field: &str) -> Result<String, String> {
-    if field.contains('_') {
-        return Err(format!("expected fields in camelCase, found `{field}`; write `{}`", camel(field)));
-    }
     let mut name = String::new();
     for letter in field.chars() {
-        if letter.is_ascii_uppercase() {
-            name.push('_');
+        match letter {
+            '_' => return Err(snake_found(field)),
+            'A'..='Z' => {
+                name.push('_');
+                name.push(letter.to_ascii_lowercase());
+            }
+            _ => name.push(letter),
         }
-        name.push(letter.to_ascii_lowercase());
     }
     Ok(name)
 }
 
+fn snake_found(field: &str) -> String {
+    format!("expected fields in camelCase, found `{field}`; write `{}`", camel(field, true))
+}
+
 /// What was wrong with a value, its fields named as JavaScript knows them: serde puts them in backticks.
-fn words(reason: &serde_wasm_bindgen::Error) -> String {
-    let text = reason.to_string();
-    let mut words = String::new();
-    for (k, piece) in text.trim_start_matches("Error: ").split('`').enumerate() {
-        if k > 0 {
-            words.push('`');
-        }
-        if k % 2 == 1 {
-            words.push_str(&camel(piece));
-        } else {
-            words.push_str(piece);
-        }
-    }
-    words
+fn words(reason: &Error) -> String {
+    camel(plain(&reason.to_string()), false)
+}
+
+/// Without the name of the class that JavaScript puts before the words of an error.
+fn plain(text: &str) -> &str {
+    text.strip_prefix("Error: ").unwrap_or(text)
 }
 
 #[cfg(test)]

@@ -47,5 +47,5 @@ pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsV
 
 /// The settings of a training from JavaScript.
 pub fn settings_from_js(value: &JsValue) -> Result<(Task, VariationalSettings), VcgpdmError> {
-    from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "frames_per_second", "seed"])
+    from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "framesPerSecond", "seed"])
 }
