@@ -5,7 +5,7 @@
 //! cargo run --example couplings -- FOLDER
 //! ```
 //!
-//! A coupling alpha[source][target] is a variance: the larger it is, the less the target part listens to the source part.
+//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the target part listens to the source part.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -176,7 +176,7 @@ impl Model {
         Ok(flat(self.model.model.expert(source, target)?.z()))
     }
 
-    /// What the source's dynamics inducing points predict, E[u] [K x Q of the target].
+    /// What the source's dynamics inducing points predict, `E[u]` [K x Q of the target].
     #[wasm_bindgen(js_name = dynamicsIvs)]
     pub fn dynamics_ivs(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
         Ok(flat(self.model.model.expert(source, target)?.mean()))

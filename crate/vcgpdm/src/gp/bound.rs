@@ -58,7 +58,7 @@ pub struct SparseGp<'a> {
     pub b: &'a DMatrix<f64>,
     /// Sum over rows of psi0.
     pub psi0: f64,
-    /// c2, the sum over rows and columns of E[target^2].
+    /// c2, the sum over rows and columns of `E[target^2]`.
     pub second_moment: f64,
     /// The number of rows R.
     pub rows: usize,

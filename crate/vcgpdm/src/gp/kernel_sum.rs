@@ -57,7 +57,7 @@ impl KernelSum {
         out
     }
 
-    /// Adds f(x) [C] to `out`; `scratch` holds at least P numbers.
+    /// Adds f(x) `[C]` to `out`; `scratch` holds at least P numbers.
     pub(crate) fn add_to(&self, x: &[f64], scratch: &mut [f64], out: &mut [f64]) {
         let dims = self.inverse_lengthscales.len();
         let scratch = &mut scratch[..dims];

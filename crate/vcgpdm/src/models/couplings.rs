@@ -1,6 +1,6 @@
 //! Couplings: how strongly each part listens to each other part.
 //!
-//! The product of experts turns coupling variances alpha[source][target] into weights (Velychko et al. 2018, equation 1):
+//! The product of experts turns coupling variances `alpha[source][target]` into weights (Velychko et al. 2018, equation 1):
 //! alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji}. The larger the variance, the less the source says.
 
 use nalgebra::DMatrix;

@@ -17,7 +17,7 @@ pub struct LatentDynamics {
 
 impl LatentDynamics {
     /// Dynamics of this `order` of parts with `latent` dimensions each; `experts[target][source]` are the weighted predictions
-    /// w_{ji} f^{ji}, from histories [p Q_j] to latents [Q_i].
+    /// w_{ji} f^{ji}, from histories [p Q_j] to latents `[Q_i]`.
     pub(crate) fn new(order: usize, latent: Vec<usize>, experts: Vec<Vec<KernelSum>>) -> Self {
         Self { order, latent, experts }
     }

@@ -38,9 +38,9 @@ pub(super) struct Block {
     mean: Vec<Lanes>,
     /// m_q / (lambda_q + n s_q).
     pull: Vec<Lanes>,
-    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) [chunks].
+    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) `[chunks]`.
     base: Vec<Lanes>,
-    /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 [chunks].
+    /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 `[chunks]`.
     scale: Vec<Lanes>,
     /// psi2's exponent of each a alone.
     own: Vec<Lanes>,
@@ -199,7 +199,7 @@ pub(super) struct PullBack {
     second: Vec<Lanes>,
     /// h of every pair, for the chunk at hand.
     pairs: Vec<Lanes>,
-    /// Sum over b of h c_q, for the a and chunk at hand [P].
+    /// Sum over b of h c_q, for the a and chunk at hand `[P]`.
     centred: Vec<Lanes>,
     /// dF/dz_aq / n of the block so far [K x P].
     d_z: Vec<Lanes>,

@@ -113,7 +113,7 @@ impl DmpDiscrete {
         Ok(model)
     }
 
-    /// x psi_b(x) / sum psi at `phase` = t / tau [B].
+    /// x psi_b(x) / sum psi at `phase` = t / tau `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let x = (-self.alpha_x * phase).exp();
         let exponents =

@@ -80,7 +80,7 @@ impl DmpRhythmic {
         Ok(model)
     }
 
-    /// psi_b / sum psi at a phase in cycles [B].
+    /// psi_b / sum psi at a phase in cycles `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let bases = self.weights.nrows();
         let value =

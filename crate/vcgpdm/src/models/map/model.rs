@@ -1,6 +1,6 @@
 //! A fitted MAP model: predictions by the exact conditional means.
 //!
-//! E[x^i_t] = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and E[y^i_t] = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
+//! `E[x^i_t]` = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and `E[y^i_t]` = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
 //! over all training frames, whose coefficients are solved for once.
 
 use crate::gp::{Kernel, KernelSum, NumericsError};

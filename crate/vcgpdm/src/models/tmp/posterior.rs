@@ -46,19 +46,19 @@ pub struct Posterior {
     pub kernel: PhaseKernel,
     /// Where each trial lies.
     pub maps: Vec<PhaseMap>,
-    /// E[v] [R x Q]: primitive q at phases p is P(p) v_q.
+    /// `E[v]` [R x Q]: primitive q at phases p is P(p) v_q.
     pub v: DMatrix<f64>,
     /// The covariance of v, primitive after primitive [RQ x RQ].
     pub v_covariance: DMatrix<f64>,
     /// q(mu_k, w_k) of every column.
     pub weights: Vec<ColumnWeights>,
-    /// sigma_k^2 [D].
+    /// sigma_k^2 `[D]`.
     pub noise: DVector<f64>,
-    /// c_k [D].
+    /// c_k `[D]`.
     pub scale: DVector<f64>,
     /// V [Q x Q].
     pub spread: DMatrix<f64>,
-    /// a_q [Q].
+    /// a_q `[Q]`.
     pub relevance: DVector<f64>,
     /// Columns that share their noise, one group after the other: the number of columns of each.
     groups: Vec<usize>,
@@ -146,7 +146,7 @@ impl Posterior {
         sum
     }
 
-    /// E[w_sk] / sigma_k^2 of trial `s` [D x Q].
+    /// `E[w_sk]` / sigma_k^2 of trial `s` [D x Q].
     fn pull(&self, s: usize) -> DMatrix<f64> {
         DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| {
             self.weights[k].mean[s][q] / self.noise[k]

@@ -18,7 +18,7 @@ pub struct PoseMap {
     beta: f64,
     mean: DMatrix<f64>,
     covariance: DMatrix<f64>,
-    /// k(x, r) K_rr^-1 E[v].
+    /// k(x, r) K_rr^-1 `E[v]`.
     sum: KernelSum,
 }
 
@@ -83,7 +83,7 @@ pub struct FittedExpert {
     mean: DMatrix<f64>,
     /// K_zz [K x K].
     k: DMatrix<f64>,
-    /// k(x, z) K_zz^-1 E[u], which no coupling changes.
+    /// k(x, z) K_zz^-1 `E[u]`, which no coupling changes.
     sum: KernelSum,
 }
 
