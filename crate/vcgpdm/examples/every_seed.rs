@@ -1,7 +1,7 @@
 //! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown table:
 //!
 //! ```sh
-//! cargo run --release --features cli --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
+//! cargo run --release --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
 //! ```
 //!
 //! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the

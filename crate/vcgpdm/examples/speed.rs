@@ -1,7 +1,7 @@
 //! How long one bound with its gradient takes, and a training; the native side of `npm run speed`. Prints one JSON object:
 //!
 //! ```sh
-//! cargo run --release --features speed --example speed -- CASE.json [CLIP.bvh ...]
+//! cargo run --release -p vcgpdm --features speed --example speed -- CASE.json [CLIP.bvh ...]
 //! ```
 //!
 //! The case is written by `vcgpdm train --write-start`, or by another implementation. The clips are trained on as lower and
