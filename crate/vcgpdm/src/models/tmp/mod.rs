@@ -2,13 +2,13 @@
 //!
 //! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
 //!
-//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part; Endres et al. have one for each column),
+//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part),
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
 //!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
 //!   normalisation of their lengths would add up steps of the left and of the right leg. Start and rate begin with an alignment
-//!   to the mean of all trials ([`Alignment`](crate::models::Alignment)) and then follow the bound like everything else. The frames themselves are
-//!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
+//!   to the mean of all trials ([`crate::models::Alignment`]) and then follow the bound like everything else. The frames
+//!   themselves are modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
 //! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing phases, their number
 //!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
 //! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k diag(a)). c_k is the scale of

@@ -10,7 +10,7 @@ use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stac
 use crate::models::variational::params::{Params, PartParams};
 use nalgebra::DMatrix;
 
-/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = k(x, r) K_rr^-1 `E[v]`.
+/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = `k(x, r) K_rr^-1 E[v]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMap {
     r: DMatrix<f64>,
@@ -75,7 +75,7 @@ impl PoseMap {
 }
 
 /// One expert f^{ji}, what part j predicts about part i, with the posterior mean of its inducing outputs u:
-/// f(x) = k(x, z) K_zz^-1 `E[u]`.
+/// f(x) = `k(x, z) K_zz^-1 E[u]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedExpert {
     z: DMatrix<f64>,
