@@ -1,4 +1,4 @@
-//! What a field must hold beyond its type: ranges, shapes, signs. A refusal says what was expected and found.
+//! Checks of a field beyond its type: ranges, shapes, signs. An error says what was expected and what was found.
 
 use crate::json::field::{Field, FieldError};
 use nalgebra::DMatrix;

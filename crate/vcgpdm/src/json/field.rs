@@ -1,4 +1,4 @@
-//! A cursor over a read tree. It knows where it stands, so that a wrong field is refused with its path.
+//! A cursor over a tree of values. It knows its path, so that an error about a wrong field names the path.
 
 use crate::json::rows::matrix_from_rows;
 use crate::json::value::Value;

@@ -14,15 +14,15 @@ pub struct JsonError {
     pub line: usize,
     /// Counted from 1, in characters.
     pub column: usize,
-    /// What could stand there.
+    /// What was expected.
     pub expected: &'static str,
-    /// What stands there.
+    /// What was found.
     pub found: String,
 }
 
 /// Reads a text that holds one value.
 pub fn parse(text: &str) -> Result<Value, JsonError> {
-    // Some editors write a byte-order mark; it says nothing in UTF-8.
+    // Some editors write a byte-order mark, which means nothing in UTF-8.
     let at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     let mut parser = Parser { text, at };
     let value = parser.value(0)?;

@@ -41,7 +41,7 @@ pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     }
 }
 
-/// Whether the name contains "head". Callers look where the joint hangs, because a "headlight" may be in a hand.
+/// Whether the name contains "head". Callers also check which joint it belongs to, because a "headlight" may be in a hand.
 pub(crate) fn looks_like_head(name: &str) -> bool {
     words(name).iter().any(|word| word.contains("head"))
 }

@@ -139,22 +139,22 @@ mod tests {
 
     #[test]
     fn other_channels_and_rounding_are_the_same_body() {
-        let one = chain(&["a", "b", "c"]);
-        let mut two = one.clone();
-        two.joints[1].channels.clear();
-        two.joints[2].offset[0] = 0.1;
-        // Where the root is recorded says nothing about the body.
-        two.joints[0].offset = [99.0, 0.0, 0.0];
-        assert_eq!(one.same_body(&two), Ok(()));
+        let first = chain(&["a", "b", "c"]);
+        let mut second = first.clone();
+        second.joints[1].channels.clear();
+        second.joints[2].offset[0] = 0.1;
+        // The place of the root does not belong to the body.
+        second.joints[0].offset = [99.0, 0.0, 0.0];
+        assert_eq!(first.same_body(&second), Ok(()));
     }
 
     #[test]
     fn what_differs_is_told() {
-        let one = chain(&["a", "b", "c"]);
-        let mut longer = one.clone();
+        let first = chain(&["a", "b", "c"]);
+        let mut longer = first.clone();
         longer.joints[1].offset[1] = 10.4;
         longer.joints[2].offset[1] = 12.0;
-        let mut elsewhere = one.clone();
+        let mut elsewhere = first.clone();
         elsewhere.joints[2].parent = Some(0);
         for (other, wanted) in [
             (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
@@ -163,7 +163,7 @@ mod tests {
             (chain(&["a", "b"]), "expected 3 joints, found 2"),
             (chain(&["a", "x"]), "joint 1 is \"b\" in one and \"x\" in the other"),
         ] {
-            let message = one.same_body(&other).unwrap_err().to_string();
+            let message = first.same_body(&other).unwrap_err().to_string();
             assert!(message.contains(wanted), "{message}");
         }
     }

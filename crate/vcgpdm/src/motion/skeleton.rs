@@ -118,7 +118,7 @@ pub enum SkeletonError {
     /// More than [`MAX_JOINTS`] joints, or as many end sites.
     #[error("expected at most {MAX_JOINTS} joints, found {0}")]
     TooLarge(usize),
-    /// Joint 0 has a parent, another joint has none, or a parent stands behind its child.
+    /// Joint 0 has a parent, another joint has none, or a parent comes after its child.
     #[error(
         "joint {joint} ({name:?}): expected {}, found {}",
         if *.joint == 0 { "no parent, as it is the root".to_owned() } else { format!("a parent from 0 to {}", joint - 1) },

@@ -207,7 +207,7 @@ mod tests {
         samples::list().iter().map(|info| samples::clip(info.id).unwrap()).collect()
     }
 
-    /// A clip of ours, its world turned.
+    /// A sample clip whose world is turned.
     fn in_other_world(clip: &Clip, turn: UnitQuaternion<f64>) -> Clip {
         let mut clip = clip.clone();
         let channels = clip.skeleton.joints[0].channels.clone();

@@ -25,9 +25,9 @@ pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment,
     let mut map = x.tr_mul(&y);
     Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve_mut(&mut map);
     let mut latents = x * map;
-    let all = y.norm_squared().max(f64::MIN_POSITIVE);
+    let total = y.norm_squared().max(f64::MIN_POSITIVE);
     y -= &latents;
-    let explained = 1.0 - y.norm_squared() / all;
+    let explained = 1.0 - y.norm_squared() / total;
     for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
         column.iter_mut().for_each(|value| *value += mean);
     }

@@ -48,10 +48,10 @@ impl DrawnFunction {
         factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve_mut(&mut correction);
         let stack = |above: &DMatrix<f64>, below: &DMatrix<f64>| {
             let n = above.nrows();
-            let mut all = DMatrix::zeros(n + below.nrows(), above.ncols());
-            all.rows_mut(0, n).copy_from(above);
-            all.rows_mut(n, below.nrows()).copy_from(below);
-            all
+            let mut stacked = DMatrix::zeros(n + below.nrows(), above.ncols());
+            stacked.rows_mut(0, n).copy_from(above);
+            stacked.rows_mut(n, below.nrows()).copy_from(below);
+            stacked
         };
         Ok(Self {
             points: stack(&self.points, inputs),

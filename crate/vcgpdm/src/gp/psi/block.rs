@@ -23,7 +23,7 @@ fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usiz
 
 /// What one block of rows adds to the exponents. Rows past the end have scale 0, so they count for nothing.
 ///
-/// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`, what depends on the
+/// Rows come as chunks of lanes; what also depends on the dimension q is at `[chunk * P + q]`, what depends on the
 /// inducing input a at `[a * CHUNKS + chunk]`.
 pub(super) struct Block {
     dims: usize,
@@ -197,9 +197,9 @@ pub(super) struct PullBack {
     total: Vec<Lanes>,
     first: Vec<Lanes>,
     second: Vec<Lanes>,
-    /// h of every pair, for the chunk at hand.
+    /// h of every pair, for the current chunk.
     pairs: Vec<Lanes>,
-    /// Sum over b of h c_q, for the a and chunk at hand `[P]`.
+    /// Sum over b of h c_q, for the current a and chunk `[P]`.
     centred: Vec<Lanes>,
     /// dF/dz_aq / n of the block so far [K x P].
     d_z: Vec<Lanes>,

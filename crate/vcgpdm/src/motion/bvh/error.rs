@@ -22,9 +22,9 @@ pub enum BvhProblem {
     /// Something else stands where the format requires something.
     #[error("expected {expected}, found {found}")]
     Expected {
-        /// What should stand there.
+        /// What was expected.
         expected: String,
-        /// What stands there.
+        /// What was found.
         found: String,
     },
     /// A second ROOT.

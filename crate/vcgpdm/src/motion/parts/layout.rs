@@ -19,9 +19,11 @@ impl PartsLayout {
     /// As [`check`].
     pub fn new(parts: &[PartSpec], mapping: &PoseMapping) -> Result<PartsLayout, PartsError> {
         check(parts, mapping.skeleton())?;
-        let all = mapping.columns();
+        let mapped = mapping.columns();
         let columns = (parts.iter())
-            .map(|part| (0..all.len()).filter(|&column| part.joints.contains(&all[column].joint)).collect())
+            .map(|part| {
+                (0..mapped.len()).filter(|&column| part.joints.contains(&mapped[column].joint)).collect()
+            })
             .collect();
         Ok(PartsLayout { parts: parts.to_vec(), columns })
     }

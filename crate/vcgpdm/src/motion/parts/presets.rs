@@ -32,8 +32,8 @@ pub struct PartsPreset {
 /// # Ok::<(), &str>(())
 /// ```
 pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
-    let all: Vec<usize> = (0..skeleton.joints.len()).collect();
-    let mut presets = vec![preset("whole", "Whole body", vec![("body", all)])];
+    let every_joint: Vec<usize> = (0..skeleton.joints.len()).collect();
+    let mut presets = vec![preset("whole", "Whole body", vec![("body", every_joint)])];
     let Some(anatomy) = Anatomy::of(skeleton) else { return presets };
     let leg = |region: Region| matches!(region, Region::Leg(_));
     let hips = hips(skeleton, &anatomy);

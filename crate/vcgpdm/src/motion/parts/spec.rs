@@ -46,9 +46,9 @@ pub enum PartsError {
         name: String,
         /// The entry among its joints, counted from 1.
         entry: usize,
-        /// What could stand there.
+        /// What was expected.
         expected: String,
-        /// What stands there.
+        /// What was found.
         found: String,
     },
     /// Joints that are in more than one part, or twice in one.

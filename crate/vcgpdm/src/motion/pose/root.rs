@@ -93,7 +93,7 @@ pub(super) fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootP
     RootPose { place, angles: [yaw, pitch, roll] }
 }
 
-/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that stands the body of the clip upright, facing z
+/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that turns the body of the clip upright, facing z
 /// with its left along x.
 pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     let turn = up.to_y_up();

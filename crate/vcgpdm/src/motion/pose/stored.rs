@@ -1,4 +1,4 @@
-//! A mapping as it stands in a document.
+//! A mapping in a document.
 
 use crate::json::{Field, FieldError, Value};
 use crate::motion::pose::mapping::PoseMapping;

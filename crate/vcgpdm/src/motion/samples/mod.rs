@@ -112,8 +112,8 @@ mod tests {
 
     #[test]
     fn there_are_enough_trials_and_each_is_found_by_its_id() {
-        let of = |movement| list().iter().filter(|info| info.movement == movement).count();
-        assert!(of("walk") >= 5 && of("walk and wave") >= 3);
+        let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
+        assert!(trials("walk") >= 5 && trials("walk and wave") >= 3);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
         assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
         assert!(clip("walk-0").is_none());
