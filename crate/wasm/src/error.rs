@@ -170,7 +170,8 @@ impl LibraryError for DatasetError {
 impl LibraryError for RolloutError {
     fn code(&self) -> ErrorCode {
         match self {
-            RolloutError::Numerics(_) => ErrorCode::Numerics,
+            // Only a rollout that is not finite cannot be turned into poses.
+            RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
         }
     }
