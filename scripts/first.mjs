@@ -6,10 +6,10 @@ import { at, filesUnder, whenChanged } from "./run.mjs";
 
 const SECONDS = 4;
 
-/** Eight digits are half of what all sixteen are to send, and move no joint by more than a hundredth of a millimetre in ten seconds. */
-const DIGITS = 8;
+/** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a hundredth of a millimetre in ten seconds. */
+const DIGITS = 7;
 /** Covariances of the inducing outputs say how sure the model is; no rollout is computed from them. */
-const COVARIANCE_DIGITS = 4;
+const COVARIANCE_DIGITS = 2;
 
 export function writeFirst() {
   const [model, encoder] = [at("www/first/model.json"), at("www/src/stage/first-motion.js")];

@@ -84,7 +84,9 @@ await main(async () => {
 
   /** @type {Record<string, Side[]>} */
   const sides = {};
-  const add = (/** @type {string} */ name, /** @type {Side} */ side) => (sides[name] ??= []).push(side);
+  const add = (/** @type {string} */ name, /** @type {Side} */ side) => {
+    sides[name] = [...(sides[name] ?? []), side];
+  };
   for (let round = 0; round < ROUNDS; round++) {
     add("native", json(at("target/release/examples/speed"), file, ...clips));
     add("wasm, Node", json(process.execPath, at("scripts/speed/node.mjs"), file, ...clips));

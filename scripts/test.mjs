@@ -1,6 +1,7 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
 import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
+import { checkGolden } from "./golden.mjs";
 import { weigh } from "./site.mjs";
 import { installTools, oldestRust } from "./tools.mjs";
 
@@ -34,6 +35,7 @@ const STEPS = [
   { name: "docs", what: "the documentation", work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
   { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", ...NATIVE, "--all-features") },
+  { name: "golden", what: "golden numbers, made again", work: checkGolden },
   {
     name: "rust-wasm",
     what: "Rust tests in wasm, in Node",
@@ -62,7 +64,7 @@ async function features() {
 /** With the examples, because the packages then are those of clippy, compiled already. */
 async function docs() {
   const what = ["doc", "--no-deps", "--all-features", "--config", 'build.rustdocflags = ["-D", "warnings"]'];
-  await run("cargo", ...what, ...NATIVE, "--lib", "--bins", "--examples");
+  await run("cargo", ...what, ...NATIVE, "--lib", "--examples");
   await run("cargo", ...what, ...WASM);
 }
 

@@ -2,7 +2,8 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
 // The wasm package is built beside this folder, not installed.
-const wasmPackage = (folder: string) => fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
+const wasmPackage = (folder: string) =>
+  fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
 /** The whole program and the views that need it are loaded when they are opened; scripts/site.mjs counts them by their folder. */
 const isLater = (file: string) =>

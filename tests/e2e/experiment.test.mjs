@@ -90,7 +90,10 @@ describe("the synthetic experiment", () => {
       before,
     );
     await page.keyboard.press("Space");
-    assert.ok(!(await page.getByTestId("experiment-driving").isChecked()), "the space bar is the box's, not the stage's");
+    assert.ok(
+      !(await page.getByTestId("experiment-driving").isChecked()),
+      "the space bar is the box's, not the stage's",
+    );
     // Back over the seed to the button, which stays in focus while it says Cancel.
     await page.keyboard.press("Shift+Tab");
     await page.keyboard.press("Shift+Tab");

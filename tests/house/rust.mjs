@@ -33,7 +33,7 @@ function closing(/** @type {string} */ code, /** @type {number} */ open) {
 function withoutTests(/** @type {string} */ code) {
   let tests = "";
   for (;;) {
-    const found = code.match(/#\[cfg\(test\)\]\s*(?:pub(?:\(\w+\))?\s+)?mod\s+\w+\s*\{/);
+    const found = code.match(/#\[cfg\(test\)\]\s*(?:#\[[^\]]*\]\s*)*(?:pub(?:\(\w+\))?\s+)?mod\s+\w+\s*\{/);
     if (found?.index === undefined) return { code, tests };
     const end = closing(code, found.index + found[0].length - 1);
     tests += code.slice(found.index + found[0].length, end - 1);

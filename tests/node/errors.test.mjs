@@ -16,7 +16,7 @@ after(() => installed?.remove());
 it("errors have a name, a code of the declared ones, and words", () => {
   const { Clip, Evaluation, Fold, Model, Results, SyntheticExperiment, Trainer, TrainingSet } = installed.vcgpdm;
   const clip = Clip.sample("walk-1").cut(0, 60);
-  const set = (/** @type {InstanceType<typeof Clip>[]} */ ...clips) => {
+  const set = (/** @type {import("vcgpdm").Clip[]} */ ...clips) => {
     const set = new TrainingSet();
     for (const clip of clips) set.add(clip);
     return set;
@@ -111,9 +111,5 @@ it("names in snake_case are refused with the name to write", () => {
   const odd = /** @type {any} */ ({ parts: [], frames_per_second: 15 });
   assert.throws(() => Results.empty(clips, odd), {
     message: "settings: expected fields in camelCase, found `frames_per_second`; write `framesPerSecond`",
-  });
-  const strange = /** @type {any} */ ({ parts: [], framesPerSecond: 15, startFrames: 5 });
-  assert.throws(() => Results.empty(clips, strange), {
-    message: "settings: unknown field `startFrames`, expected `parts` or `framesPerSecond`",
   });
 });

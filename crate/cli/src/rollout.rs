@@ -5,7 +5,8 @@ use nalgebra::DMatrix;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::{AnyModel, MotionModel, RolloutRequest};
+use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::{Model, RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
 
 /// Roll a model out and write the motion as BVH.
@@ -36,9 +37,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for path in [Some(&arguments.out), arguments.latents.as_ref()].into_iter().flatten() {
         files::check_writable(path)?;
     }
-    let y = match &model {
-        AnyModel::Variational(model) => variational(arguments, model)?,
-        AnyModel::Baseline(_) => {
+    let (y, body) = match model.into_vcgpdm() {
+        Ok(model) => (coupled(arguments, &model)?, model.body),
+        Err(model) => {
             let options =
                 [("--alpha", !arguments.alpha.is_empty()), ("--latents", arguments.latents.is_some())];
             if let Some((option, _)) = options.into_iter().find(|(_, given)| *given) {
@@ -47,17 +48,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                     format!("{option}: expected a vcgpdm or vgpdm model, found a {kind} model").into()
                 );
             }
-            model.rollout(arguments.from, arguments.frames)?
+            (model.rollout(arguments.from, arguments.frames)?, model.body)
         }
     };
-    let clip = model.body().clip(&y, &name_of(&arguments.out))?;
+    let clip = body.clip(&y, &name_of(&arguments.out))?;
     files::write_text(&arguments.out, &bvh::write(&clip))
 }
 
 /// All columns of a model whose couplings may be changed, and its latents into a file of their own.
-fn variational(arguments: &Arguments, model: &MotionModel) -> Result<DMatrix<f64>, Box<dyn Error>> {
+fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<DMatrix<f64>, Box<dyn Error>> {
     let names: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
-    let mut alpha = model.fitted.alpha.clone();
+    let mut alpha = model.model.alpha.clone();
     for coupling in &arguments.alpha {
         let (source, target, value) = parse_coupling(coupling, &names)?;
         alpha[(source, target)] = value;
@@ -76,8 +77,8 @@ fn variational(arguments: &Arguments, model: &MotionModel) -> Result<DMatrix<f64
 }
 
 /// Reads a model document of any kind.
-pub fn read_model(path: &Path) -> Result<AnyModel, Box<dyn Error>> {
-    AnyModel::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+pub fn read_model(path: &Path) -> Result<TrainedModel, Box<dyn Error>> {
+    TrainedModel::<Model>::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
 }
 
 fn name_of(path: &Path) -> String {

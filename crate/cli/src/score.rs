@@ -21,7 +21,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
-    let body = model.body();
+    let body = &model.body;
     let clip = files::read_clip(&arguments.clip)?;
     let in_clip = |reason: &dyn Error| format!("{}: {reason}", clip.name);
     body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {

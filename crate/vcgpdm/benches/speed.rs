@@ -5,8 +5,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::DMatrix;
 use std::hint::black_box;
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, Reading, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
@@ -69,13 +69,22 @@ fn bound(criterion: &mut Criterion) {
 fn rollout(criterion: &mut Criterion) {
     let dataset = dataset();
     let trainer = trained(dataset.y.clone(), dataset.lengths(), 12);
-    let model = MotionModel::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut group = criterion.benchmark_group("rollout");
     group.throughput(Throughput::Elements(300));
     group.bench_function("300 frames with figure positions", |bench| {
         bench.iter(|| model.positions(&model.rollout(black_box(&request)).unwrap()).unwrap());
     });
+    // What a walk of alpha asks for: other couplings at every step.
+    let mut alpha = model.model.alpha.clone();
+    alpha[(0, 1)] *= 2.0;
+    for (id, reading) in [("as learned", Reading::AsLearned), ("re-inferred", Reading::ReInferred)] {
+        let request = RolloutRequest { alpha: Some(alpha.clone()), reading, ..request.clone() };
+        group.bench_function(BenchmarkId::new("300 frames under changed couplings", id), |bench| {
+            bench.iter(|| model.rollout(black_box(&request)).unwrap());
+        });
+    }
     group.finish();
 }
 

@@ -1,7 +1,7 @@
 //! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown table:
 //!
 //! ```sh
-//! cargo run --release --features cli --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
+//! cargo run --release --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
 //! ```
 //!
 //! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
@@ -17,9 +17,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Objective, Params, Trainer, schedule, starting_point};
+use vcgpdm::models::variational::{Objective, Params, Trainer, Vcgpdm, schedule, starting_point};
 use vcgpdm::models::{
-    Dataset, Group, MotionModel, Phase, RolloutRequest, Sequences, Source, VariationalSettings,
+    Dataset, Group, Phase, RolloutRequest, Sequences, Source, TrainedModel, VariationalSettings,
 };
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 
@@ -192,7 +192,7 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     let seconds = begin.elapsed().as_secs_f64();
     let enough = progress.best - 1e-3 * progress.best.abs();
     let nearly = trace.iter().find(|(_, best)| *best >= enough).unwrap().0;
-    let model = MotionModel::trained(&problem.dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&problem.dataset, &trainer, FRAMES_PER_SECOND).unwrap();
     let request = |frames, sequence| {
         model.rollout(&RolloutRequest { frames, sequence, ..Default::default() }).unwrap().y
     };
@@ -210,7 +210,7 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
         nearly,
         mse,
         still,
-        alpha: model.fitted.alpha.clone(),
+        alpha: model.model.alpha.clone(),
     }
 }
 
@@ -361,7 +361,7 @@ fn who_drives_whom(problem: &Problem, runs: &[Run]) {
         for (i, target) in names.iter().enumerate() {
             let weights: Vec<f64> = runs
                 .iter()
-                .map(|run| vcgpdm::models::variational::coupling_weights(run.alpha.column(i).as_slice()).1[j])
+                .map(|run| vcgpdm::models::coupling_weights(run.alpha.column(i).as_slice()).1[j])
                 .collect();
             println!(
                 "| {source} to {target} | {} | {} | {} of {} |",

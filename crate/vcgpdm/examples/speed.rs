@@ -1,7 +1,7 @@
 //! How long one bound with its gradient takes, and a training; the native side of `npm run speed`. Prints one JSON object:
 //!
 //! ```sh
-//! cargo run --release --features speed --example speed -- CASE.json [CLIP.bvh ...]
+//! cargo run --release -p vcgpdm --features speed --example speed -- CASE.json [CLIP.bvh ...]
 //! ```
 //!
 //! The case is written by `vcgpdm train --write-start`, or by another implementation. The clips are trained on as lower and
@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm::speed::{Rates, Work};
 
@@ -26,7 +26,7 @@ fn evaluation(case: &Case) -> Value {
         times.push(1e3 * begin.elapsed().as_secs_f64());
     }
     times.sort_by(f64::total_cmp);
-    let (work, rates) = (Work::of(&case.objective, &case.params), Rates::measure());
+    let (work, rates) = (Work::new(&case.objective, &case.params), Rates::measure());
     json!({
         "bound": workspace.terms().total(),
         "median_ms": times[times.len() / 2],
@@ -52,7 +52,7 @@ fn training(clips: &[Clip]) -> Value {
             break progress;
         }
     };
-    let model = MotionModel::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut times = Vec::new();
     for _ in 0..200 {

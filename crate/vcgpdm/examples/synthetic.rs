@@ -1,7 +1,7 @@
 //! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables:
 //!
 //! ```sh
-//! cargo run --release --features cli --example synthetic -- [--seeds 10] [--drive 0.1]
+//! cargo run --release --example synthetic -- [--seeds 10] [--drive 0.1]
 //! ```
 //!
 //! A seed is that of the data and of the training.

@@ -8,14 +8,17 @@ use crate::gp::{Gaussians, Kernel, NumericsError};
 use crate::json::rows;
 use crate::json::rows::{matrix_from_rows, rows_of};
 use crate::models::rollout::MOST_FRAMES;
-use crate::models::variational::{BoundTerms, Expert, FittedModel, Objective, Params, PartParams, Reading};
-use crate::models::{Parameters, Poser, Roller, RolloutError, Sequences, SequencesError};
+use crate::models::variational::{
+    BoundTerms, Expert, InducingPosterior, Objective, Params, PartParams, Vcgpdm,
+};
+use crate::models::{Parameters, Reading, RolloutError, Sequences, SequencesError};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Why a case could not be read or evaluated.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum CaseError {
     /// Not JSON of the expected form.
     #[error("at {path}: {message}")]
@@ -158,6 +161,10 @@ pub struct Case {
 
 impl Case {
     /// Reads a golden file, or the `input` of one alone.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not a case, shapes do not fit each other, or a variance is not positive.
     pub fn from_json(text: &str) -> Result<Self, CaseError> {
         let mut deserializer = serde_json::Deserializer::from_str(text);
         let document: Document = serde_path_to_error::deserialize(&mut deserializer)
@@ -175,6 +182,10 @@ impl Case {
     }
 
     /// Writes a problem and a point in its parameter space as a golden file with an `input` only.
+    ///
+    /// # Errors
+    ///
+    /// When a number is not finite.
     pub fn write(params: &Params, objective: &Objective) -> Result<String, serde_json::Error> {
         let input = Input {
             params: params_to_json(params),
@@ -187,6 +198,10 @@ impl Case {
     }
 
     /// Bound, terms, gradient, optimal posteriors and the rollouts asked for.
+    ///
+    /// # Errors
+    ///
+    /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot be made.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.objective.terms_and_gradient(&self.params)?;
         // Numbers near the ends of what an f64 holds may give a finite bound whose gradient is not.
@@ -196,8 +211,7 @@ impl Case {
             return Err(NumericsError::NotFinite { what: "gradient of the bound" }.into());
         }
         let posteriors = self.objective.posteriors(&self.params)?;
-        let model = FittedModel::fit(&self.objective, &self.params)?;
-        let poser = Poser::new(&model)?;
+        let model = Vcgpdm::fit(&self.objective, &self.params, terms.clone())?;
         let rollouts = self.rollouts.iter().enumerate().map(|(k, asked)| {
             let path = format!("expected.rollouts[{k}]");
             let alpha = matrix(&asked.alpha, &format!("{path}.alpha"))?;
@@ -209,15 +223,12 @@ impl Case {
                     found: asked.steps.to_string(),
                 });
             }
-            let x =
-                Roller::new(&model, &alpha, Reading::AsLearned)?.latents(&x0, asked.steps + model.order)?;
-            let y = x.iter().enumerate().map(|(i, x)| rows_of(&poser.observations(i, x))).collect();
+            let dynamics = model.dynamics(&alpha, Reading::AsLearned)?;
+            let x = dynamics.path(&x0, asked.steps + model.order)?;
+            let y = model.observations(&x).iter().map(rows_of).collect();
             Ok(RolloutJson { x: x.iter().map(rows_of).collect(), y, ..asked.clone() })
         });
-        let json = |p: &crate::models::variational::InducingPosterior| PosteriorJson {
-            mean: p.mean.clone(),
-            cov: p.covariance.clone(),
-        };
+        let json = |p: &InducingPosterior| PosteriorJson { mean: p.mean.clone(), cov: p.covariance.clone() };
         Ok(CaseResult {
             elbo: terms.total(),
             terms,

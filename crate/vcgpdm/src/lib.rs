@@ -1,11 +1,13 @@
 //! Coupled Gaussian process movement primitives: the vCGPDM of Velychko, Knopp and Endres (2017-2020).
 //!
-//! A body is split into parts; each part gets a small latent dynamical system, learned from motion capture; a product of
-//! experts couples them, and the coupling variances alpha say how strongly each part drives each other part.
+//! A body is split into parts. Each part gets a small latent dynamical system, which is learned from motion capture; a product
+//! of experts couples the parts, and the coupling variances alpha say how strongly each part drives each other part.
+//!
+//! From a clip to a new motion:
 //!
 //! ```
-//! use vcgpdm::models::variational::Trainer;
-//! use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+//! use vcgpdm::models::variational::{Trainer, Vcgpdm};
+//! use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 //! use vcgpdm::motion::{bvh, parts, samples};
 //!
 //! let clip = samples::clip("walk-1").ok_or("no such sample")?;
@@ -16,12 +18,31 @@
 //! let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0)?;
 //! while !trainer.step().done {}
 //!
-//! let model = MotionModel::trained(&dataset, &trainer, 30.0)?;
+//! let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0)?;
 //! let rollout = model.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
 //! let motion = bvh::write(&model.clip(&rollout, "walk.bvh")?);
 //! assert!(motion.starts_with("HIERARCHY"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # The rooms
+//!
+//! A module uses only modules that stand before it in this list.
+//!
+//! - [`motion`]: skeletons, clips, BVH files, sample walks; poses as rows of numbers; the parts of a body.
+//! - [`gp`]: the kernel, the psi statistics and the collapsed bound of a Gaussian process with inducing points.
+//! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with ([`models::map`],
+//!   [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
+//! - [`document`]: trained models as versioned JSON documents.
+//! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
+//! - [`synthetic`]: the synthetic experiment: data with a known truth about who drives whom.
+//! - [`golden`]: problems and their numbers, to hold other implementations against this one.
+//!
+//! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames x columns].
+//! Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in the repository sets
+//! them beside the names in the code, and gives the meaning of every word that the project uses in a sense of its own.
+//!
+//! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short program.
 
 pub mod document;
 pub mod evaluation;

@@ -15,8 +15,8 @@ pub struct Work {
 }
 
 impl Work {
-    /// Of the bound and its gradient at `params`.
-    pub fn of(objective: &Objective, params: &Params) -> Self {
+    /// The work of the bound and its gradient at `params`.
+    pub fn new(objective: &Objective, params: &Params) -> Self {
         let mut work = Self::default();
         let (frames, transitions) = (objective.sequences().frames(), objective.sequences().transitions());
         for (part, y) in params.parts.iter().zip(objective.observations()) {

@@ -1,6 +1,6 @@
 //! Words of messages that depend on a number.
 
-/// A number with what it counts: 1 frame, 2 frames. The noun takes an s.
+/// A number with what it counts: "1 frame", "2 frames". The plural of the noun must be formed with s.
 pub fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

@@ -8,9 +8,7 @@
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::evaluation::{Score, dtw_mse};
-use vcgpdm::models::{
-    Dataset, DmpSettings, ModelSettings, MovementModel, Movements, Sequence, Source, TmpSettings,
-};
+use vcgpdm::models::{Dataset, DmpSettings, Model, ModelSettings, Movements, Sequence, Source, TmpSettings};
 use vcgpdm::motion::{bvh, parts};
 
 /// All but one walk and five frames of that one; and all of it.
@@ -44,7 +42,7 @@ fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
     Some((Movements { y: data.y, sequences: sequences.collect() }, all))
 }
 
-fn score(model: &dyn MovementModel, sequence: usize, actual: &DMatrix<f64>) -> Score {
+fn score(model: &Model, sequence: usize, actual: &DMatrix<f64>) -> Score {
     let y = model.rollout(sequence, actual.nrows()).unwrap();
     let y = Movements { y, sequences: Vec::new() }.as_one_part().y.swap_remove(0);
     dtw_mse(&y, actual).unwrap()
@@ -59,7 +57,7 @@ fn a_held_out_walk_is_predicted_from_its_first_five_frames() {
     ] {
         let mut learner = settings.learner(&movements, 0).unwrap();
         while !learner.step().done {}
-        let s = score(learner.model().unwrap().as_ref(), 5, &actual);
+        let s = score(&learner.model().unwrap(), 5, &actual);
         // A motionless prediction scores the variance, the vCGPDM 0.0007.
         assert!((s.variance - 0.00586).abs() < 1e-5 && s.dtw_mse < 0.0011, "{s:?}");
     }

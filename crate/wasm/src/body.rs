@@ -1,7 +1,8 @@
 //! What a picture of a body needs to know.
 
 use serde::Serialize;
-use vcgpdm::motion::skeleton::{FigureNode, Joint, Skeleton};
+use vcgpdm::motion::Skeleton;
+use vcgpdm::motion::skeleton::{FigureNode, Joint};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

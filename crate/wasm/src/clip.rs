@@ -5,8 +5,8 @@ use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use vcgpdm::models::same_body;
-use vcgpdm::motion::parts::{PartsPreset, presets};
-use vcgpdm::motion::{Clip as MotionClip, bvh, samples};
+use vcgpdm::motion::parts::PartsPreset;
+use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -104,7 +104,7 @@ impl Clip {
             height: clip.height(),
             up_axis: clip.up_axis().letter(),
             warnings: &clip.warnings,
-            presets: presets(&clip.skeleton),
+            presets: parts::presets(&clip.skeleton),
         };
         to_js_beside(&info, &BodyInfo::new(&clip.skeleton))
     }

@@ -162,6 +162,7 @@ impl LibraryError for DatasetError {
             DatasetError::Parts(_) => ErrorCode::Parts,
             DatasetError::Sequence { reason, .. } => reason.code(),
             DatasetError::Training(reason) => reason.code(),
+            _ => ErrorCode::Clips,
         }
     }
 }
@@ -169,7 +170,8 @@ impl LibraryError for DatasetError {
 impl LibraryError for RolloutError {
     fn code(&self) -> ErrorCode {
         match self {
-            RolloutError::Numerics(_) => ErrorCode::Numerics,
+            // Only a rollout that is not finite cannot be turned into poses.
+            RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
         }
     }
@@ -199,6 +201,7 @@ impl LibraryError for SyntheticError {
             SyntheticError::Numerics(_) => ErrorCode::Numerics,
             SyntheticError::Training(reason) => reason.code(),
             SyntheticError::Rollout(reason) => reason.code(),
+            _ => ErrorCode::Training,
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::evaluation::Fold as HeldOut;
-use vcgpdm::models::{Learner, LearningProgress, ModelSettings, MovementModel};
+use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -191,7 +191,7 @@ impl Evaluation {
 pub struct Prediction {
     fold: Rc<HeldOut>,
     training: LearningProgress,
-    model: Box<dyn MovementModel>,
+    model: Model,
 }
 
 #[wasm_bindgen]
@@ -199,12 +199,12 @@ impl Prediction {
     /// How good it is. `seconds` is how long the training took.
     #[wasm_bindgen(unchecked_return_type = "Outcome")]
     pub fn outcome(&self, seconds: f64) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.fold.outcome(&*self.model, &self.training, seconds)?)
+        to_js(&self.fold.outcome(&self.model, &self.training, seconds)?)
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Result<Vec<f32>, VcgpdmError> {
-        let y = self.fold.predict(&*self.model)?;
+        let y = self.fold.predict(&self.model)?;
         Ok(self.fold.body().positions(&y)?)
     }
 }

@@ -7,8 +7,8 @@ use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{MotionModel, SequenceInfo};
+use vcgpdm::models::variational::{BoundTerms, Vcgpdm};
+use vcgpdm::models::{SequenceInfo, TrainedModel};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -93,16 +93,16 @@ struct ModelInfo<'a> {
 }
 
 impl<'a> ModelInfo<'a> {
-    fn new(model: &'a MotionModel, settings: JsValue) -> Self {
-        let (fitted, body, made) = (&model.fitted, &model.body, &model.provenance);
+    fn new(model: &'a TrainedModel<Vcgpdm>, settings: JsValue) -> Self {
+        let (fitted, body, made) = (&model.model, &model.body, &model.provenance);
         let specs = body.layout.parts();
         let parts = specs.iter().zip(&fitted.parts).map(|(spec, map)| PartInfo {
             name: &spec.name,
             joints: &spec.joints,
-            latent: map.r.ncols(),
-            pose_ips: map.r.nrows(),
+            latent: map.r().ncols(),
+            pose_ips: map.r().nrows(),
         });
-        let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z.nrows()).collect());
+        let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z().nrows()).collect());
         ModelInfo {
             parts: parts.collect(),
             order: fitted.order,
@@ -113,8 +113,8 @@ impl<'a> ModelInfo<'a> {
             provenance: Provenance {
                 engine: &made.engine,
                 settings,
-                bound: made.bound,
-                terms: &made.terms,
+                bound: made.objective,
+                terms: &fitted.terms,
                 iterations: made.iterations,
                 evaluations: made.evaluations,
                 note: made.note.as_deref(),
@@ -126,7 +126,7 @@ impl<'a> ModelInfo<'a> {
 /// A trained model.
 #[wasm_bindgen]
 pub struct Model {
-    pub(crate) model: Rc<MotionModel>,
+    pub(crate) model: Rc<TrainedModel<Vcgpdm>>,
 }
 
 #[wasm_bindgen]
@@ -134,7 +134,7 @@ impl Model {
     /// Reads a shared model. Throws the reason and the path of the field when the text is not one.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &str) -> Result<Model, VcgpdmError> {
-        Ok(Model { model: Rc::new(MotionModel::from_json(text)?) })
+        Ok(Model { model: Rc::new(TrainedModel::<Vcgpdm>::from_json(text)?) })
     }
 
     /// The model as a JSON document.
@@ -167,19 +167,19 @@ impl Model {
     /// Pose inducing inputs r of a part [L x Q].
     #[wasm_bindgen(js_name = poseIps)]
     pub fn pose_ips(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(flat(&self.model.fitted.pose_map(part)?.r))
+        Ok(flat(self.model.model.pose_map(part)?.r()))
     }
 
     /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source], oldest state first.
     #[wasm_bindgen(js_name = dynamicsIps)]
     pub fn dynamics_ips(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(flat(&self.model.fitted.expert(source, target)?.z))
+        Ok(flat(self.model.model.expert(source, target)?.z()))
     }
 
-    /// What the source's dynamics inducing points predict, E[u] [K x Q of the target].
+    /// What the source's dynamics inducing points predict, `E[u]` [K x Q of the target].
     #[wasm_bindgen(js_name = dynamicsIvs)]
     pub fn dynamics_ivs(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(flat(&self.model.fitted.expert(source, target)?.mean))
+        Ok(flat(self.model.model.expert(source, target)?.mean()))
     }
 
     /// How much a pose inducing point says about each latent point [frames x Q], 0 to 1: k(x, r) / sigma^2.
@@ -190,7 +190,7 @@ impl Model {
         index: usize,
         latents: &[f64],
     ) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(self.model.fitted.pose_ip_weights(part, index, latents)?)
+        Ok(self.model.model.pose_ip_weights(part, index, latents)?)
     }
 
     /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0 to 1:
@@ -203,7 +203,7 @@ impl Model {
         index: usize,
         latents: &[f64],
     ) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(self.model.fitted.dynamics_ip_weights(source, target, index, latents)?)
+        Ok(self.model.model.dynamics_ip_weights(source, target, index, latents)?)
     }
 
     /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at their mean pose.

@@ -4,7 +4,8 @@ use crate::convert::{flat, rows, to_js};
 use crate::error::VcgpdmError;
 use std::rc::Rc;
 use vcgpdm::models::variational::InducingError;
-use vcgpdm::models::{MotionModel, Rollout as MotionRollout};
+use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::{Rollout as MotionRollout, TrainedModel};
 use vcgpdm::motion::bvh;
 use wasm_bindgen::prelude::*;
 
@@ -31,7 +32,7 @@ export interface RolloutOptions {
 pub struct Rollout {
     pub(crate) rollout: MotionRollout,
     pub(crate) positions: Vec<f32>,
-    pub(crate) model: Rc<MotionModel>,
+    pub(crate) model: Rc<TrainedModel<Vcgpdm>>,
 }
 
 #[wasm_bindgen]

@@ -6,8 +6,8 @@ use crate::error::VcgpdmError;
 use crate::model::Model;
 use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
-use vcgpdm::models::variational::{InducingError, Trainer as Training};
-use vcgpdm::models::{Dataset, MotionModel, Source};
+use vcgpdm::models::variational::{InducingError, Trainer as Training, Vcgpdm};
+use vcgpdm::models::{Dataset, Source, TrainedModel};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -83,7 +83,7 @@ impl Trainer {
 
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
-        let model = MotionModel::trained(&self.dataset, &self.training, self.frames_per_second)?;
+        let model = TrainedModel::<Vcgpdm>::trained(&self.dataset, &self.training, self.frames_per_second)?;
         Ok(Model { model: Rc::new(model) })
     }
 

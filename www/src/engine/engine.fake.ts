@@ -10,7 +10,6 @@ import type {
   Motion,
   OpenedModel,
   PartSpec,
-  Report,
   RolloutRequest,
   RolloutResult,
   TrainingJob,
@@ -191,8 +190,8 @@ export class FakeEngine implements Engine {
 interface HeldTraining {
   job: TrainingJob;
   signal: AbortSignal;
-  /** Reports iterations, the newest with this bound, and the best model so far if there is one. */
-  report(iteration: number, bound: number, model?: string): ReturnType<Report>;
+  /** Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what the page did. */
+  report(iteration: number, bound: number, model?: string): boolean;
   end(outcome: TrainingOutcome): void;
   fail(problem: Error): void;
   /** The worker itself dies. */
@@ -219,7 +218,7 @@ export class FakeTrainers {
         new Promise((end, fail) => {
           const report = (iteration: number, bound: number, text?: string) => {
             const model = text === undefined ? null : { text, latents: [] };
-            return send({ steps: [progress(iteration, bound)], elapsed: iteration, model });
+            return send({ steps: [progress(iteration, bound)], elapsed: iteration, model }) === true;
           };
           this.trainings.push({ job, signal, report, end, fail, die });
         }),
@@ -233,7 +232,7 @@ export class FakeTrainers {
 
 function progress(iteration: number, bound: number): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
-  const rest = { terms, evaluations: iteration, phase: "", done: false, reason: null };
+  const rest = { terms, evaluations: iteration, phase: "everything" as const, done: false, reason: null };
   return { ...rest, iteration, maxIterations: 100, bound, best: bound, fraction: iteration / 100 } as TrainingProgress;
 }
 

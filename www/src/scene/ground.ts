@@ -88,8 +88,8 @@ export class Ground {
 
   recolour(): void {
     const { dark } = theme();
-    this.grid.uniforms["colour"]!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
-    this.grid.uniforms["strength"]!.value = dark ? 0.3 : 0.28;
+    this.grid.uniforms.colour!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
+    this.grid.uniforms.strength!.value = dark ? 0.3 : 0.28;
     this.shadow.material.opacity = dark ? 0.5 : 0.2;
   }
 
@@ -97,7 +97,7 @@ export class Ground {
   follow(x: number, z: number): void {
     this.plane.position.set(x, 0, z);
     this.shadow.position.set(x, 0.001, z);
-    (this.grid.uniforms["middle"]!.value as Vector3).set(x, 0, z);
+    (this.grid.uniforms.middle!.value as Vector3).set(x, 0, z);
   }
 
   /** A soft shade under each of these nodes, the darker the closer they are to the ground. */
@@ -124,7 +124,7 @@ export class Ground {
       const height = Math.max(0, positions[3 * node + 1]! - floor - 0.02);
       mesh.position.set(positions[3 * node]!, 0.002 + 0.0002 * i, positions[3 * node + 2]!);
       mesh.scale.setScalar(0.1 + 0.25 * height);
-      mesh.material.uniforms["strength"]!.value = most * Math.max(0, 1 - height / 0.22);
+      mesh.material.uniforms.strength!.value = most * Math.max(0, 1 - height / 0.22);
     });
   }
 

@@ -1,6 +1,6 @@
 // The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show anything.
 import { html, nothing } from "lit";
-import { onThemeChange, partColour } from "../ui/palette";
+import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import type { Playback } from "./playback";
 import { Stage } from "./stage";
@@ -35,9 +35,6 @@ export class StageView extends View {
       return;
     }
     const { scene } = this;
-    this.listen(canvas, "keydown", (event) => scene.turnByKey(event as KeyboardEvent));
-    this.watchSize(canvas.parentElement ?? canvas, () => scene.resize());
-    this.whenLeaving(onThemeChange(() => scene.recolour()));
     this.whenLeaving(this.stage.on(() => scene.update()));
     this.whenLeaving(this.playback.on(() => scene.tick()));
     this.whenLeaving(() => scene.dispose());

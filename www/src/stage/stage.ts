@@ -1,28 +1,24 @@
 // The stage: figure, ghost and ground, seen by a camera that follows the walk.
-import { PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { HERE, placeOnto, poseAt } from "../scene/motion";
-import { theme } from "../ui/palette";
+import { Scene, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
 import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
-import { type Fineness, Pace } from "../scene/pace";
-import { feetOf, floorOf, SOLE } from "../scene/standing";
+import { HERE, placeOnto, poseAt } from "../scene/motion";
+import type { Fineness } from "../scene/pace";
+import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
+import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, Shown, StageStore } from "./stage-store";
 
-const LOOK_AT_HEIGHT = 0.88;
-/** Pixels drawn for each of the page's, at most. */
-const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
+/** Pixels of the figure's shadow, each way. */
+const SHADOW = 1024;
 
 export class Stage {
-  private readonly renderer: WebGLRenderer;
+  private readonly viewport: Viewport;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
-  private readonly controls: OrbitControls;
   private readonly ground = new Ground();
-  private readonly lights = new Lights(this.scene, 1024);
+  private readonly lights = new Lights(this.scene, SHADOW);
   private figure: FigureView | null = null;
   private ghost: FigureView | null = null;
   private marked: FigureView[] = [];
@@ -31,43 +27,31 @@ export class Stage {
   private markedOf: Marks | null = null;
   private feet: number[] = [];
   private floor = 0;
-  private readonly focus = new Vector3(0, LOOK_AT_HEIGHT, 0);
+  private readonly focus = new Vector3(0, MIDDLE, 0);
   /** Where the figure was when last drawn. */
   private readonly root = new Vector3();
   private placed = false;
-  private dirty = true;
-  private drawn = 0;
-  private readonly pace = new Pace();
-  private fineness: Fineness = "fine";
   private ghostPose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
   constructor(
     private readonly store: StageStore,
     private readonly playback: Playback,
-    readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: "low-power" });
-    this.renderer.outputColorSpace = SRGBColorSpace;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.scene.add(this.ground.group);
-    this.controls = new OrbitControls(this.camera, canvas);
-    Object.assign(this.controls, {
-      enablePan: false,
-      enableDamping: true,
-      dampingFactor: 0.12,
-      minDistance: 1.6,
-      maxDistance: 12,
-      minPolarAngle: 0.15,
-      maxPolarAngle: Math.PI / 2 - 0.03,
-      rotateSpeed: 0.8,
-      zoomSpeed: 0.7,
+    this.viewport = new Viewport(canvas, {
+      resized: (width, height) => {
+        this.viewport.camera.aspect = width / height;
+      },
+      recoloured: () => this.recolour(),
     });
-    this.controls.target.copy(this.focus);
-    this.controls.addEventListener("change", () => (this.dirty = true));
-    this.resize();
-    this.recolour();
+    const { controls } = this.viewport;
+    const glide = { enableDamping: true, dampingFactor: 0.12 };
+    Object.assign(controls, { ...glide, minDistance: 1.6, maxDistance: 12, zoomSpeed: 0.7 });
+    controls.target.copy(this.focus);
+    this.scene.add(this.ground.group);
+    this.viewport.resize();
+    this.update();
   }
 
   /** Gives the graphics memory back. */
@@ -75,13 +59,11 @@ export class Stage {
     this.clear();
     this.lights.dispose();
     this.ground.dispose();
-    this.controls.dispose();
-    this.renderer.dispose();
+    this.viewport.dispose();
   }
 
   /** Takes the colours of the page over. */
-  recolour(): void {
-    this.renderer.setClearColor(theme().ground);
+  private recolour(): void {
     this.lights.recolour();
     this.ground.recolour();
     this.clear();
@@ -90,17 +72,7 @@ export class Stage {
 
   /** Another frame is to be drawn. */
   tick(): void {
-    this.dirty = true;
-  }
-
-  resize(): void {
-    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
-    if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(PIXELS[this.fineness], devicePixelRatio));
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    this.dirty = true;
+    this.viewport.changed();
   }
 
   private make(shown: Shown, style: FigureStyle): FigureView {
@@ -119,7 +91,7 @@ export class Stage {
 
   /** Makes the figures of what is shown now. */
   update(): void {
-    this.dirty = true;
+    this.viewport.changed();
     const { shown } = this.store;
     if (!shown) return;
     this.updateFigure(shown);
@@ -165,58 +137,31 @@ export class Stage {
   private placeCamera({ motion }: Shown): void {
     const { pose } = this.playback;
     if (!pose) return;
-    const [before, after] = [new Vector3(), new Vector3()];
-    before.fromArray(motion.positions);
-    after.fromArray(motion.positions, Math.min(motion.frames - 1, 60) * motion.nodes * 3);
-    const [dx, dz] = [after.x - before.x, after.z - before.z];
-    const heading = Math.hypot(dx, dz) > 0.2 ? Math.atan2(dx, dz) : 0;
-    this.focus.fromArray(pose).setY(this.floor + LOOK_AT_HEIGHT);
+    this.focus.fromArray(pose).setY(this.floor + MIDDLE);
     this.root.copy(this.focus);
-    const away = this.camera.aspect < 0.9 ? 5.6 : 4.7;
-    const angle = heading + 0.95;
-    this.controls.target.copy(this.focus);
-    this.camera.position.set(
+    const { camera, controls } = this.viewport;
+    const away = camera.aspect < 0.9 ? 5.6 : 4.7;
+    const angle = headingOf(motion) + 0.95;
+    controls.target.copy(this.focus);
+    camera.position.set(
       this.focus.x + away * Math.sin(angle),
       this.focus.y + 0.5,
       this.focus.z + away * Math.cos(angle),
     );
-    this.controls.update();
+    controls.update();
     this.placed = true;
-  }
-
-  turnByKey(event: KeyboardEvent): void {
-    const turn = {
-      a: { sideways: -0.12, upwards: 0 },
-      d: { sideways: 0.12, upwards: 0 },
-      w: { sideways: 0, upwards: -0.08 },
-      s: { sideways: 0, upwards: 0.08 },
-    }[event.key];
-    const zoom = { "+": 0.9, "-": 1.1 }[event.key];
-    if (!turn && !zoom) return;
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    if (zoom) offset.multiplyScalar(zoom);
-    if (turn) {
-      offset.applyAxisAngle(new Vector3(0, 1, 0), turn.sideways);
-      const side = new Vector3(0, 1, 0).cross(offset).normalize();
-      offset.applyAxisAngle(side, turn.upwards);
-    }
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.dirty = true;
-    event.preventDefault();
   }
 
   /** Draws when something changed. `seconds` since the last call. */
   draw(seconds: number): void {
-    this.controls.update();
-    this.setFineness(this.pace.next(seconds, this.dirty, this.playback.playing));
-    if (!this.dirty) return;
+    const { viewport } = this;
+    const fineness = viewport.next(seconds, this.playback.playing);
+    if (fineness === null) return;
+    this.drawShadows(fineness);
     const { pose } = this.playback;
     if (pose && this.figure) this.poseAll(pose, seconds);
-    this.renderer.render(this.scene, this.camera);
-    this.drawn += 1;
-    if (this.figure) this.canvas.dataset.framesDrawn = String(this.drawn);
-    this.pace.drawn();
-    this.dirty = false;
+    viewport.renderer.render(this.scene, viewport.camera);
+    viewport.finish(this.figure === null);
   }
 
   private poseAll(pose: Float32Array, seconds: number): void {
@@ -230,15 +175,11 @@ export class Stage {
     this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
   }
 
-  /** On a machine that falls behind: fewer pixels, and the shadow drawn anew every third frame only. */
-  private setFineness(fineness: Fineness): void {
-    if (fineness !== this.fineness) {
-      this.fineness = fineness;
-      this.resize();
-    }
-    const { shadowMap } = this.renderer;
-    shadowMap.autoUpdate = fineness === "fine";
-    shadowMap.needsUpdate = fineness === "plain" && this.drawn % 3 === 0;
+  /** On a machine that falls behind the shadow is drawn anew every third frame only. */
+  private drawShadows(fineness: Fineness): void {
+    const { renderer, drawn } = this.viewport;
+    renderer.shadowMap.autoUpdate = fineness === "fine";
+    renderer.shadowMap.needsUpdate = fineness === "plain" && drawn % 3 === 0;
   }
 
   private poseGhost(pose: Float32Array): void {
@@ -261,9 +202,10 @@ export class Stage {
     this.root.set(x, 0, z);
     this.focus.x += dx;
     this.focus.z += dz;
-    this.camera.position.x += dx;
-    this.camera.position.z += dz;
-    this.controls.target.copy(this.focus);
+    const { camera, controls } = this.viewport;
+    camera.position.x += dx;
+    camera.position.z += dz;
+    controls.target.copy(this.focus);
     this.ground.follow(x, z);
     this.lights.follow(x, this.floor, z);
   }

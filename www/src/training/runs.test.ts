@@ -25,7 +25,7 @@ function step(iteration: number, best: number): TrainingProgress {
     bound: best,
     best,
     terms,
-    phase: "",
+    phase: "everything",
     done: false,
     reason: null,
     fraction: iteration / 100,

@@ -2,12 +2,23 @@
 import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
 import type { Run } from "./runs";
 
+const PHASES: Record<TrainingProgress["phase"], string> = {
+  "couplings-kernels-inducing-points": "couplings, kernels and inducing points",
+  everything: "everything together",
+};
+
+const ENDINGS: Record<NonNullable<TrainingProgress["reason"]>, string> = {
+  settled: "the bound no longer rises",
+  iterations: "all iterations used",
+};
+
 export function phaseWords(phase: TrainingProgress["phase"]): string {
-  return phase;
+  return PHASES[phase];
 }
 
 export function endingWords({ cancelled, reason }: TrainingOutcome): string {
-  return cancelled ? "You cancelled; this is the best so far." : (reason ?? "Done.");
+  if (cancelled) return "You cancelled; this is the best so far.";
+  return reason ? ENDINGS[reason] : "Done.";
 }
 
 /** What became of several runs. `best` is the one that was put on the stage when they were over. */

@@ -124,7 +124,7 @@ function roll({ model, info, revision }: Held, request: RolloutRequest): Rollout
         frameTime: info.frameTime,
       },
       latents: info.parts.map((_, part) => rollout.latents(part)),
-      weights: model.weights(request.alpha ?? info.alpha),
+      weights: rollout.weights(),
     };
   } finally {
     rollout.free();

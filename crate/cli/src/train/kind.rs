@@ -2,7 +2,6 @@
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command, FromArgMatches};
-use serde_json::Value;
 use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
@@ -117,18 +116,6 @@ pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<M
     };
     let ((expected, other), kind) = (wrong, kind.id());
     Err(format!("--parts {split}: expected {expected} for a {kind} model, found {parts}; {other}").into())
-}
-
-/// Names and values of a candidate's settings as a document keeps them: yes is 1, and what is left to the training is left out.
-pub fn recorded(candidate: &ModelSettings, seed: u32) -> Result<Vec<(String, f64)>, Box<dyn Error>> {
-    let Value::Object(fields) = serde_json::to_value(candidate)? else { return Ok(Vec::new()) };
-    let number = |value: &Value| value.as_f64().or(value.as_bool().map(|yes| f64::from(u8::from(yes))));
-    let mut settings: Vec<(String, f64)> =
-        fields.into_iter().filter_map(|(name, value)| Some((name, number(&value)?))).collect();
-    if candidate.is_random() {
-        settings.push(("seed".to_owned(), seed.into()));
-    }
-    Ok(settings)
 }
 
 /// Which options stand on the command line; the others hold their defaults.

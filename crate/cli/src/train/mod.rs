@@ -10,10 +10,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::VariationalLearner;
+use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    AnyModel, BaselineModel, Body, Dataset, Learner, LearningProgress, ModelKind, ModelSettings, MotionModel,
-    Movements, Sequence, Source, VariationalSettings,
+    Dataset, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source, TrainedModel,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -78,84 +77,70 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
         files::check_writable(path)?;
     }
-    match &settings {
-        ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
-            variational(arguments, &dataset, movements, settings)
-        }
-        _ => baseline(arguments, &dataset, &movements, &settings),
-    }
-}
-
-/// Trains a variational model, whose document has couplings, latents and the terms of its bound.
-fn variational(
-    arguments: &Arguments,
-    dataset: &Dataset,
-    movements: Movements,
-    settings: &VariationalSettings,
-) -> Result<(), Box<dyn Error>> {
-    let begin = Instant::now();
-    let mut learner = VariationalLearner::new(movements, settings, arguments.options.seed)
-        .map_err(|reason| dataset.refusal(reason))?;
-    if let Some(path) = &arguments.options.write_start {
-        let trainer = learner.trainer();
-        files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
-    }
-    let reason = train(&mut learner, |learner, progress| {
-        format!("bound {:.1}, {}", progress.best, learner.trainer().progress().phase.words())
-    })?;
-    let seconds = begin.elapsed().as_secs_f64();
-
-    let mut model = MotionModel::trained(dataset, learner.trainer(), arguments.fps)?;
-    model.provenance.note.clone_from(&arguments.note);
-    let rows = model.fitted.alpha.row_iter();
-    let alpha: Vec<Vec<f64>> = rows.map(|row| row.iter().copied().collect()).collect();
-    let model = AnyModel::Variational(Box::new(model));
-    files::write_text(&arguments.out, &model.to_json()?)?;
-    let progress = learner.trainer().progress();
-    files::print_json(&json!({
-        "kind": model.kind().id(),
-        "elbo": progress.best,
-        "terms": progress.terms,
-        "alpha": alpha,
-        "iterations": progress.iteration,
-        "evaluations": progress.evaluations,
-        "seconds": seconds,
-        "warnings": dataset.warnings,
-        "reason": reason,
-    }))
-}
-
-/// Trains a model that only rolls out.
-fn baseline(
-    arguments: &Arguments,
-    dataset: &Dataset,
-    movements: &Movements,
-    settings: &ModelSettings,
-) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let seed = arguments.options.seed;
-    let mut learner = settings.learner(movements, seed).map_err(|reason| dataset.refusal(reason))?;
-    let objective = match settings.kind() {
-        ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
-        ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
-        _ => "bound",
-    };
-    let reason = train(&mut *learner, |_, progress| format!("{objective} {:.1}", progress.best))?;
+    let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;
+    if let Some(path) = &arguments.options.write_start {
+        write_start(path, movements, &settings, seed)?;
+    }
+    let reason = train(&mut *learner, objective(kind))?;
     let seconds = begin.elapsed().as_secs_f64();
 
-    let settings = kind::recorded(settings, seed)?;
-    let mut model = BaselineModel::trained(Body::of(dataset), &*learner, settings, arguments.fps)?;
-    model.record.note.clone_from(&arguments.note);
-    files::write_text(&arguments.out, &model.to_json()?)?;
-    files::print_json(&json!({
-        "kind": model.model.kind().id(),
-        "objective": model.record.objective,
-        "bound": model.model.bound(),
-        "iterations": model.record.iterations,
-        "seconds": seconds,
-        "warnings": dataset.warnings,
-        "reason": reason,
-    }))
+    let mut trained = TrainedModel::<Model>::trained(&dataset, &*learner, settings, seed, arguments.fps)?;
+    trained.provenance.note.clone_from(&arguments.note);
+    files::write_text(&arguments.out, &trained.to_json()?)?;
+    let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
+    files::print_json(&match &trained.model {
+        Model::Vcgpdm(model) => {
+            let rows = model.alpha.row_iter();
+            let alpha: Vec<Vec<f64>> = rows.map(|row| row.iter().copied().collect()).collect();
+            json!({
+                "kind": kind.id(),
+                "elbo": objective,
+                "terms": model.terms,
+                "alpha": alpha,
+                "iterations": iterations,
+                "evaluations": evaluations,
+                "seconds": seconds,
+                "warnings": dataset.warnings,
+                "reason": reason,
+            })
+        }
+        model => json!({
+            "kind": kind.id(),
+            "objective": objective,
+            "bound": model.bound(),
+            "iterations": iterations,
+            "seconds": seconds,
+            "warnings": dataset.warnings,
+            "reason": reason,
+        }),
+    })
+}
+
+/// Writes where the training of a variational model starts, as the input of a case.
+fn write_start(
+    path: &Path,
+    movements: Movements,
+    settings: &ModelSettings,
+    seed: u32,
+) -> Result<(), Box<dyn Error>> {
+    // No other kind has the option.
+    if let ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) = settings {
+        let lengths = movements.lengths();
+        let trainer = Trainer::new(movements.y, lengths, settings, seed)?;
+        files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
+    }
+    Ok(())
+}
+
+/// What a training of this kind maximises, in words.
+fn objective(kind: ModelKind) -> &'static str {
+    match kind {
+        ModelKind::Vcgpdm | ModelKind::Vgpdm | ModelKind::Tmp => "bound",
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
+        ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
+    }
 }
 
 /// Steps of the bar.
@@ -163,10 +148,7 @@ const FINE: u64 = 1000;
 
 /// Trains to the end, or until Ctrl-C: then the best so far is kept. Says why it ended. The bar is drawn on stderr, and only when
 /// that is a terminal.
-fn train<L: Learner + ?Sized>(
-    learner: &mut L,
-    say: impl Fn(&L, &LearningProgress) -> String,
-) -> Result<String, Box<dyn Error>> {
+fn train(learner: &mut dyn Learner, objective: &str) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
     let bar = ProgressBar::new(FINE);
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (at most {eta} left)") {
@@ -176,11 +158,12 @@ fn train<L: Learner + ?Sized>(
         let progress = learner.step();
         // Not the iterations: a search for the number of primitives may end long before the most there can be.
         bar.set_position((progress.fraction * FINE as f64) as u64);
-        let (iteration, most) = (progress.iteration, progress.max_iterations);
-        bar.set_message(format!("{iteration}/{most}  {}", say(learner, &progress)));
+        let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
+        let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);
+        bar.set_message(format!("{iteration}/{most}  {objective} {best:.1}{phase}"));
         if progress.done || stopped.load(Ordering::Relaxed) {
             bar.finish_and_clear();
-            return Ok(progress.reason.unwrap_or_else(|| "stopped".to_owned()));
+            return Ok(progress.reason.map_or_else(|| "stopped".to_owned(), |reason| reason.to_string()));
         }
     }
 }

@@ -4,116 +4,54 @@
 //! the dynamics into each part, couplings, the sums from which experts can be inferred again, start latents and provenance.
 //! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out.
 
+mod error;
 mod read;
 mod write;
 
-use crate::gp::NumericsError;
-use crate::json::{FieldError, JsonError, NotFinite, Value};
-use crate::models::{AnyModel, BaselineModel, MotionModel};
-use crate::motion::parts::PartsError;
-use thiserror::Error;
+pub use error::DocumentError;
 
-const FORMAT: &str = "vcgpdm model";
-/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
-/// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
-const VERSION: usize = 2;
-const MOST_BYTES: usize = 100 << 20;
+use crate::json::{NotFinite, Value};
+use crate::models::TrainedModel;
+use crate::models::variational::Vcgpdm;
+use error::MOST_BYTES;
 
-/// Why a text is not a model that can be used, or a model cannot become a text.
-#[derive(Debug, Error)]
-pub enum DocumentError {
-    /// Larger than any model.
-    #[error("expected a model of at most {} megabytes, found {found} bytes", MOST_BYTES >> 20)]
-    Size {
-        /// Bytes found.
-        found: usize,
-    },
-    /// Not JSON.
-    #[error("expected a model as JSON: {0}")]
-    Json(JsonError),
-    /// JSON, but something else.
-    #[error("expected a model with \"format\": \"{FORMAT}\", found {found}")]
-    Format {
-        /// What the document says it is.
-        found: String,
-    },
-    /// From a later program.
-    #[error(
-        "expected a model of version {VERSION} or earlier, found version {found}; a newer program wrote it"
-    )]
-    Version {
-        /// What the document says.
-        found: usize,
-    },
-    /// A model of another kind, where couplings and inducing points are asked for.
-    #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
-    Kind {
-        /// Its kind.
-        found: &'static str,
-    },
-    /// A variational model that lost what its document tells.
-    #[error("a {found} model is written with its couplings and provenance, as a motion model")]
-    Unwritten {
-        /// Its kind.
-        found: &'static str,
-    },
-    /// A field is missing, of the wrong type or out of its range.
-    #[error("at {path}: {message}")]
-    Field {
-        /// The field's path.
-        path: String,
-        /// What was expected and found.
-        message: String,
-    },
-    /// The parts do not fit the body.
-    #[error("at parts: {0}")]
-    Parts(#[from] PartsError),
-    /// The pose maps cannot be solved for.
-    #[error("the model cannot be used: {0}")]
-    Numerics(#[from] NumericsError),
-    /// The model to be written holds NaN or an infinity.
-    #[error("the model cannot be written: expected finite numbers, found {0}")]
-    NotFinite(f64),
-}
-
-impl From<FieldError> for DocumentError {
-    fn from(FieldError { path, message }: FieldError) -> Self {
-        DocumentError::Field { path, message }
-    }
-}
-
-impl MotionModel {
+impl TrainedModel<Vcgpdm> {
     /// The model as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
-        text(&write::variational(self))
+        text(&write::vcgpdm_document(self))
     }
 
     /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
-        read::motion_model(&parsed(text)?)
+        read::vcgpdm_document(&parsed(text)?)
     }
 }
 
-impl AnyModel {
+impl TrainedModel {
     /// The model as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
-        match self {
-            AnyModel::Variational(model) => model.to_json(),
-            AnyModel::Baseline(model) => model.to_json(),
-        }
+        text(&write::document(self))
     }
 
     /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
-    }
-}
-
-impl BaselineModel {
-    /// The model as a JSON document.
-    pub fn to_json(&self) -> Result<String, DocumentError> {
-        let found = self.model.kind().id();
-        text(&write::baseline(self).ok_or(DocumentError::Unwritten { found })?)
     }
 }
 

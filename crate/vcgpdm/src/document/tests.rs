@@ -1,16 +1,15 @@
 use super::*;
-use crate::models::map::MapLearner;
 use crate::models::variational::Trainer;
 use crate::models::{
-    Body, Dataset, DmpSettings, Learner, MapSettings, ModelKind, Movements, Record, RolloutRequest, Sequence,
+    Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, RolloutRequest, Sequence,
     Source, TmpSettings, VariationalSettings,
 };
 use crate::motion::{parts, samples};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
-fn trained() -> &'static MotionModel {
-    static MODEL: OnceLock<MotionModel> = OnceLock::new();
+fn trained() -> &'static TrainedModel<Vcgpdm> {
+    static MODEL: OnceLock<TrainedModel<Vcgpdm>> = OnceLock::new();
     MODEL.get_or_init(|| {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
@@ -19,7 +18,7 @@ fn trained() -> &'static MotionModel {
             VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
         let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
         while !trainer.step().done {}
-        MotionModel::trained(&dataset, &trainer, 30.0).unwrap()
+        TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap()
     })
 }
 
@@ -30,14 +29,14 @@ fn document() -> Value {
 fn refused(change: impl FnOnce(&mut Value)) -> String {
     let mut value = document();
     change(&mut value);
-    MotionModel::from_json(&value.to_string()).unwrap_err().to_string()
+    TrainedModel::<Vcgpdm>::from_json(&value.to_string()).unwrap_err().to_string()
 }
 
 #[test]
 fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
     let model = trained();
-    let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
-    assert_eq!(again.fitted, model.fitted);
+    let again = TrainedModel::<Vcgpdm>::from_json(&model.to_json().unwrap()).unwrap();
+    assert_eq!(again.model, model.model);
     assert_eq!(again.provenance, model.provenance);
     assert_eq!(again.body.sequences, model.body.sequences);
     let request = RolloutRequest { frames: 50, ..Default::default() };
@@ -66,7 +65,7 @@ fn it_holds_no_training_clip() {
 
 #[test]
 fn other_files_are_refused_with_the_reason() {
-    let error = |text: &str| MotionModel::from_json(text).unwrap_err().to_string();
+    let error = |text: &str| TrainedModel::<Vcgpdm>::from_json(text).unwrap_err().to_string();
     assert!(error("HIERARCHY").starts_with("expected a model as JSON: "));
     assert_eq!(error("{}"), "expected a model with \"format\": \"vcgpdm model\", found no format");
     assert_eq!(
@@ -119,17 +118,24 @@ fn wrong_fields_are_refused_with_their_path() {
     );
     // JSON itself has no numbers that do not fit.
     let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
-    assert!(MotionModel::from_json(&huge).unwrap_err().to_string().contains("out of range"));
+    assert!(TrainedModel::<Vcgpdm>::from_json(&huge).unwrap_err().to_string().contains("out of range"));
 }
 
 /// What a person reads about a model must be something that it could have been asked for.
 #[test]
 fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
-    let mut variational = document();
-    let mut point: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
+    let written = |settings, frames| -> Value {
+        serde_json::from_str(&learned(settings, frames, 1).to_json().unwrap()).unwrap()
+    };
+    let mut documents = [
+        document(),
+        serde_json::from_str(&baseline().to_json().unwrap()).unwrap(),
+        written(ModelSettings::Tmp(TmpSettings { primitives: Some(2) }), 60),
+        written(ModelSettings::DmpRhythmic(DmpSettings::default()), 60),
+    ];
     let set = |document: &mut Value, name: &str, value: Value| {
         document["provenance"]["settings"][name] = value;
-        AnyModel::from_json(&document.to_string()).err().map(|error| error.to_string())
+        TrainedModel::<Model>::from_json(&document.to_string()).err().map(|error| error.to_string())
     };
     for (name, good, bad, expected) in [
         ("latent", json!(100), json!(0), "expected from 1 to 100, found 0"),
@@ -141,19 +147,25 @@ fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
         ("balanced", json!(1), json!(2), "expected from 0 to 1, found 2"),
         ("primitives", json!(4), json!(0), "expected from 1 to 1000, found 0"),
         ("bases", json!(20), json!(1e9), "expected from 1 to 1000, found 1000000000"),
-        ("not known yet", json!(-0.5), json!(1e300), "expected numbers up to 1e12 in size, found 1"),
     ] {
-        // A variational document has these settings and no others; one of another kind has what its kind was asked for.
-        let its_own = variational["provenance"]["settings"].get(name).is_some();
-        for document in [Some(&mut point), its_own.then_some(&mut variational)].into_iter().flatten() {
+        let mut found = 0;
+        for document in &mut documents {
+            if document["provenance"]["settings"].get(name).is_none() {
+                continue;
+            }
+            found += 1;
             let error = set(document, name, bad.clone()).unwrap();
             assert!(error.starts_with(&format!("at provenance.settings.{name}: {expected}")), "{error}");
             assert_eq!(set(document, name, good.clone()), None, "{name}");
         }
+        assert!(found > 0, "no document has {name}");
     }
-    for mut document in [variational, point] {
+    for mut document in documents {
+        let mut unknown = document.clone();
+        let error = set(&mut unknown, "colour", json!(1)).unwrap();
+        assert_eq!(error, "at provenance.settings: expected no field \"colour\", or only one");
         document["provenance"]["frames_per_second"] = json!(0);
-        let error = AnyModel::from_json(&document.to_string()).err().unwrap().to_string();
+        let error = TrainedModel::<Model>::from_json(&document.to_string()).err().unwrap().to_string();
         let expected = "at provenance.frames_per_second: expected frames a second from 0.1 to 10000, found 0";
         assert_eq!(error, expected);
     }
@@ -194,73 +206,68 @@ fn unknown_and_doubled_fields_are_refused() {
             .starts_with("at parts[1]: expected no field \"gamma\"")
     );
     let twice = trained().to_json().unwrap().replacen("\"order\":2", "\"order\":2,\"order\":2", 1);
-    let message = MotionModel::from_json(&twice).unwrap_err().to_string();
+    let message = TrainedModel::<Vcgpdm>::from_json(&twice).unwrap_err().to_string();
     assert_eq!(message, "at the document: expected no field \"order\", or only one");
 }
 
 #[test]
 fn what_is_not_finite_is_not_written() {
     let mut model = trained().clone();
-    model.provenance.bound = f64::NAN;
+    model.provenance.objective = f64::NAN;
     assert!(model.to_json().unwrap_err().to_string().ends_with("expected finite numbers, found NaN"));
 }
 
-/// A MAP CGPDM of the sample walk, hardly trained.
-fn baseline() -> BaselineModel {
-    let clip = samples::clip("walk-1").unwrap().cut(0, 40).unwrap();
+/// A model of the sample walk in two parts, of which the first `frames` are learned in at most `steps` steps.
+fn learned(settings: ModelSettings, frames: usize, steps: usize) -> TrainedModel {
+    let clip = samples::clip("walk-1").unwrap().cut(0, frames).unwrap();
     let parts = &parts::presets(&clip.skeleton)[1].parts;
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
-    let frames = dataset.lengths()[0];
-    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
+    let sequences = vec![Sequence { frames: dataset.lengths()[0], whole: true }];
+    let movements = Movements { y: dataset.y.clone(), sequences };
+    let mut learner = settings.learner(&movements, 3).unwrap();
+    for _ in 0..steps {
+        learner.step();
+    }
+    TrainedModel::<Model>::trained(&dataset, &*learner, settings, 3, 30.0).unwrap()
+}
+
+/// A MAP CGPDM, hardly trained.
+fn baseline() -> TrainedModel {
     let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
-    let mut learner = MapLearner::new(movements, &settings, 0).unwrap();
-    while !learner.step().done {}
-    let record = Record {
-        engine: "test".to_owned(),
-        settings: vec![("latent".to_owned(), 2.0), ("seed".to_owned(), 0.0)],
-        frames_per_second: 30.0,
-        objective: learner.progress().best,
-        iterations: 10,
-        note: None,
-    };
-    BaselineModel { body: Body::of(&dataset), model: learner.model().unwrap(), record }
+    learned(ModelSettings::MapCgpdm(settings), 40, 11)
 }
 
 #[test]
 fn a_baseline_rolls_out_to_the_bit_as_it_was_written() {
-    let model = AnyModel::Baseline(Box::new(baseline()));
+    let model = baseline();
     let text = model.to_json().unwrap();
-    let again = AnyModel::from_json(&text).unwrap();
+    let again = TrainedModel::<Model>::from_json(&text).unwrap();
     assert_eq!(again.kind(), ModelKind::MapCgpdm);
     assert_eq!(again.to_json().unwrap(), text);
     let y = model.rollout(0, 60).unwrap();
     assert_eq!(again.rollout(0, 60).unwrap(), y);
     assert!(y.iter().all(|v| v.is_finite()));
-    let (AnyModel::Baseline(written), AnyModel::Baseline(read)) = (&model, &again) else {
-        panic!("another kind");
-    };
-    assert_eq!(read.record, written.record);
-    assert_eq!(read.model.stored_numbers(), written.model.stored_numbers());
-    assert_eq!(again.body().clip(&y, "walk.bvh").unwrap().frames(), 60);
+    assert_eq!(again.provenance, model.provenance);
+    assert_eq!(again.model.stored_numbers(), model.model.stored_numbers());
+    assert_eq!(again.body.clip(&y, "walk.bvh").unwrap().frames(), 60);
     assert_eq!(
-        MotionModel::from_json(&text).unwrap_err().to_string(),
+        TrainedModel::<Vcgpdm>::from_json(&text).unwrap_err().to_string(),
         "expected a vcgpdm or vgpdm model, found a map-cgpdm model"
     );
 }
 
 #[test]
 fn documents_without_a_kind_are_variational() {
-    let AnyModel::Variational(model) = AnyModel::from_json(&trained().to_json().unwrap()).unwrap() else {
-        panic!("another kind");
-    };
-    assert_eq!(model.fitted, trained().fitted);
+    let any = TrainedModel::<Model>::from_json(&trained().to_json().unwrap()).unwrap();
+    assert_eq!(any.to_json().unwrap(), trained().to_json().unwrap());
+    let request = RolloutRequest { frames: 20, ..Default::default() };
+    assert_eq!(any.rollout(0, 20).unwrap(), trained().rollout(&request).unwrap().y);
+    assert_eq!(any.into_vcgpdm().unwrap().model, trained().model);
+    assert_eq!(baseline().into_vcgpdm().unwrap_err().kind(), ModelKind::MapCgpdm);
     let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
     let known = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
     assert_eq!(named("gplvm"), format!("at kind: expected one of {known}, found \"gplvm\""));
     assert_eq!(named("vgpdm"), "at kind: expected vcgpdm, for so many parts, found vgpdm");
-    let any = AnyModel::from_json(&trained().to_json().unwrap()).unwrap();
-    let request = RolloutRequest { frames: 20, ..Default::default() };
-    assert_eq!(any.rollout(0, 20).unwrap(), trained().rollout(&request).unwrap().y);
 }
 
 #[test]
@@ -288,47 +295,35 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
     for (expected, change) in cases {
         let mut value = document.clone();
         change(&mut value);
-        let error = AnyModel::from_json(&value.to_string()).err().unwrap().to_string();
+        let error = TrainedModel::<Model>::from_json(&value.to_string()).err().unwrap().to_string();
         assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
     }
 }
 
 #[test]
 fn movement_primitives_come_back_as_they_were_written() {
-    use crate::models::dmp::{Canonical, DmpLearner};
-    use crate::models::tmp::TmpLearner;
-    let BaselineModel { body, record, .. } = baseline();
-    let clip = samples::clip("walk-1").unwrap();
-    let parts = body.layout.parts().to_vec();
-    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
-    let frames = dataset.lengths()[0];
-    let movements = Movements { y: dataset.y.clone(), sequences: vec![Sequence { frames, whole: true }] };
-    let dmp = |canonical| DmpLearner::new(&movements, canonical, &DmpSettings::default()).unwrap();
-    let learners: [(ModelKind, Box<dyn Learner>); 3] = [
-        (ModelKind::Tmp, Box::new(TmpLearner::new(&movements, &TmpSettings::default()).unwrap())),
-        (ModelKind::DmpDiscrete, Box::new(dmp(Canonical::Discrete))),
-        (ModelKind::DmpRhythmic, Box::new(dmp(Canonical::Rhythmic))),
-    ];
-    for (kind, mut learner) in learners {
-        for _ in 0..3 {
-            learner.step();
-        }
-        let body = Body::of(&dataset);
-        let model = BaselineModel { body, model: learner.model().unwrap(), record: record.clone() };
+    for settings in [
+        ModelSettings::Tmp(TmpSettings::default()),
+        ModelSettings::Tmp(TmpSettings { primitives: Some(2) }),
+        ModelSettings::DmpDiscrete(DmpSettings::default()),
+        ModelSettings::DmpRhythmic(DmpSettings::default()),
+    ] {
+        let kind = settings.kind();
+        let model = learned(settings, 120, 3);
         let text = model.to_json().unwrap();
-        let again = AnyModel::from_json(&text).unwrap();
+        let again = TrainedModel::<Model>::from_json(&text).unwrap();
         assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
-        let y = AnyModel::Baseline(Box::new(model)).rollout(0, 50).unwrap();
-        assert_eq!(again.rollout(0, 50).unwrap(), y);
+        assert_eq!(again.provenance, model.provenance);
+        assert_eq!(again.rollout(0, 50).unwrap(), model.rollout(0, 50).unwrap());
         // Every field of a model is needed, and none but these.
         let value: Value = serde_json::from_str(&text).unwrap();
         for name in value["model"].as_object().unwrap().keys() {
             let mut broken = value.clone();
             broken["model"].as_object_mut().unwrap().remove(name);
-            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            let error = TrainedModel::<Model>::from_json(&broken.to_string()).err().unwrap().to_string();
             assert_eq!(error, format!("at model: expected a field \"{name}\", found none"));
             broken["model"][name] = json!([["x"]]);
-            let error = AnyModel::from_json(&broken.to_string()).err().unwrap().to_string();
+            let error = TrainedModel::<Model>::from_json(&broken.to_string()).err().unwrap().to_string();
             assert!(error.starts_with(&format!("at model.{name}")), "{error}");
         }
     }

@@ -1,67 +1,26 @@
 //! From a model to the tree of its document.
 
-use crate::document::{FORMAT, VERSION, Value};
-use crate::models::variational::{BoundTerms, FittedExpert};
-use crate::models::{BaselineModel, MotionModel, Provenance, VariationalSettings};
+use crate::document::error::{FORMAT, VERSION};
+use crate::json::Value;
+use crate::models::variational::{BoundTerms, FittedExpert, Vcgpdm};
+use crate::models::{
+    Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, TmpSettings, TrainedModel,
+    VariationalSettings,
+};
+use crate::motion::parts::PartSpec;
 
-pub(super) fn variational(model: &MotionModel) -> Value {
-    let fitted = &model.fitted;
-    let parts = fitted.parts.iter().zip(model.body.layout.parts());
-    let parts = Value::list(parts, |(map, spec)| {
-        Value::object([
-            ("name", Value::text(&spec.name)),
-            ("joints", Value::wholes(&spec.joints)),
-            ("lambda", Value::numbers(map.kernel.lambda.as_slice())),
-            ("variance", Value::Number(map.kernel.variance)),
-            ("beta", Value::Number(map.beta)),
-            ("r", Value::matrix(&map.r)),
-            ("v_mean", Value::matrix(&map.mean)),
-            ("v_covariance", Value::matrix(&map.covariance)),
-        ])
-    });
-    // The dynamics into each part; matrices over its sources stack them in order.
-    let dynamics = Value::list(0..fitted.part_count(), |i| {
-        Value::object([
-            ("experts", Value::list(&fitted.experts, |row| expert(&row[i]))),
-            ("u_covariance", Value::matrix(&fitted.dynamics_covariance[i])),
-            ("sum_psi2", Value::matrix(&fitted.sums[i].psi2)),
-            ("sum_psi1_mu", Value::matrix(&fitted.sums[i].psi1_mu)),
-        ])
-    });
-    let sequences = Value::list(model.body.sequences.iter().zip(&fitted.starts), |(info, start)| {
-        Value::object([
-            ("clip", Value::text(&info.name)),
-            ("sha256", Value::text(&info.sha256)),
-            ("frames", Value::whole(info.frames)),
-            // The latent means of the first frames of each part.
-            ("start", Value::list(start, Value::matrix)),
-        ])
-    });
-    Value::object([
-        ("format", Value::text(FORMAT)),
-        // The first version still says all there is to say.
-        ("version", Value::whole(1)),
-        ("pose", model.body.mapping.to_value()),
-        ("frame_time", Value::Number(model.body.frame_time)),
-        ("column_means", Value::numbers(&model.body.column_means)),
-        ("order", Value::whole(fitted.order)),
-        ("jitter", Value::Number(fitted.jitter)),
-        ("parts", parts),
-        ("dynamics", dynamics),
-        // Row the source, column the target.
-        ("alpha", Value::matrix(&fitted.alpha)),
-        ("sequences", sequences),
-        ("provenance", provenance(&model.provenance)),
-    ])
-}
-
-/// A document of a model that only rolls out; `None` for a kind that has a document of its own.
-pub(super) fn baseline(baseline: &BaselineModel) -> Option<Value> {
-    let BaselineModel { body, model, record } = baseline;
-    let fields = model.to_value()?;
-    let parts = Value::list(body.layout.parts(), |spec| {
-        Value::object([("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))])
-    });
+/// A model of any kind.
+pub(super) fn document(trained: &TrainedModel) -> Value {
+    let TrainedModel { model, body, provenance } = trained;
+    let settings = settings(&provenance.settings, provenance.seed);
+    let fields = match model {
+        Model::Vcgpdm(model) => return variational(model, body, provenance, settings),
+        Model::Map(model) => model.to_value(),
+        Model::Tmp(model) => model.to_value(),
+        Model::DmpDiscrete(model) => model.to_value(),
+        Model::DmpRhythmic(model) => model.to_value(),
+    };
+    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields(spec)));
     let sequences = Value::list(&body.sequences, |info| {
         Value::object([
             ("clip", Value::text(&info.name)),
@@ -69,16 +28,15 @@ pub(super) fn baseline(baseline: &BaselineModel) -> Option<Value> {
             ("frames", Value::whole(info.frames)),
         ])
     });
-    let settings = record.settings.iter().map(|(name, value)| (name.clone(), Value::Number(*value)));
     let provenance = Value::object([
-        ("engine", Value::text(&record.engine)),
-        ("settings", Value::Object(settings.collect())),
-        ("frames_per_second", Value::Number(record.frames_per_second)),
-        ("objective", Value::Number(record.objective)),
-        ("iterations", Value::whole(record.iterations)),
-        ("note", record.note.as_deref().map_or(Value::Null, Value::text)),
+        ("engine", Value::text(&provenance.engine)),
+        ("settings", settings),
+        ("frames_per_second", Value::Number(provenance.frames_per_second)),
+        ("objective", Value::Number(provenance.objective)),
+        ("iterations", Value::whole(provenance.iterations)),
+        ("note", provenance.note.as_deref().map_or(Value::Null, Value::text)),
     ]);
-    Some(Value::object([
+    Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(VERSION)),
         ("kind", Value::text(model.kind().id())),
@@ -89,44 +47,134 @@ pub(super) fn baseline(baseline: &BaselineModel) -> Option<Value> {
         ("sequences", sequences),
         ("model", fields),
         ("provenance", provenance),
-    ]))
+    ])
+}
+
+/// A variational model. A program that asks for no other need not hold the code of the others.
+pub(super) fn vcgpdm_document(trained: &TrainedModel<Vcgpdm>) -> Value {
+    let TrainedModel { model, body, provenance } = trained;
+    let settings = variational_settings(&provenance.settings, provenance.seed);
+    variational(model, body, provenance, settings)
+}
+
+fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, settings: Value) -> Value {
+    let parts = model.parts.iter().zip(body.layout.parts());
+    let parts = Value::list(parts, |(map, spec)| {
+        let [name, joints] = part_fields(spec);
+        Value::object([
+            name,
+            joints,
+            ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
+            ("variance", Value::Number(map.kernel().variance)),
+            ("beta", Value::Number(map.beta())),
+            ("r", Value::matrix(map.r())),
+            ("v_mean", Value::matrix(map.mean())),
+            ("v_covariance", Value::matrix(map.covariance())),
+        ])
+    });
+    // The dynamics into each part; matrices over its sources stack them in order.
+    let dynamics = Value::list(0..model.part_count(), |i| {
+        Value::object([
+            ("experts", Value::list(&model.experts, |row| expert(&row[i]))),
+            ("u_covariance", Value::matrix(&model.dynamics_covariance[i])),
+            ("sum_psi2", Value::matrix(&model.sums[i].psi2)),
+            ("sum_psi1_mu", Value::matrix(&model.sums[i].psi1_mu)),
+        ])
+    });
+    let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
+        Value::object([
+            ("clip", Value::text(&info.name)),
+            ("sha256", Value::text(&info.sha256)),
+            ("frames", Value::whole(info.frames)),
+            // The latent means of the first frames of each part.
+            ("start", Value::list(start, Value::matrix)),
+        ])
+    });
+    let provenance = Value::object([
+        ("engine", Value::text(&provenance.engine)),
+        ("settings", settings),
+        ("frames_per_second", Value::Number(provenance.frames_per_second)),
+        ("bound", Value::Number(provenance.objective)),
+        ("terms", terms(&model.terms)),
+        ("iterations", Value::whole(provenance.iterations)),
+        ("evaluations", Value::whole(provenance.evaluations)),
+        ("note", provenance.note.as_deref().map_or(Value::Null, Value::text)),
+    ]);
+    Value::object([
+        ("format", Value::text(FORMAT)),
+        // The first version still says all there is to say.
+        ("version", Value::whole(1)),
+        ("pose", body.mapping.to_value()),
+        ("frame_time", Value::Number(body.frame_time)),
+        ("column_means", Value::numbers(&body.column_means)),
+        ("order", Value::whole(model.order)),
+        ("jitter", Value::Number(model.jitter)),
+        ("parts", parts),
+        ("dynamics", dynamics),
+        // Row the source, column the target.
+        ("alpha", Value::matrix(&model.alpha)),
+        ("sequences", sequences),
+        ("provenance", provenance),
+    ])
+}
+
+fn part_fields(spec: &PartSpec) -> [(&'static str, Value); 2] {
+    [("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))]
 }
 
 fn expert(expert: &FittedExpert) -> Value {
     Value::object([
-        ("lambda", Value::numbers(expert.kernel.lambda.as_slice())),
-        ("z", Value::matrix(&expert.z)),
-        ("u_mean", Value::matrix(&expert.mean)),
+        ("lambda", Value::numbers(expert.kernel().lambda.as_slice())),
+        ("z", Value::matrix(expert.z())),
+        ("u_mean", Value::matrix(expert.mean())),
     ])
 }
 
-fn provenance(provenance: &Provenance) -> Value {
-    let Provenance { engine, settings, seed, frames_per_second, bound, terms, iterations, evaluations, note } =
-        provenance;
+/// Names and values of what training was asked for: yes is 1, and what was left to the training is left out.
+fn settings(settings: &ModelSettings, seed: u32) -> Value {
+    match settings {
+        ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
+            variational_settings(settings, seed)
+        }
+        ModelSettings::MapGpdm(settings) | ModelSettings::MapCgpdm(settings) => {
+            let MapSettings { latent, order, max_iterations, balanced } = settings;
+            Value::object([
+                ("balanced", Value::whole(usize::from(*balanced))),
+                ("latent", Value::whole(*latent)),
+                ("max_iterations", Value::whole(*max_iterations)),
+                ("order", Value::whole(*order)),
+                ("seed", Value::Number(seed.into())),
+            ])
+        }
+        ModelSettings::Tmp(TmpSettings { primitives }) => {
+            let field = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
+            Value::Object(field.into_iter().collect())
+        }
+        ModelSettings::DmpDiscrete(settings) | ModelSettings::DmpRhythmic(settings) => {
+            let DmpSettings { bases } = settings;
+            Value::object([("bases", Value::whole(*bases))])
+        }
+    }
+}
+
+fn variational_settings(settings: &VariationalSettings, seed: u32) -> Value {
     let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
-    let settings = Value::object([
+    Value::object([
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),
         ("pose_ips", Value::whole(*pose_ips)),
         ("order", Value::whole(*order)),
-        ("seed", Value::Number((*seed).into())),
+        ("seed", Value::Number(seed.into())),
         ("max_iterations", Value::whole(*max_iterations)),
-    ]);
+    ])
+}
+
+fn terms(terms: &BoundTerms) -> Value {
     let BoundTerms { kinematics, dynamics, initial, entropy } = terms;
-    let terms = Value::object([
+    Value::object([
         ("kinematics", Value::numbers(kinematics)),
         ("dynamics", Value::numbers(dynamics)),
         ("initial", Value::Number(*initial)),
         ("entropy", Value::Number(*entropy)),
-    ]);
-    Value::object([
-        ("engine", Value::text(engine)),
-        ("settings", settings),
-        ("frames_per_second", Value::Number(*frames_per_second)),
-        ("bound", Value::Number(*bound)),
-        ("terms", terms),
-        ("iterations", Value::whole(*iterations)),
-        ("evaluations", Value::whole(*evaluations)),
-        ("note", note.as_deref().map_or(Value::Null, Value::text)),
     ])
 }

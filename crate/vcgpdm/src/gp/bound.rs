@@ -1,43 +1,79 @@
 //! The collapsed sparse bound of one Gaussian process, with its adjoints. Knows no kernel.
 //!
-//! Titsias 2009 and Titsias & Lawrence 2010; equation (A27) of Velychko et al. 2018 with its trace term for every column:
+//! Titsias (2009) and Titsias and Lawrence (2010) for one process that explains R rows of C target columns with noise
+//! variance n; for one expert, equation (A35) of Velychko et al. (2018), with the trace term of (A34) counted for every
+//! column:
 //!
 //! F = - R C/2 log(2 pi n) - c2 / (2n) + C/2 ( log|K| - log|A| ) + tr( b^T A^-1 b ) / (2 n^2) - C gap / (2n)
 //!
-//! with A = K + Psi2 / n and gap = psi0 - tr(K^-1 Psi2). Everything is computed in the coordinates in which K = L L^T is the
-//! identity: A = L ( I + B / n ) L^T with B = L^-1 Psi2 L^-T, which is well conditioned whatever K is.
+//! with A = K + Psi2 / n, gap = psi0 - tr(K^-1 Psi2) and c2 the sum of the expected squares of all targets. Everything is
+//! computed in the coordinates in which K = L L^T is the identity: A = L ( I + B / n ) L^T with B = L^-1 Psi2 L^-T, which is
+//! well conditioned whatever K is.
+//!
+//! ```
+//! use nalgebra::{DMatrix, dvector};
+//! use vcgpdm::gp::bound::{BoundWorkspace, SparseGp};
+//! use vcgpdm::gp::psi::{PairWorkspace, PsiStatistics, Purpose};
+//! use vcgpdm::gp::{Gaussians, Kernel};
+//!
+//! // Twenty points on a sine, their inputs known exactly, and five inducing points.
+//! let x = DMatrix::from_fn(20, 1, |t, _| 0.3 * t as f64);
+//! let y = x.map(f64::sin);
+//! let z = DMatrix::from_fn(5, 1, |k, _| 1.4 * k as f64);
+//! let kernel = Kernel { lambda: dvector![1.0], variance: 1.0 };
+//!
+//! let inputs = Gaussians { mean: x, variance: DMatrix::zeros(20, 1) };
+//! let mut psi = PsiStatistics::new(20, 5, 1);
+//! psi.compute(&inputs, &z, &kernel, Purpose::Value, &mut PairWorkspace::default());
+//!
+//! let gp = SparseGp {
+//!     k: &kernel.inducing_covariance(&z, 1e-6),
+//!     psi2: &psi.psi2,
+//!     b: &psi.psi1.tr_mul(&y),
+//!     psi0: psi.psi0,
+//!     second_moment: y.norm_squared(),
+//!     rows: 20,
+//!     noise: 0.01,
+//! };
+//! let mut workspace = BoundWorkspace::new(5, 1);
+//! let bound = gp.bound(&mut workspace)?;
+//! // Without noise the data are explained worse: the bound is a lower bound on their log density.
+//! assert!(bound > SparseGp { noise: 1e-4, ..gp }.bound(&mut workspace)?);
+//! # Ok::<(), vcgpdm::gp::NumericsError>(())
+//! ```
 
 use crate::gp::linalg::{Factor, NumericsError, symmetric};
 use crate::gp::tall::add_tr_product;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// What the bound of one Gaussian process depends on: M inducing points, R rows, C target columns.
+/// What the bound of one Gaussian process depends on: K inducing points, R rows, C target columns.
+#[derive(Clone, Copy, Debug)]
 pub struct SparseGp<'a> {
-    /// Covariance of the inducing outputs, K [M x M].
+    /// Covariance of the inducing outputs, K [K x K].
     pub k: &'a DMatrix<f64>,
-    /// Sum over rows of psi2 [M x M].
+    /// Sum over rows of psi2 [K x K].
     pub psi2: &'a DMatrix<f64>,
-    /// b = sum over rows of psi1^T E[target] [M x C].
+    /// b = sum over rows of psi1^T `E[target]` [K x C].
     pub b: &'a DMatrix<f64>,
     /// Sum over rows of psi0.
     pub psi0: f64,
-    /// Sum over rows and columns of E[target^2].
+    /// c2, the sum over rows and columns of `E[target^2]`.
     pub second_moment: f64,
-    /// R.
+    /// The number of rows R.
     pub rows: usize,
-    /// Observation variance n.
+    /// Noise variance n of the targets.
     pub noise: f64,
 }
 
-/// dF with respect to the arguments of the bound.
+/// dF with respect to the arguments of the bound, the fields of [`SparseGp`].
 #[derive(Debug)]
 pub struct BoundAdjoint {
-    /// dF/dK [M x M].
+    /// dF/dK [K x K].
     pub k: DMatrix<f64>,
-    /// dF/dPsi2 [M x M].
+    /// dF/dPsi2 [K x K].
     pub psi2: DMatrix<f64>,
-    /// dF/db [M x C].
+    /// dF/db [K x C].
     pub b: DMatrix<f64>,
     /// dF/dpsi0.
     pub psi0: f64,
@@ -47,18 +83,18 @@ pub struct BoundAdjoint {
     pub noise: f64,
 }
 
-/// The optimal q(v) of the inducing outputs; every column has the same covariance.
+/// The best Gaussian q(v) of the inducing outputs; every column has the same covariance.
 #[derive(Clone, Debug)]
 pub struct InducingPosterior {
-    /// K A^-1 b / n [M x C].
+    /// Mean K A^-1 b / n [K x C].
     pub mean: DMatrix<f64>,
-    /// K A^-1 K [M x M].
+    /// Covariance K A^-1 K [K x K].
     pub covariance: DMatrix<f64>,
 }
 
-/// Room for the bound of one GP and its adjoint, to be used again and again.
+/// Memory for the bound of one Gaussian process and its adjoint, so that computing them again allocates nothing.
 #[derive(Debug)]
-pub struct BoundRoom {
+pub struct BoundWorkspace {
     k: Factor,
     /// B = L^-1 Psi2 L^-T.
     whitened: DMatrix<f64>,
@@ -76,8 +112,8 @@ pub struct BoundRoom {
     adjoint: BoundAdjoint,
 }
 
-impl BoundRoom {
-    /// For M inducing points and C target columns.
+impl BoundWorkspace {
+    /// For K = `inducing` points and C = `columns` target columns.
     pub fn new(inducing: usize, columns: usize) -> Self {
         let square = || DMatrix::zeros(inducing, inducing);
         let wide = || DMatrix::zeros(inducing, columns);
@@ -103,16 +139,20 @@ impl BoundRoom {
         }
     }
 
-    /// What [`SparseGp::bound_and_adjoint`] left.
+    /// The adjoint that [`SparseGp::bound_and_adjoint`] computed last.
     pub fn adjoint(&self) -> &BoundAdjoint {
         &self.adjoint
     }
 }
 
 impl SparseGp<'_> {
-    /// The bound, in nats; the room then holds what the adjoint needs.
-    pub fn bound(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
-        let BoundRoom { k, whitened, inner_matrix, inner, b, c, .. } = room;
+    /// The bound, in nats.
+    ///
+    /// # Errors
+    ///
+    /// K or A is not positive definite, even with jitter, or not finite.
+    pub fn bound(&self, workspace: &mut BoundWorkspace) -> Result<f64, NumericsError> {
+        let BoundWorkspace { k, whitened, inner_matrix, inner, b, c, .. } = workspace;
         let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
         k.refactor(self.k, "covariance of the inducing points")?;
         whitened.copy_from(self.psi2);
@@ -136,10 +176,16 @@ impl SparseGp<'_> {
         Ok(bound)
     }
 
-    /// The bound, in nats; its adjoint stays in the room.
-    pub fn bound_and_adjoint(&self, room: &mut BoundRoom) -> Result<f64, NumericsError> {
-        let bound = self.bound(room)?;
-        let BoundRoom { k: k_factor, whitened, inner, b, c, c_transposed, cct, inverse, adjoint, .. } = room;
+    /// The bound, in nats, and its adjoint, which stays in the workspace: [`BoundWorkspace::adjoint`].
+    ///
+    /// # Errors
+    ///
+    /// As [`bound`](Self::bound).
+    pub fn bound_and_adjoint(&self, workspace: &mut BoundWorkspace) -> Result<f64, NumericsError> {
+        let bound = self.bound(workspace)?;
+        let BoundWorkspace {
+            k: k_factor, whitened, inner, b, c, c_transposed, cct, inverse, adjoint, ..
+        } = workspace;
         let (rows, columns, n) = (self.rows as f64, self.b.ncols() as f64, self.noise);
         inner.inverse_into(inverse);
         c.transpose_to(c_transposed);
@@ -168,7 +214,11 @@ impl SparseGp<'_> {
         Ok(bound)
     }
 
-    /// The optimal posterior of the inducing outputs (Velychko et al. 2018, A26), without ever forming K^-1.
+    /// The best posterior of the inducing outputs (Velychko et al. 2018, A36), without ever forming K^-1.
+    ///
+    /// # Errors
+    ///
+    /// A is not positive definite, even with jitter, or not finite.
     pub fn posterior(&self) -> Result<InducingPosterior, NumericsError> {
         let a =
             Factor::new(&(self.k + self.psi2 / self.noise), "covariance of the data at the inducing points")?;
@@ -221,23 +271,23 @@ mod tests {
             + 1.5 * (e.k.determinant().ln() - a.determinant().ln())
             + (e.b.transpose() * inverse * &e.b).trace() / (2.0 * n * n)
             - 1.5 * gap / n;
-        let mut room = BoundRoom::new(4, 3);
-        assert_relative_eq!(gp.bound(&mut room).unwrap(), expected, max_relative = 1e-11);
-        assert_relative_eq!(gp.bound_and_adjoint(&mut room).unwrap(), expected, max_relative = 1e-11);
+        let mut workspace = BoundWorkspace::new(4, 3);
+        assert_relative_eq!(gp.bound(&mut workspace).unwrap(), expected, max_relative = 1e-11);
+        assert_relative_eq!(gp.bound_and_adjoint(&mut workspace).unwrap(), expected, max_relative = 1e-11);
     }
 
     #[test]
     fn adjoint_agrees_with_differences() {
         let e = Example::new();
-        let mut room = BoundRoom::new(4, 3);
-        e.gp().bound_and_adjoint(&mut room).unwrap();
-        let adjoint = room.adjoint();
+        let mut workspace = BoundWorkspace::new(4, 3);
+        e.gp().bound_and_adjoint(&mut workspace).unwrap();
+        let adjoint = workspace.adjoint();
         let h = 1e-6;
         let difference = |change: &dyn Fn(&mut Example, f64)| {
             let (mut up, mut down) = (Example::new(), Example::new());
             change(&mut up, h);
             change(&mut down, -h);
-            let bound = |e: &Example| e.gp().bound(&mut BoundRoom::new(4, 3)).unwrap();
+            let bound = |e: &Example| e.gp().bound(&mut BoundWorkspace::new(4, 3)).unwrap();
             (bound(&up) - bound(&down)) / (2.0 * h)
         };
         for i in 0..4 {

@@ -7,7 +7,7 @@ const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
 const LN2_LO: f64 = f64::from_bits(0x3dea_39ef_3579_3c76);
 /// Adding it rounds to a whole number and leaves that number, and the bias of an exponent, in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0 + 1023.0; // 1.5 * 2^52 + 1023
-/// e^-708 is the last normal number: what is smaller counts as this.
+/// e^-708 is near the smallest normal number; smaller exponents count as this one.
 const LOWEST: f64 = -708.0;
 const HIGHEST: f64 = 709.0;
 /// The polynomial of degree 11 whose largest relative distance from e^r over |r| <= ln 2 / 2 is least: 3.1e-18 (Remez).
@@ -33,7 +33,7 @@ pub fn exp(x: f64) -> f64 {
     if x.is_nan() { x } else { exp_below(f64x4::splat(x)).to_array()[0] }
 }
 
-/// [`exp`] of two numbers, none above 709 and none NaN.
+/// [`exp`] of four numbers that are at most 709 and not NaN.
 ///
 /// Branch-free and made of plain multiplications and additions, so that native and wasm agree to the bit: 2^n e^r with
 /// n = round(x / ln 2), and a polynomial for e^r, its even and odd powers apart.

@@ -1,17 +1,31 @@
-//! The ARD squared exponential covariance: values and adjoints.
+//! The ARD squared exponential kernel: values and adjoints.
 
 use crate::gp::exp::exp;
 use nalgebra::{DMatrix, DVector};
 
-/// An ARD squared exponential kernel over P input dimensions.
+/// An ARD squared exponential kernel over P input dimensions (Velychko et al. 2018, A9):
 ///
 /// k(x, x') = variance * exp( -1/2 sum_q (x_q - x'_q)^2 / lambda_q )
+///
+/// ```
+/// use nalgebra::{DMatrix, dvector};
+/// use vcgpdm::gp::Kernel;
+///
+/// // Lengthscale 2 in the first dimension, 1 in the second: lambda holds their squares.
+/// let kernel = Kernel { lambda: dvector![4.0, 1.0], variance: 0.5 };
+/// let x = DMatrix::from_row_slice(1, 2, &[0.0, 0.0]);
+/// let z = DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 1.0]);
+/// let k = kernel.cross_covariance(&x, &z);
+/// // One lengthscale away in either dimension.
+/// assert!((k[(0, 0)] - 0.5 * (-0.5_f64).exp()).abs() < 1e-12);
+/// assert!((k[(0, 1)] - k[(0, 0)]).abs() < 1e-12);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernel {
-    /// Squared lengthscales, one per input dimension [P].
+    /// Squared lengthscales, one per input dimension `[P]`.
     pub lambda: DVector<f64>,
-    /// Signal variance; 1 for every dynamics kernel, because the scale of an expert and its coupling weight could otherwise
-    /// be traded for each other.
+    /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise an expert of a larger scale with a smaller weight
+    /// would be the same model, and the couplings would mean nothing.
     pub variance: f64,
 }
 
@@ -23,7 +37,7 @@ impl Kernel {
         k
     }
 
-    /// As [`inducing_covariance`](Self::inducing_covariance), into a matrix that is there.
+    /// [`inducing_covariance`](Self::inducing_covariance) into a matrix that exists already, `k` [K x K].
     pub fn inducing_covariance_into(&self, z: &DMatrix<f64>, jitter: f64, k: &mut DMatrix<f64>) {
         let n = z.nrows();
         // Column by column below the diagonal, so that the inner loops run over numbers that lie together.
@@ -44,7 +58,7 @@ impl Kernel {
         k.fill_upper_triangle_with_lower_triangle();
     }
 
-    /// The covariance of the points `x` [n x P] with the inducing inputs `z` [K x P]: [n x K].
+    /// The covariance of the points `x` [N x P] with the inducing inputs `z` [K x P]: [N x K].
     pub fn cross_covariance(&self, x: &DMatrix<f64>, z: &DMatrix<f64>) -> DMatrix<f64> {
         DMatrix::from_fn(x.nrows(), z.nrows(), |t, a| {
             let d2: f64 = (0..z.ncols()).map(|q| (x[(t, q)] - z[(a, q)]).powi(2) / self.lambda[q]).sum();
@@ -52,8 +66,8 @@ impl Kernel {
         })
     }
 
-    /// Turns the adjoint of [`inducing_covariance`](Self::inducing_covariance), `df_dk` [K x K] (symmetric), into those of
-    /// its arguments and adds them to `into`.
+    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance): from `df_dk` [K x K] (symmetric), dF with
+    /// respect to the covariance `k`, to dF with respect to `z` and the kernel, which is added to `into`.
     pub fn inducing_covariance_adjoint(
         &self,
         z: &DMatrix<f64>,
@@ -80,8 +94,8 @@ impl Kernel {
         into.variance += total / self.variance;
     }
 
-    /// The adjoint of [`inducing_covariance`](Self::inducing_covariance) without jitter at many points `x` [n x P]: three
-    /// products of matrices instead of loops over pairs. `df_dk` [n x n] (symmetric) is overwritten.
+    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance) without jitter, for many points `x` [N x P]:
+    /// three products of matrices instead of loops over pairs. `df_dk` [N x N] (symmetric) is overwritten.
     pub fn covariance_adjoint(
         &self,
         x: &DMatrix<f64>,
@@ -106,12 +120,12 @@ impl Kernel {
     }
 }
 
-/// dF with respect to a kernel and its inputs.
+/// dF with respect to a kernel and its inducing inputs, where F is any function of the covariances.
 #[derive(Clone, Debug)]
 pub struct KernelAdjoint {
     /// dF/dz [K x P].
     pub z: DMatrix<f64>,
-    /// dF/dlambda [P].
+    /// dF/dlambda `[P]`.
     pub lambda: DVector<f64>,
     /// dF/dvariance.
     pub variance: f64,
@@ -123,7 +137,7 @@ impl KernelAdjoint {
         Self { z: DMatrix::zeros(ips, dims), lambda: DVector::zeros(dims), variance: 0.0 }
     }
 
-    /// Adds it to the entries of a gradient.
+    /// Adds these derivatives to those of a gradient that has the form of `z` and a kernel.
     pub fn add_to(&self, z: &mut DMatrix<f64>, kernel: &mut Kernel) {
         *z += &self.z;
         kernel.lambda += &self.lambda;

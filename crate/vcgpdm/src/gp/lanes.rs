@@ -1,11 +1,11 @@
-//! Eight numbers side by side: what the sums over rows are made of.
+//! Eight numbers side by side, on which the sums over rows are computed.
 
 use crate::gp::exp::exp_below;
 use wide::f64x2;
 
-/// Rows that are worked on side by side.
+/// Rows that are computed side by side.
 pub const LANES: usize = 8;
-/// Two numbers fill a register, native (SSE2) and in wasm (simd128).
+/// Two numbers fill a register, natively (SSE2) and in wasm (simd128).
 const PAIRS: usize = LANES / 2;
 
 /// One number for each of [`LANES`] rows.
@@ -69,7 +69,7 @@ impl Lanes {
         Self([f(a), f(b), f(c), f(d)])
     }
 
-    /// e to each of them; none may be above 709.
+    /// The exponential of each number; all must be at most 709.
     #[inline(always)]
     pub fn exp(self) -> Self {
         let [a, b, c, d] = self.0;

@@ -1,13 +1,20 @@
-//! Gaussian processes with inducing points: linear algebra, the kernel, psi statistics, the collapsed bound. Knows no motion.
+//! Gaussian processes with inducing points: the kernel, the psi statistics, the collapsed bound, and the linear algebra
+//! under them. Nothing here knows of motion.
+//!
+//! Symbols: P input dimensions, K inducing inputs z [K x P], N inputs (rows), C target columns. The glossary of the project
+//! (`docs/glossary.md`) sets them beside the symbols of the papers.
 
-pub(crate) mod bound;
+pub mod bound;
 pub(crate) mod exp;
+mod gaussians;
 pub(crate) mod kernel;
+mod kernel_sum;
 pub(crate) mod lanes;
 pub(crate) mod linalg;
-pub(crate) mod psi;
+pub mod psi;
 pub(crate) mod tall;
 
-pub use kernel::Kernel;
+pub use gaussians::Gaussians;
+pub use kernel::{Kernel, KernelAdjoint};
+pub use kernel_sum::KernelSum;
 pub use linalg::NumericsError;
-pub use psi::Gaussians;

@@ -1,10 +1,10 @@
-//! Products of tall matrices, many rows and few columns, added to what is there already; they allocate nothing.
+//! Products of tall matrices (many rows, few columns), added to an existing matrix; they allocate nothing.
 
 use crate::gp::lanes::{LANES, Lanes};
 use nalgebra::DMatrix;
 use wide::f64x2;
 
-/// Columns of the left and the right matrix that are worked on together: their sums then stay in registers.
+/// Columns of the left and the right matrix that are computed together: their sums then stay in registers.
 const LEFT: usize = 4;
 const RIGHT: usize = 2;
 
@@ -13,7 +13,7 @@ fn column(matrix: &DMatrix<f64>, k: usize) -> &[f64] {
     &matrix.as_slice()[k * rows..(k + 1) * rows]
 }
 
-/// Rows of both matrices that are worked on before the next ones: they then stay in the cache for all columns.
+/// Rows of both matrices that are computed before the next ones: they then stay in the cache for all columns.
 const ROWS: usize = 256;
 
 /// out += a^T b for `a` [N x K], `b` [N x C] and `out` [K x C].
@@ -23,10 +23,10 @@ pub fn add_tr_product(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>
         let rows = t..a.nrows().min(t + ROWS);
         for j in (0..right).step_by(RIGHT) {
             for i in (0..left).step_by(LEFT) {
-                // Past the last column the last one stands in again, and its sum is dropped.
-                let of_a = std::array::from_fn(|k| &column(a, (i + k).min(left - 1))[rows.clone()]);
-                let of_b = std::array::from_fn(|k| &column(b, (j + k).min(right - 1))[rows.clone()]);
-                let sums = dot_products(of_a, of_b);
+                // Past the last column the last one is used again, and its sum is ignored.
+                let left_columns = std::array::from_fn(|k| &column(a, (i + k).min(left - 1))[rows.clone()]);
+                let right_columns = std::array::from_fn(|k| &column(b, (j + k).min(right - 1))[rows.clone()]);
+                let sums = dot_products(left_columns, right_columns);
                 for (l, sum) in sums.iter().enumerate().take(left - i) {
                     for (r, sum) in sum.iter().enumerate().take(right - j) {
                         out[(i + l, j + r)] += sum;
@@ -103,7 +103,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn products_of_any_shape_are_added(rows in 0usize..40, left in 1usize..10, right in 1usize..6) {
+        fn products_left_columnsny_shape_are_added(rows in 0usize..40, left in 1usize..10, right in 1usize..6) {
             let a = DMatrix::from_fn(rows, left, |t, k| ((t * 7 + k * 3) as f64).sin());
             let b = DMatrix::from_fn(rows, right, |t, k| ((t * 5 + k) as f64).cos());
             let mut out = DMatrix::from_element(left, right, 0.5);

@@ -1,19 +1,19 @@
-//! What a field must hold beyond its type: ranges, shapes, signs. A refusal says what was expected and found.
+//! Checks of a field beyond its type: ranges, shapes, signs. An error says what was expected and what was found.
 
 use crate::json::field::{Field, FieldError};
 use nalgebra::DMatrix;
 use std::ops::RangeInclusive;
 
-/// Beyond this no sum of products stays finite for sure.
+/// The largest size of a number; sums of products of larger ones might overflow.
 const LARGEST: f64 = 1e12;
 
-/// A number in a range that `expected` puts into words.
+/// A number in a range; `expected` is the range in words.
 pub fn within(field: Field, range: RangeInclusive<f64>, expected: &str) -> Result<f64, FieldError> {
     let number = field.number()?;
     if range.contains(&number) { Ok(number) } else { Err(field.wrong(expected)) }
 }
 
-/// `found` of a field: its value or its length.
+/// Checks that `found`, the value or the length of a field, is in a range.
 pub fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
     if range.contains(&found) {
         return Ok(found);
@@ -23,7 +23,7 @@ pub fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Resul
     Err(field.error(format!("expected {expected}, found {found}")))
 }
 
-/// A matrix [rows x columns].
+/// Checks the shape of a matrix.
 pub fn shape(field: &Field, matrix: &DMatrix<f64>, rows: usize, columns: usize) -> Result<(), FieldError> {
     let (r, c) = matrix.shape();
     if (r, c) == (rows, columns) {
@@ -39,7 +39,7 @@ pub fn positive_number(field: Field) -> Result<f64, FieldError> {
     Ok(number)
 }
 
-/// Variances or squared lengthscales.
+/// Checks variances or squared lengthscales.
 pub fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     match values.iter().find(|v| !(1e-12..=LARGEST).contains(*v)) {
         None => Ok(()),
@@ -47,7 +47,7 @@ pub fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     }
 }
 
-/// Numbers that can be computed with.
+/// Checks that numbers are small enough to compute with.
 pub fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     match values.iter().find(|v| v.abs() > LARGEST) {
         None => Ok(()),
@@ -55,7 +55,7 @@ pub fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     }
 }
 
-/// A matrix of such numbers.
+/// A matrix of numbers that are small enough to compute with.
 pub fn tame_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
     let matrix = field.matrix()?;
     tame(field, matrix.as_slice())?;

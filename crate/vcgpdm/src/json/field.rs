@@ -1,6 +1,8 @@
-//! A cursor over a read tree. It knows where it stands, so that a wrong field is refused with its path.
+//! A cursor over a tree of values. It knows its path, so that an error about a wrong field names the path.
 
-use crate::json::Value;
+use crate::json::rows::matrix_from_rows;
+use crate::json::value::Value;
+use crate::json::write::digits;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -21,7 +23,7 @@ pub struct Field<'a> {
     path: String,
 }
 
-/// An object whose fields are taken one by one; one that nobody takes is unknown.
+/// An object whose fields are taken one by one. [`Object::end`] refuses a field that was not taken: it is unknown.
 #[derive(Debug)]
 pub struct Object<'a> {
     fields: Vec<Option<&'a (String, Value)>>,
@@ -44,12 +46,12 @@ impl<'a> Field<'a> {
         FieldError { path: named(&self.path), message: message.into() }
     }
 
-    /// What a sentence says is wrong, found as it stands in the document.
+    /// A refusal of this field: what was expected, and what the document holds instead.
     pub fn wrong(&self, expected: &str) -> FieldError {
         let found = match self.value {
             Value::Null => "null".to_owned(),
             Value::Bool(value) => value.to_string(),
-            Value::Number(number) => crate::json::write::digits(*number),
+            Value::Number(number) => digits(*number),
             Value::Text(_) => "a text".to_owned(),
             Value::List(items) => format!("a list of {}", items.len()),
             Value::Object(_) => "an object".to_owned(),
@@ -57,7 +59,7 @@ impl<'a> Field<'a> {
         self.error(format!("expected {expected}, found {found}"))
     }
 
-    /// Its fields.
+    /// Its fields, to be taken one by one.
     pub fn object(self) -> Result<Object<'a>, FieldError> {
         match self.value {
             Value::Object(fields) => {
@@ -67,21 +69,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// The names of its fields with what `read` makes of each.
-    pub fn fields<T>(
-        &self,
-        mut read: impl FnMut(Field<'a>, &str) -> Result<T, FieldError>,
-    ) -> Result<Vec<(String, T)>, FieldError> {
-        let Value::Object(fields) = self.value else {
-            return Err(self.wrong("an object"));
-        };
-        let field = |(name, value): &'a (String, Value)| {
-            Ok((name.clone(), read(Field { value, path: format!("{}.{name}", self.path) }, name)?))
-        };
-        fields.iter().map(field).collect()
-    }
-
-    /// What `read` makes of each item.
+    /// All its items; `read` turns each into a `T`.
     pub fn list<T>(
         &self,
         mut read: impl FnMut(Field<'a>) -> Result<T, FieldError>,
@@ -128,7 +116,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A list of numbers.
+    /// A list of finite numbers.
     pub fn numbers(&self) -> Result<Vec<f64>, FieldError> {
         let Value::List(items) = self.value else {
             return Err(self.wrong("a list of numbers"));
@@ -149,7 +137,7 @@ impl<'a> Field<'a> {
     /// A list of rows of equal width.
     pub fn matrix(&self) -> Result<DMatrix<f64>, FieldError> {
         let rows = self.list(|row| row.numbers())?;
-        crate::json::rows::matrix_from_rows(&rows).map_err(|message| self.error(message))
+        matrix_from_rows(&rows).map_err(|message| self.error(message))
     }
 }
 
@@ -168,7 +156,7 @@ impl<'a> Object<'a> {
         })
     }
 
-    /// Every field must have been taken by now.
+    /// Refuses the object where a field was not taken.
     pub fn end(self) -> Result<(), FieldError> {
         match self.fields.iter().flatten().next() {
             None => Ok(()),

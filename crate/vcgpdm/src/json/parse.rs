@@ -1,9 +1,9 @@
 //! Text to tree, by RFC 8259.
 
-use crate::json::Value;
+use crate::json::value::Value;
 use thiserror::Error;
 
-/// Deeper nesting is no document but an attack on the stack.
+/// The deepest nesting that is read: deeper ones could use up the stack.
 const DEEPEST: usize = 100;
 
 /// Why a text is not JSON.
@@ -14,15 +14,15 @@ pub struct JsonError {
     pub line: usize,
     /// Counted from 1, in characters.
     pub column: usize,
-    /// What could stand there.
+    /// What was expected.
     pub expected: &'static str,
-    /// What stands there.
+    /// What was found.
     pub found: String,
 }
 
 /// Reads a text that holds one value.
 pub fn parse(text: &str) -> Result<Value, JsonError> {
-    // Some editors write a byte-order mark; it says nothing in UTF-8.
+    // Some editors write a byte-order mark, which means nothing in UTF-8.
     let at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     let mut parser = Parser { text, at };
     let value = parser.value(0)?;
@@ -39,7 +39,7 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    /// The next byte that is not blank, not yet taken.
+    /// The next byte that is not blank, without taking it.
     fn peek(&mut self) -> Option<u8> {
         while let Some(b' ' | b'\t' | b'\n' | b'\r') = self.byte() {
             self.at += 1;
@@ -199,7 +199,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What stands for the characters after a backslash.
+    /// The character that an escape after a backslash stands for.
     fn escaped(&mut self) -> Result<char, JsonError> {
         const EXPECTED: &str = "one of \" \\ / b f n r t u after the \\ in a string";
         let escape = self.byte();

@@ -23,7 +23,7 @@ pub fn rows_of(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
-/// For `#[serde(deserialize_with = "rows::optional_matrix")]`: absent and `null` are none.
+/// For `#[serde(deserialize_with = "rows::optional_matrix")]`: both an absent field and `null` become `None`.
 pub fn optional_matrix<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<DMatrix<f64>>, D::Error> {
     let rows = Option::<Vec<Vec<f64>>>::deserialize(deserializer)?;
     rows.map(|rows| matrix_from_rows(&rows).map_err(D::Error::custom)).transpose()

@@ -1,14 +1,14 @@
 //! Tree to text, on one line.
 
-use crate::json::Value;
+use crate::json::value::Value;
 use thiserror::Error;
 
-/// JSON has no word for NaN and the infinities.
+/// A number that JSON cannot hold: NaN or an infinity.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error("expected finite numbers, found {0}")]
 pub struct NotFinite(pub f64);
 
-/// The text of a value. Numbers get the fewest digits that read back to the bit.
+/// The text of a value. A number gets the fewest digits that are read back as the same number, bit by bit.
 pub fn write(value: &Value) -> Result<String, NotFinite> {
     let mut out = String::new();
     append(value, &mut out)?;
@@ -51,7 +51,7 @@ fn append(value: &Value, out: &mut String) -> Result<(), NotFinite> {
     Ok(())
 }
 
-/// The fewest digits of a finite number that read back to the bit.
+/// The fewest digits that are read back as the same finite number, bit by bit.
 pub(super) fn digits(number: f64) -> String {
     // Rust's `{:?}` is JSON already, with an exponent where plain digits would be many.
     let mut text = format!("{number:?}");

@@ -16,7 +16,7 @@ pub struct Body {
     pub mapping: PoseMapping,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
-    /// The mean of every column [D].
+    /// The mean of every column `[D]`.
     pub column_means: Vec<f64>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
@@ -25,8 +25,8 @@ pub struct Body {
 }
 
 impl Body {
-    /// The body of a data set.
-    pub fn of(dataset: &Dataset) -> Self {
+    /// The body that a data set is about.
+    pub fn new(dataset: &Dataset) -> Self {
         Self {
             mapping: dataset.mapping.clone(),
             layout: dataset.layout.clone(),
@@ -36,7 +36,12 @@ impl Body {
         }
     }
 
-    /// Checks that a rollout of so many frames, of `width` latents in all, can be written as BVH, read again and held in memory.
+    /// Checks that a rollout of so many frames, with `width` latent dimensions in all, can be written as BVH, read again and held in
+    /// memory.
+    ///
+    /// # Errors
+    ///
+    /// When there is no frame, or there are too many.
     pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
         let widest = width.max(self.column_means.len()).max(self.mapping.skeleton().channel_count());
         let most = MOST_FRAMES.min(MAX_VALUES / widest);
@@ -47,17 +52,21 @@ impl Body {
     /// at its mean pose.
     pub fn columns(&self, parts: &[DMatrix<f64>]) -> DMatrix<f64> {
         let frames = parts.iter().map(|y| y.nrows()).max().unwrap_or(0);
-        let mut all = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
+        let mut columns = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
         for (part, y) in parts.iter().enumerate().filter(|(_, y)| y.nrows() > 0) {
             for (c, column) in self.layout.columns(part).iter().enumerate() {
-                let mut out = all.column_mut(*column);
+                let mut out = columns.column_mut(*column);
                 out += y.column(c);
             }
         }
-        all
+        columns
     }
 
     /// All columns [frames x D] as a clip, starting at the origin.
+    ///
+    /// # Errors
+    ///
+    /// When the columns cannot be turned into poses.
     pub fn clip(&self, y: &DMatrix<f64>, name: &str) -> Result<Clip, PoseError> {
         let mut clip = self.mapping.decode(y, &RootStart::default(), self.frame_time)?;
         clip.name = name.to_owned();
@@ -65,6 +74,10 @@ impl Body {
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3] at all columns [frames x D], y up, for a body 1.7 m tall.
+    ///
+    /// # Errors
+    ///
+    /// When the columns cannot be turned into poses.
     pub fn positions(&self, y: &DMatrix<f64>) -> Result<Vec<f32>, PoseError> {
         self.mapping.decode_positions(y, &RootStart::default())
     }

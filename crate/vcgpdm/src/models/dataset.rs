@@ -31,6 +31,7 @@ pub struct SequenceInfo {
 
 /// Why clips cannot be trained on together.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum DatasetError {
     /// There is nothing to train on.
     #[error("expected at least one clip to train on, found none")]
@@ -101,7 +102,7 @@ pub struct Dataset {
     pub layout: PartsLayout,
     /// Centred observations of each part [N x D_i].
     pub y: Vec<DMatrix<f64>>,
-    /// The mean of every column of the mapping [D].
+    /// The mean of every column of the mapping `[D]`.
     pub column_means: Vec<f64>,
     /// The sequences, in the order given.
     pub sequences: Vec<SequenceInfo>,
@@ -128,7 +129,13 @@ pub fn same_body(first: &Clip, clip: &Clip) -> Result<(), DatasetError> {
 const SAME_RATE: f64 = 0.02;
 
 impl Dataset {
-    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all training frames. The body and the frame time are those of the first clip.
+    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all training frames. The
+    /// body and the frame time are those of the first clip.
+    ///
+    /// # Errors
+    ///
+    /// When there is no clip, the bodies differ, a clip is shorter than what is asked of it, cannot be resampled or cannot be
+    /// turned into rows, or the parts do not fit the body.
     pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
         let first = sources.first().ok_or(DatasetError::Empty)?;
         for source in &sources[1..] {
@@ -164,17 +171,17 @@ impl Dataset {
             warnings.extend(odd.map(|warning| format!("{}: {warning}", clip.name)));
         }
         let total: usize = rows.iter().map(|y| y.nrows()).sum();
-        let mut all = DMatrix::zeros(total, rows[0].ncols());
+        let mut stacked = DMatrix::zeros(total, rows[0].ncols());
         let mut at = 0;
         for y in &rows {
-            all.rows_mut(at, y.nrows()).copy_from(y);
+            stacked.rows_mut(at, y.nrows()).copy_from(y);
             at += y.nrows();
         }
-        let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
-        for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
+        let column_means: Vec<f64> = stacked.row_mean().iter().copied().collect();
+        for (mut column, mean) in stacked.column_iter_mut().zip(&column_means) {
             column.add_scalar_mut(-mean);
         }
-        let y = layout.split(&all);
+        let y = layout.split(&stacked);
         let info = |(clip, y): (&Clip, &DMatrix<f64>)| SequenceInfo {
             name: clip.name.clone(),
             sha256: clip.sha256.clone(),
@@ -190,7 +197,7 @@ impl Dataset {
         DatasetError::about(reason, &self.sequences)
     }
 
-    /// T_s.
+    /// The numbers of frames T_s of the sequences.
     pub fn lengths(&self) -> Vec<usize> {
         self.sequences.iter().map(|s| s.frames).collect()
     }

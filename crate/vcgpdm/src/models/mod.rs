@@ -3,43 +3,54 @@
 //!
 //! [`variational`] is the vCGPDM and, of one part, the vGPDM (Velychko et al. 2018). The others are what it is compared with:
 //! [`map`] the GPDM and CGPDM with point latents, [`tmp`] temporal and [`dmp`] dynamic movement primitives.
+//!
+//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`ModelSettings`] give a [`Learner`] of these, and that a
+//! [`Model`]; a [`TrainedModel`] has with it the [`Body`] that turns its columns into poses, and its [`Provenance`].
 
-pub(crate) mod any_model;
 pub(crate) mod body;
+pub(crate) mod couplings;
 pub(crate) mod dataset;
 pub mod dmp;
 pub(crate) mod flat;
 pub(crate) mod kind;
+pub(crate) mod latent_dynamics;
 pub(crate) mod latents;
 pub(crate) mod learner;
 pub mod map;
-pub(crate) mod motion_model;
+pub(crate) mod model;
 pub(crate) mod movements;
 pub(crate) mod period;
 pub(crate) mod phase;
+pub(crate) mod progress;
+pub(crate) mod provenance;
 pub(crate) mod rollout;
 pub(crate) mod search;
 pub(crate) mod sequences;
 pub(crate) mod settings;
 mod stored;
 pub mod tmp;
+pub(crate) mod trained;
 mod training;
 pub(crate) mod training_error;
 mod trials;
 pub mod variational;
 
-pub use any_model::{AnyModel, BaselineModel, Record};
 pub use body::Body;
+pub use couplings::{CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body};
 pub use flat::{Group, Kind, Parameters};
 pub use kind::ModelKind;
-pub use learner::{Learner, LearningProgress, MovementModel};
-pub use motion_model::{ENGINE, MotionModel, Provenance, Rollout, RolloutRequest};
+pub use latent_dynamics::LatentDynamics;
+pub use learner::Learner;
+pub use model::Model;
 pub use movements::{Movements, Sequence};
 pub use period::{Period, period};
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-pub use rollout::{Poser, Roller, RolloutError};
-pub use search::{EndReason, Phase};
+pub use progress::{EndReason, LearningProgress, TrainingPhase};
+pub use provenance::{ENGINE, Provenance};
+pub use rollout::{Rollout, RolloutError, RolloutRequest};
+pub use search::{Phase, SearchEnd};
 pub use sequences::{Sequences, SequencesError};
 pub use settings::{DmpSettings, MapSettings, ModelSettings, TmpSettings, VariationalSettings};
+pub use trained::{Fitted, TrainedModel};
 pub use training_error::TrainingError;

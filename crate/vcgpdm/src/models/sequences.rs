@@ -8,6 +8,7 @@ use thiserror::Error;
 
 /// Lengths that cannot be trained on.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum SequencesError {
     /// There is nothing to train on.
     #[error("expected at least one sequence, found none")]
@@ -18,9 +19,9 @@ pub enum SequencesError {
     /// A sequence holds no transition.
     #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
     TooShort {
-        /// Counted from 0.
+        /// Which sequence, counted from 0.
         index: usize,
-        /// Its length.
+        /// Its number of frames.
         frames: usize,
         /// Order of the dynamics.
         order: usize,
@@ -35,7 +36,11 @@ pub struct Sequences {
 }
 
 impl Sequences {
-    /// Every sequence needs more than `order` frames.
+    /// The sequences of these lengths, under dynamics of this `order`.
+    ///
+    /// # Errors
+    ///
+    /// When there is no sequence, the order is 0, or a sequence does not have more than `order` frames.
     pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -49,17 +54,17 @@ impl Sequences {
         }
     }
 
-    /// T_s.
+    /// The numbers of frames T_s of the sequences.
     pub fn lengths(&self) -> &[usize] {
         &self.lengths
     }
 
-    /// p.
+    /// Order p of the dynamics.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// N.
+    /// Frames N of all sequences together.
     pub fn frames(&self) -> usize {
         self.lengths.iter().sum()
     }

@@ -5,12 +5,12 @@ use crate::json::{Field, FieldError, Value};
 use crate::models::phase::PhaseMap;
 use nalgebra::DVector;
 
-/// D, the columns of all parts.
+/// Number of columns D of all parts together.
 pub fn whole_columns(columns: &[usize]) -> usize {
     columns.iter().sum()
 }
 
-/// So many numbers that can be computed with.
+/// Reads a vector of `length` numbers that can be computed with.
 pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> {
     let numbers = field.numbers()?;
     count(field, numbers.len(), length..=length)?;
@@ -23,7 +23,7 @@ pub fn map_value(map: &PhaseMap) -> Value {
     Value::object([("start", Value::Number(map.start)), ("rate", Value::Number(map.rate))])
 }
 
-/// Reads it.
+/// Reads where a trial lies on the axis of phase.
 pub fn phase_map(field: Field) -> Result<PhaseMap, FieldError> {
     let mut object = field.object()?;
     let start = object.get("start")?;

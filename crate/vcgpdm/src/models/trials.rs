@@ -5,11 +5,16 @@ use crate::models::phase::Trial;
 use crate::models::training_error::TrainingError;
 use nalgebra::DMatrix;
 
-/// Fewer frames are no whole movement.
+/// A whole movement has at least so many frames.
 const LEAST_FRAMES: usize = 4;
 
 /// The sequences with the columns of all parts side by side, and the number of columns D_i of each part.
-pub fn trials_of(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), TrainingError> {
+///
+/// # Errors
+///
+/// When there is no column, a part does not have as many rows as the sequences have frames, a sequence is too short, or none is a
+/// whole movement.
+pub fn split_trials(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), TrainingError> {
     let columns: Vec<usize> = movements.y.iter().map(|y| y.ncols()).collect();
     if columns.iter().sum::<usize>() == 0 {
         return Err(TrainingError::NoParts);
@@ -20,7 +25,7 @@ pub fn trials_of(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), Trai
             return Err(TrainingError::Frames { part, expected, found: y.nrows() });
         }
     }
-    let all = movements.as_one_part().y.swap_remove(0);
+    let joined = movements.as_one_part().y.swap_remove(0);
     let mut trials = Vec::new();
     let mut at = 0;
     for (sequence, s) in movements.sequences.iter().enumerate() {
@@ -28,7 +33,7 @@ pub fn trials_of(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), Trai
         if s.frames < expected {
             return Err(TrainingError::Short { sequence, expected, found: s.frames });
         }
-        trials.push(Trial { y: all.rows(at, s.frames).into_owned(), whole: s.whole });
+        trials.push(Trial { y: joined.rows(at, s.frames).into_owned(), whole: s.whole });
         at += s.frames;
     }
     if trials.iter().all(|trial| !trial.whole) {
@@ -37,7 +42,7 @@ pub fn trials_of(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), Trai
     Ok((trials, columns))
 }
 
-/// The columns of each part.
+/// The columns `y` [T x D] of all parts, divided into those of each part [T x D_i]; `columns` are the numbers D_i.
 pub fn split(y: &DMatrix<f64>, columns: &[usize]) -> Vec<DMatrix<f64>> {
     let mut at = 0;
     let part = |&width: &usize| {

@@ -23,7 +23,7 @@ pub(crate) struct Anatomy {
 }
 
 impl Anatomy {
-    /// Finds two legs, and arms if there are any; `None` where neither names nor shape tell.
+    /// Finds two legs, and arms if there are any; `None` where neither names nor shape show them.
     pub(crate) fn of(skeleton: &Skeleton) -> Option<Anatomy> {
         let named = Anatomy { regions: by_names(skeleton) };
         if named.has_both_legs() {
@@ -83,7 +83,7 @@ fn farthest(skeleton: &Skeleton, paths: &[f64], wanted: impl Fn(usize) -> bool) 
     wanted.max_by(|&a, &b| paths[a].total_cmp(&paths[b]))
 }
 
-/// The way along the bones from the root to each node of the figure, in file units.
+/// The length of the path along the bones from the root to each node of the figure, in file units.
 pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
     let mut paths: Vec<f64> = Vec::new();
     for joint in &skeleton.joints {
@@ -100,7 +100,7 @@ pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
 
 fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     let mut regions: Vec<Region> = Vec::new();
-    // What hangs on a limb belongs to it, and what hangs on the head to the trunk, whatever it is called.
+    // A joint below a limb belongs to it, and a joint below the head to the trunk, whatever their names are.
     let mut within_head = vec![false; skeleton.joints.len()];
     for (place, joint) in skeleton.joints.iter().enumerate() {
         let Some(parent) = joint.parent else {
@@ -122,12 +122,12 @@ fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     regions
 }
 
-/// Two subtrees that hang on one joint and mirror each other.
+/// Two subtrees of one joint that mirror each other.
 struct Pair {
     members: [usize; 2],
-    /// Joints above the one they hang on.
+    /// The number of joints above the common one.
     depth: usize,
-    /// Along the bones, from where they hang to their farthest node.
+    /// The length along the bones from the common joint to the farthest node.
     reach: f64,
     /// Where their farthest nodes are in the rest pose.
     ends: [Vector3<f64>; 2],
@@ -149,7 +149,7 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
         .filter(|pair| height(pair) > height(legs))
         .max_by(|a, b| a.reach.total_cmp(&b.reach));
     let mut regions = vec![Region::Trunk; skeleton.joints.len()];
-    // The toes tell where the front is, and left = up x front; without toes left is taken to be where x is larger.
+    // The toes point to the front, and left = up x front; without toes, left is taken to be where x is larger.
     let rest = skeleton.rest_pose().positions;
     let mut front = 0.5 * (legs.ends[0] + legs.ends[1] - rest[legs.members[0]] - rest[legs.members[1]]);
     front[up] = 0.0;
@@ -177,7 +177,7 @@ fn mirrored_pairs(skeleton: &Skeleton) -> Vec<Pair> {
     let paths = path_lengths(skeleton);
     let rest = skeleton.rest_pose().positions;
     let joints = skeleton.joints.len();
-    // Of each joint: how deep it hangs, how many joints hang on it, and the farthest node beyond it.
+    // For each joint: its depth, the number of joints below it, and the farthest node below it.
     let mut depths = vec![0; joints];
     let mut children = vec![Vec::new(); joints];
     for (place, joint) in skeleton.joints.iter().enumerate() {
@@ -237,7 +237,7 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// The way from the feet to the head when the body is at rest; `None` where the rest pose is no standing body, as in
+/// The vector from the feet to the head when the body is at rest; `None` where the body at rest does not stand, as in
 /// files whose offsets all point along the bones' own axes.
 pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
     let rest = skeleton.rest_pose().positions;
@@ -246,7 +246,7 @@ pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option
     (upward.amax() > 0.7 * length).then_some(upward)
 }
 
-/// From the middle of the feet to the top of the head, and the length of that way along the bones.
+/// The vector from the middle of the feet to the top of the head, and its length along the bones.
 fn feet_to_head(
     skeleton: &Skeleton,
     anatomy: &Anatomy,
@@ -259,8 +259,8 @@ fn feet_to_head(
     Some((upward, paths[head] + 0.5 * (paths[left] + paths[right])))
 }
 
-/// A standing body is this part of the way along its bones from the toes to the top of the head: feet and hips lie
-/// across it.
+/// The height of a standing body, as a share of the length along its bones from the toes to the top of the head: feet and
+/// hips lie across.
 const STANDING: f64 = 0.87;
 
 impl Skeleton {

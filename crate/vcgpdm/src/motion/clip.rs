@@ -21,25 +21,26 @@ pub struct Clip {
     pub frame_time: f64,
     /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
     pub values: DMatrix<f64>,
-    /// What was odd about the file but could be read.
+    /// What was odd about the file, in words; it could be read all the same.
     pub warnings: Vec<String>,
-    /// SHA-256 of the file's bytes in lower-case hexadecimal; of the written text for a clip that never was a file.
-    /// A cut or resampled clip keeps that of the file it came from.
+    /// SHA-256 of the file's bytes in lower-case hexadecimal; for a clip that was never a file, of the text that
+    /// [`bvh::write`](crate::motion::bvh::write) gives. A cut or resampled clip keeps the hash of the whole.
     pub sha256: String,
     /// The frames of the file that a cut kept: the first, and the one after the last; `None`: not cut. Counted at the file's
     /// rate, from 0, without a leading T-pose.
     pub piece: Option<(usize, usize)>,
-    /// Seconds from one frame of the file to the next; those of a resampled clip are others.
+    /// Seconds from one frame of the file to the next. Resampling changes [`frame_time`](Self::frame_time), not this.
     pub file_frame_time: f64,
 }
 
 /// Why a clip could not be cut or resampled.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ClipError {
     /// A range that is empty or goes beyond the clip.
     #[error("{name}: expected frames from 0 to {frames}, the first before the end, found {first} to {end}")]
     Range {
-        /// The clip.
+        /// The name of the clip.
         name: String,
         /// Frames of the clip.
         frames: usize,
@@ -48,18 +49,18 @@ pub enum ClipError {
         /// One after the last frame asked for.
         end: usize,
     },
-    /// A rate that no motion has.
+    /// A rate outside 0.1 to 10000 frames a second.
     #[error("{name}: expected 0.1 to 10000 frames a second, found {found}")]
     Rate {
-        /// The clip.
+        /// The name of the clip.
         name: String,
         /// The rate asked for.
         found: f64,
     },
-    /// More numbers than can be meant.
+    /// The resampled clip would have more than [`MAX_VALUES`] values.
     #[error("{name}: at {rate} frames a second the clip would have {frames} frames, too many to hold")]
     TooLong {
-        /// The clip.
+        /// The name of the clip.
         name: String,
         /// The rate asked for.
         rate: f64,
@@ -71,7 +72,7 @@ pub enum ClipError {
 /// The most channel values that one clip may hold.
 pub const MAX_VALUES: usize = 100_000_000;
 
-/// Rates that differ by less than this part count as equal: files write 1/30 as .033333 and 1/120 as .0083.
+/// Rates that differ by less than this share count as equal: files write 1/30 as .033333 and 1/120 as .0083.
 const RATE_TOLERANCE: f64 = 0.02;
 
 impl Clip {
@@ -86,13 +87,28 @@ impl Clip {
         self.skeleton.local_pose(&self.values, frame)
     }
 
-    /// The places of all nodes and the rotations of all joints in the world, in file units and the file's axes.
+    /// The positions of all nodes of [`Skeleton::figure`] and the rotations of all joints in the world of the file: in its
+    /// units and axes.
     pub fn world_pose(&self, frame: usize) -> WorldPose {
         let local = self.local_pose(frame);
         self.skeleton.forward_kinematics(&local.rotations, &local.positions)
     }
 
-    /// The frames from `first` up to, but without, `end`.
+    /// The frames from `first` up to but not including `end`, counted from 0. [`Clip::piece`] then says where they were in the
+    /// file.
+    ///
+    /// ```
+    /// use vcgpdm::motion::samples;
+    ///
+    /// let clip = samples::clip("walk-1").ok_or("no such sample")?; // 60 frames a second
+    /// let second = clip.resample(30.0)?.cut(30, 60)?;
+    /// assert_eq!((second.frames(), second.piece), (30, Some((60, 119))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ClipError::Range`] when the range is empty or goes beyond the clip.
     pub fn cut(&self, first: usize, end: usize) -> Result<Clip, ClipError> {
         if first >= end || end > self.frames() {
             let (name, frames) = (self.name.clone(), self.frames());
@@ -110,9 +126,23 @@ impl Clip {
 
     /// The same motion at about `fps` frames a second.
     ///
-    /// Where the clip's rate is a whole multiple of it (to 2%), every k-th frame is kept as it is and the frame time is
+    /// Where the clip's rate is a whole multiple k of `fps` (to 2%), every k-th frame is kept as it is and the frame time is
     /// exactly k times the clip's. Otherwise rotations are interpolated on the shortest arc (slerp) and written back
     /// to each joint's own channels, positions linearly.
+    ///
+    /// ```
+    /// use vcgpdm::motion::samples;
+    ///
+    /// let clip = samples::clip("walk-1").ok_or("no such sample")?; // 60 frames a second
+    /// let slow = clip.resample(20.0)?; // every third frame
+    /// assert_eq!(slow.values.row(1), clip.values.row(3));
+    /// assert!((slow.frame_time - 0.05).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ClipError::Rate`] for a rate outside 0.1 to 10000, [`ClipError::TooLong`] when the result would be too large.
     pub fn resample(&self, fps: f64) -> Result<Clip, ClipError> {
         if !(0.1..=10_000.0).contains(&fps) {
             return Err(ClipError::Rate { name: self.name.clone(), found: fps });
@@ -128,7 +158,7 @@ impl Clip {
             return Ok(self.with_values(self.values.clone(), 1.0 / fps));
         };
         let last = last as f64;
-        // A hair more, so that rounding does not lose the last frame.
+        // A little more, so that rounding does not lose the last frame.
         let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
         if frames.saturating_mul(self.values.ncols()) > MAX_VALUES {
             return Err(ClipError::TooLong { name: self.name.clone(), rate: fps, frames });
@@ -177,7 +207,7 @@ impl Clip {
         }
     }
 
-    /// This clip with other rows.
+    /// This clip with other values, at another rate.
     pub(crate) fn with_values(&self, values: DMatrix<f64>, frame_time: f64) -> Clip {
         Clip {
             name: self.name.clone(),

@@ -1,7 +1,7 @@
-//! What the name of a joint says: which limb, which side. The conventions of CMU, Mixamo, Biovision, Perception Neuron,
-//! Biped, Xsens, Acclaim and others, in any spelling.
+//! What the name of a joint says: which limb, which side. Knows the conventions of CMU, Mixamo, Biovision, Perception
+//! Neuron, Biped, Xsens, Acclaim and others, in any spelling.
 
-/// A side of the body, the body's own.
+/// A side of the body, as the body itself sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Side {
     Left,
@@ -28,7 +28,7 @@ const ARM_WORDS: [&str; 22] = [
 const SPINE_WORDS: [&str; 9] =
     ["spine", "chest", "torso", "abdomen", "back", "thorax", "neck", "lumbar", "vertebra"];
 
-/// The limb and side that a name tells; `None` for the trunk and for names that say nothing.
+/// The limb and the side that a name says; `None` for the trunk and for names that say neither.
 pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     let (side, rest) = side_of(&words(name))?;
     let says = |list: &[&str]| rest.iter().any(|word| list.iter().any(|known| word.contains(known)));
@@ -41,7 +41,7 @@ pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     }
 }
 
-/// Whether the name is that of the head (and not, say, of a "headlight" in a hand: callers know where it hangs).
+/// Whether the name contains "head". Callers also check which joint it belongs to, because a "headlight" may be in a hand.
 pub(crate) fn looks_like_head(name: &str) -> bool {
     words(name).iter().any(|word| word.contains("head"))
 }
@@ -95,7 +95,7 @@ fn side_of(words: &[String]) -> Option<(Side, Vec<String>)> {
         let rest = words.iter().filter(|word| side(word).is_none()).cloned().collect();
         return Some((found, rest));
     }
-    // Glued to the front of a word: leftarm, lfemur, and LU of LUArm.
+    // Joined to the front of a word: leftarm, lfemur, and LU of LUArm.
     for (at, word) in words.iter().enumerate() {
         for prefix in ["left", "right", "l", "r"] {
             let Some(rest) = word.strip_prefix(prefix) else { continue };
@@ -110,7 +110,7 @@ fn side_of(words: &[String]) -> Option<(Side, Vec<String>)> {
             }
         }
     }
-    // Glued to its end: armleft, thighright.
+    // Joined to its end: armleft, thighright.
     for (at, word) in words.iter().enumerate() {
         for suffix in ["left", "right"] {
             if let Some(rest) = word.strip_suffix(suffix) {

@@ -18,7 +18,7 @@ pub struct Recording {
     pub frame_time: f64,
     /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
     pub values: DMatrix<f64>,
-    /// What was odd about the file but could be read.
+    /// What was odd about the file, in words; it could be read all the same.
     pub warnings: Vec<String>,
     /// SHA-256 of the file's bytes in lower-case hexadecimal.
     pub sha256: String,
@@ -61,7 +61,7 @@ impl Recording {
     ///
     /// Conversions of the CMU recordings add the body at rest as row 0. It is known by the step to row 1, which is far
     /// larger than the steps of the motion itself; a smaller step suffices where nearly all angles of row 0 are zero.
-    /// A motion that sets out from rest smoothly keeps its first frame.
+    /// A motion that starts smoothly from rest keeps its first frame.
     pub fn begins_with_t_pose(&self) -> bool {
         let steps = self.steps();
         let Some((&first, later)) = steps.split_first() else { return false };
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_sets_out_from_rest_keeps_its_first_frame() {
+    fn a_motion_that_starts_from_rest_keeps_its_first_frame() {
         assert_eq!(swinging(50, false, |frame| frame as f64).into_clip().frames(), 50);
         assert_eq!(swinging(50, false, |frame| 40.0 * (0.3 * frame as f64).sin()).into_clip().frames(), 50);
     }

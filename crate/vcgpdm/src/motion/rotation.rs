@@ -1,5 +1,4 @@
-//! Rotations in the forms that files and models want: Euler angles in any order and rotation vectors, both without
-//! jumps in time.
+//! Rotations as files and models need them: Euler angles in any order and rotation vectors, both without jumps in time.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -12,7 +11,7 @@ pub fn exp(r: &Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::new_normalize(Quaternion::from_parts(half.cos(), r * factor))
 }
 
-/// The rotation vector of the shorter way, radians, `|r| <= pi` (the logarithm).
+/// The rotation vector of the shorter way round, radians, `|r| <= pi` (the logarithm).
 pub fn log(q: &UnitQuaternion<f64>) -> Vector3<f64> {
     let (vector, scalar) =
         if q.scalar() < 0.0 { (-q.vector(), -q.scalar()) } else { (q.vector().into_owned(), q.scalar()) };
@@ -27,7 +26,7 @@ pub fn log(q: &UnitQuaternion<f64>) -> Vector3<f64> {
 pub fn log_near(q: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
     let r = log(q);
     let angle = r.norm();
-    // No turn has no axis of its own: any whole number of turns about the previous axis says the same.
+    // A rotation by zero has no axis: any whole number of turns about the previous axis is the same rotation.
     let axis =
         if angle > 1e-9 { r / angle } else { previous.try_normalize(1e-9).unwrap_or_else(Vector3::zeros) };
     let turns = ((axis.dot(previous) - angle) / TAU).round();
@@ -67,18 +66,18 @@ pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3])
     let m = q.to_rotation_matrix();
     let (sine, cosine) = (-sign * m[(j, k)], m[(k, k)]);
     let a = if sine.hypot(cosine) < 1e-12 { previous[0] } else { sine.atan2(cosine) };
-    // The rest is solved after taking R_i(a) away, so that an inaccurate a is made up for by c: the product stays exact.
+    // The rest is solved after removing R_i(a), so that c corrects for an inaccurate a: the product stays exact.
     let rest = about(i, -a).to_rotation_matrix() * m;
     let b = (sign * rest[(i, k)]).atan2(rest[(k, k)]);
     let c = (sign * rest[(j, i)]).atan2(rest[(j, j)]);
     let near = |angles: [f64; 3]| -> [f64; 3] { std::array::from_fn(|n| angle_near(angles[n], previous[n])) };
     let distance = |angles: &[f64; 3]| -> f64 { (0..3).map(|n| (angles[n] - previous[n]).powi(2)).sum() };
-    let (one, other) = (near([a, b, c]), near([a + PI, PI - b, c + PI]));
-    if distance(&other) < distance(&one) { other } else { one }
+    let (first, second) = (near([a, b, c]), near([a + PI, PI - b, c + PI]));
+    if distance(&second) < distance(&first) { second } else { first }
 }
 
 /// Angles of a joint's rotation channels (radians, in the order of `axes`, 0 to 3 different axes), nearest to `previous`.
-/// With fewer than three axes they give the part of the rotation that those axes can show.
+/// With fewer than three axes they give the part of the rotation that those axes can express.
 pub fn angles_near(q: &UnitQuaternion<f64>, axes: &[usize], previous: &[f64]) -> [f64; 3] {
     match *axes {
         [i, j, k] => euler_near(q, [i, j, k], [previous[0], previous[1], previous[2]]),

@@ -6,8 +6,9 @@ use thiserror::Error;
 
 /// Why two joint trees are not the same body.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum BodyMismatch {
-    /// Another number of joints.
+    /// The numbers of joints differ.
     #[error("expected {expected} joints, found {found}{}", .missing.as_ref().map_or(String::new(), |m| format!(" ({m})")))]
     JointCount {
         /// Joints of the first body.
@@ -17,36 +18,36 @@ pub enum BodyMismatch {
         /// The first difference, in words.
         missing: Option<String>,
     },
-    /// Another name in the same place.
+    /// The joints at one place have different names.
     #[error("joint {joint}: expected {expected:?}, found {found:?}")]
     Name {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
         /// Its name in the first body.
         expected: String,
         /// Its name in the other.
         found: String,
     },
-    /// Attached elsewhere.
+    /// The joints at one place have different parents.
     #[error("joint {joint} ({name:?}): expected it to hang on {expected:?}, found it on {found:?}")]
     Parent {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
-        /// Its name.
+        /// The name of the joint.
         name: String,
         /// The parent's name in the first body.
         expected: String,
         /// The parent's name in the other.
         found: String,
     },
-    /// A bone of clearly another length or direction.
+    /// A bone has clearly another length or direction.
     #[error(
         "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most {limit}%): expected {expected:?}, found {found:?}"
     )]
     Offset {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
-        /// Its name.
+        /// The name of the joint.
         name: String,
         /// The difference in percent of the body's height.
         percent: f64,
@@ -66,6 +67,10 @@ const SAME_BODY_TOLERANCE: f64 = 0.01;
 impl Skeleton {
     /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to 1% of the
     /// body's height. Channels may differ: motions are compared as rotations.
+    ///
+    /// # Errors
+    ///
+    /// A [`BodyMismatch`] that names the first difference, or the largest of the offsets.
     pub fn same_body(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
         for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate() {
             if a.name != b.name {
@@ -92,7 +97,7 @@ impl Skeleton {
             return Err(self.count_mismatch(other, None));
         }
         let height = self.height().max(f64::MIN_POSITIVE);
-        // The root's offset is no bone: its place comes from its channels.
+        // The root's offset is not a bone: its place comes from its channels.
         let differences =
             (self.joints.iter().zip(&other.joints).enumerate().skip(1)).map(|(joint, (a, b))| {
                 (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
@@ -134,22 +139,22 @@ mod tests {
 
     #[test]
     fn other_channels_and_rounding_are_the_same_body() {
-        let one = chain(&["a", "b", "c"]);
-        let mut two = one.clone();
-        two.joints[1].channels.clear();
-        two.joints[2].offset[0] = 0.1;
-        // Where the root is recorded says nothing about the body.
-        two.joints[0].offset = [99.0, 0.0, 0.0];
-        assert_eq!(one.same_body(&two), Ok(()));
+        let first = chain(&["a", "b", "c"]);
+        let mut second = first.clone();
+        second.joints[1].channels.clear();
+        second.joints[2].offset[0] = 0.1;
+        // The place of the root does not belong to the body.
+        second.joints[0].offset = [99.0, 0.0, 0.0];
+        assert_eq!(first.same_body(&second), Ok(()));
     }
 
     #[test]
     fn what_differs_is_told() {
-        let one = chain(&["a", "b", "c"]);
-        let mut longer = one.clone();
+        let first = chain(&["a", "b", "c"]);
+        let mut longer = first.clone();
         longer.joints[1].offset[1] = 10.4;
         longer.joints[2].offset[1] = 12.0;
-        let mut elsewhere = one.clone();
+        let mut elsewhere = first.clone();
         elsewhere.joints[2].parent = Some(0);
         for (other, wanted) in [
             (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
@@ -158,7 +163,7 @@ mod tests {
             (chain(&["a", "b"]), "expected 3 joints, found 2"),
             (chain(&["a", "x"]), "joint 1 is \"b\" in one and \"x\" in the other"),
         ] {
-            let message = one.same_body(&other).unwrap_err().to_string();
+            let message = first.same_body(&other).unwrap_err().to_string();
             assert!(message.contains(wanted), "{message}");
         }
     }

@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
-/// The most joints that a body may have; more is a broken or hostile file.
+/// The most joints that a body may have, and the most end sites; a file with more is broken or hostile.
 pub const MAX_JOINTS: usize = 2_000;
 
-/// One degree of freedom of a joint, as a BVH file names it. Rotations are in degrees, positions in file units.
+/// One degree of freedom of a joint, as BVH files name it. Rotations are in degrees, positions in file units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Channel {
     /// Translation along x.
@@ -68,7 +68,7 @@ impl Channel {
     }
 }
 
-/// One joint. Joints are known by their place in the skeleton: names need not be unique.
+/// One joint. A joint is identified by its place in the skeleton (its index), because names need not be unique.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name as written in the file.
@@ -97,10 +97,10 @@ pub struct Skeleton {
     pub joints: Vec<Joint>,
 }
 
-/// What the stage draws at one point: a joint or the end of a bone.
+/// One point of the figure that is drawn: a joint or the end of a bone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct FigureNode {
-    /// The joint it is, or, for an end site, the joint whose bone ends here.
+    /// The place of the joint; for an end site, of the joint whose bone ends here.
     pub joint: usize,
     /// The node that the bone to this node comes from; `None` for the root.
     pub parent: Option<usize>,
@@ -108,25 +108,26 @@ pub struct FigureNode {
     pub end_site: bool,
 }
 
-/// Why a joint tree is not one.
+/// Why a joint tree is invalid.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum SkeletonError {
     /// There is no joint at all.
     #[error("expected at least one joint, found none")]
     Empty,
-    /// More joints (or ends of bones) than any body has.
+    /// More than [`MAX_JOINTS`] joints, or as many end sites.
     #[error("expected at most {MAX_JOINTS} joints, found {0}")]
     TooLarge(usize),
-    /// Joint 0 has a parent, another joint has none, or a parent stands behind its child.
+    /// Joint 0 has a parent, another joint has none, or a parent comes after its child.
     #[error(
         "joint {joint} ({name:?}): expected {}, found {}",
         if *.joint == 0 { "no parent, as it is the root".to_owned() } else { format!("a parent from 0 to {}", joint - 1) },
         .parent.map_or("none".to_owned(), |p| format!("parent {p}"))
     )]
     Parent {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
-        /// Its name.
+        /// The name of the joint.
         name: String,
         /// The parent it names.
         parent: Option<usize>,
@@ -134,17 +135,17 @@ pub enum SkeletonError {
     /// An offset that is not a finite number of sensible size.
     #[error("joint {joint} ({name:?}): expected a finite offset, found one that is not")]
     Offset {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
-        /// Its name.
+        /// The name of the joint.
         name: String,
     },
     /// One channel twice.
     #[error("joint {joint} ({name:?}): expected each channel once, found {channel} twice")]
     RepeatedChannel {
-        /// Its place.
+        /// The place of the joint.
         joint: usize,
-        /// Its name.
+        /// The name of the joint.
         name: String,
         /// The channel.
         channel: &'static str,
@@ -152,7 +153,7 @@ pub enum SkeletonError {
 }
 
 impl Skeleton {
-    /// Channels of all joints together: the numbers in one row of the file.
+    /// The number of channels of all joints together: the length of one row of the file.
     pub fn channel_count(&self) -> usize {
         self.joints.iter().map(|joint| joint.channels.len()).sum()
     }
@@ -176,7 +177,11 @@ impl Skeleton {
     }
 
     /// Checks what every other method relies on: one root in place 0, parents before children, finite offsets and
-    /// each channel at most once in a joint. A skeleton from [`crate::motion::bvh::read`] has passed it.
+    /// each channel at most once in a joint. A skeleton from [`bvh::read`](crate::motion::bvh::read) is always valid.
+    ///
+    /// # Errors
+    ///
+    /// A [`SkeletonError`] about the first joint that is wrong.
     pub fn validate(&self) -> Result<(), SkeletonError> {
         if self.joints.is_empty() {
             return Err(SkeletonError::Empty);
@@ -244,7 +249,7 @@ impl Skeleton {
     /// World places of all nodes of [`Skeleton::figure`] and world rotations of all joints.
     ///
     /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local positions `t_j`
-    /// [one a joint]; the root's are its place and orientation in the world.
+    /// [one for each joint]; those of the root are its orientation and place in the world.
     pub fn forward_kinematics(
         &self,
         rotations: &[UnitQuaternion<f64>],
@@ -255,7 +260,7 @@ impl Skeleton {
         pose
     }
 
-    /// [`Skeleton::forward_kinematics`] into a pose whose memory is used again.
+    /// [`Skeleton::forward_kinematics`] into an existing pose, whose memory is used again.
     pub fn forward_kinematics_into(
         &self,
         rotations: &[UnitQuaternion<f64>],

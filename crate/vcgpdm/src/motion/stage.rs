@@ -1,4 +1,5 @@
-//! From a file's world to the stage: which way is up, how large is the body, where is the ground.
+//! The stage: the world in which bodies are shown, with y up, in metres, every body 1.7 m tall, the ground at y = 0. From a
+//! clip it finds which way is up, how tall the body is and where the ground is.
 
 use crate::motion::anatomy::{Anatomy, extents, standing_at_rest};
 use crate::motion::clip::Clip;
@@ -8,7 +9,7 @@ use crate::motion::rotation;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// On the stage every body is this tall, in metres.
+/// The height of every body on the stage, in metres.
 pub const STAGE_HEIGHT: f64 = 1.7;
 
 /// The axis of the file's world that points away from the ground.
@@ -78,10 +79,10 @@ impl UpAxis {
     }
 }
 
-/// How the stage shows a body: y up, in metres, the ground at y = 0.
+/// What must be known of a clip to put its body on the stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
-    /// Which way is up in the file.
+    /// The axis that points up in the file.
     pub up: UpAxis,
     /// Height of the body in file units.
     pub height: f64,
@@ -95,7 +96,7 @@ impl Stage {
         STAGE_HEIGHT / self.height
     }
 
-    /// The place on the stage of a point given with y up in file units.
+    /// The place on the stage [x, y, z] of a point that is given with y up in file units.
     pub(crate) fn place(&self, y_up: &Vector3<f64>) -> [f32; 3] {
         let scale = self.metres_per_unit();
         [(y_up.x * scale) as f32, ((y_up.y - self.ground) * scale) as f32, (y_up.z * scale) as f32]
@@ -103,7 +104,7 @@ impl Stage {
 }
 
 impl Clip {
-    /// Which way is up, how tall is the body, where is the ground.
+    /// Which way is up, how tall the body is and where the ground is.
     pub fn stage(&self) -> Stage {
         let places = self.places();
         let up = self.up_axis_of(&places);
@@ -145,7 +146,7 @@ impl Clip {
 
     fn up_axis_of(&self, places: &[Vec<Vector3<f64>>]) -> UpAxis {
         let Some(anatomy) = Anatomy::of(&self.skeleton) else {
-            // Nothing is known but the figure: it stands along the longest side of its box, y before z before x.
+            // Only the figure is known: it stands along the longest side of its box, y before z before x.
             let extent = extents(&self.skeleton.rest_pose().positions);
             let longest = extent.max() * 0.999;
             let axis = [1, 2, 0].into_iter().find(|&axis| extent[axis] >= longest).unwrap_or(1);
@@ -168,7 +169,7 @@ impl Clip {
         let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
         if let Some(rest) = rest {
             let standing = rest.iamax();
-            // A body that lies on the ground for the whole clip points along another axis than at rest; the ground tells.
+            // A body that lies on the ground for the whole clip points along another axis than at rest: the ground decides.
             let on_ground = near_zero(ends(standing).0) && !near_zero(ends(axis).0);
             if standing != axis && (!clear || on_ground) {
                 return UpAxis::new(standing, rest[standing] < 0.0);
@@ -206,7 +207,7 @@ mod tests {
         samples::list().iter().map(|info| samples::clip(info.id).unwrap()).collect()
     }
 
-    /// A clip of ours, its world turned.
+    /// A sample clip whose world is turned.
     fn in_other_world(clip: &Clip, turn: UnitQuaternion<f64>) -> Clip {
         let mut clip = clip.clone();
         let channels = clip.skeleton.joints[0].channels.clone();

@@ -1,20 +1,23 @@
-//! Learned latents beside true ones: latents are found up to a change of coordinates only.
+//! Learned latents beside the true ones. Latents can only be found up to a change of coordinates.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
-use crate::synthetic::centre;
 use nalgebra::DMatrix;
 
-/// Learned latents, brought to where the true ones lie.
+/// Learned latents in the coordinates of the true ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alignment {
-    /// The learned latents in the coordinates of the true ones [N x Q_true].
+    /// The learned latents after the map [N x Q_true].
     pub latents: DMatrix<f64>,
     /// Share of the true latents' variance that they explain, at most 1.
     pub explained: f64,
 }
 
-/// The affine map of the `learned` latents [N x Q] that comes nearest the `actual` ones [N x Q_true], by least squares.
+/// Maps the `learned` latents [N x Q] to the `actual` ones [N x Q_true] by the best affine map (least squares).
+///
+/// # Errors
+///
+/// The covariance of the learned latents cannot be factorised.
 pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment, NumericsError> {
     let (mut x, mut y) = (learned.clone(), actual.clone());
     centre(&mut x);
@@ -22,13 +25,24 @@ pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment,
     let mut map = x.tr_mul(&y);
     Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve_mut(&mut map);
     let mut latents = x * map;
-    let all = y.norm_squared().max(f64::MIN_POSITIVE);
+    let total = y.norm_squared().max(f64::MIN_POSITIVE);
     y -= &latents;
-    let explained = 1.0 - y.norm_squared() / all;
+    let explained = 1.0 - y.norm_squared() / total;
     for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
         column.iter_mut().for_each(|value| *value += mean);
     }
     Ok(Alignment { latents, explained })
+}
+
+/// Subtracts from each column its mean; returns the means.
+pub(super) fn centre(x: &mut DMatrix<f64>) -> Vec<f64> {
+    let frames = x.nrows().max(1) as f64;
+    let subtract_mean = |column: &mut [f64]| {
+        let mean = column.iter().sum::<f64>() / frames;
+        column.iter_mut().for_each(|value| *value -= mean);
+        mean
+    };
+    x.as_mut_slice().chunks_exact_mut(frames as usize).map(subtract_mean).collect()
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
-//! The experiment under way: the data, a training on it, and what it has found so far.
+//! The experiment while it runs: the data, a training on them, and what the training has found so far.
 
 use crate::gp::NumericsError;
-use crate::models::VariationalSettings;
-use crate::models::variational::{Params, Trainer, TrainingProgress, coupling_weight_matrix};
+use crate::models::variational::{Params, Trainer, TrainingProgress};
+use crate::models::{VariationalSettings, coupling_weight_matrix};
 use crate::synthetic::alignment::{Alignment, align};
-use crate::synthetic::{Synthetic, SyntheticError, Verdict};
+use crate::synthetic::data::{Synthetic, SyntheticError};
+use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -32,7 +33,7 @@ pub struct Findings {
     pub fit: Fit,
 }
 
-/// A training on synthetic data, one step at a time, with the truth at hand.
+/// A training on synthetic data, one step at a time, beside the truth.
 pub struct Experiment {
     data: Synthetic,
     trainer: Trainer,
@@ -40,7 +41,11 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// Ready to train on the data.
+    /// A training on the data, ready to begin.
+    ///
+    /// # Errors
+    ///
+    /// Training cannot start with these settings, or the starting point cannot be rolled out.
     pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
         let trainer = data.trainer(settings, seed)?;
         let start = Fit { bound: trainer.progress().best, mse: data.mse(&trainer.model()?)? };
@@ -67,7 +72,11 @@ impl Experiment {
         self.trainer.progress()
     }
 
-    /// What training has found so far; at any time.
+    /// What training has found so far. It may be called at any time.
+    ///
+    /// # Errors
+    ///
+    /// The model cannot be fitted or rolled out.
     pub fn findings(&self) -> Result<Findings, SyntheticError> {
         let model = self.trainer.model()?;
         let fit = Fit { bound: self.trainer.progress().best, mse: self.data.mse(&model)? };

@@ -1,4 +1,4 @@
-//! Functions drawn from a Gaussian process, as something that can be evaluated anywhere.
+//! Functions drawn from a Gaussian process, which can be evaluated anywhere.
 
 use crate::gp::linalg::Factor;
 use crate::gp::{Kernel, NumericsError};
@@ -9,7 +9,7 @@ use rand_distr::{Distribution, StandardNormal};
 /// Added to the diagonal of the covariance of the supporting points.
 const JITTER: f64 = 1e-6;
 
-/// Noisy values of a function [n x C] at inputs [n x P], which a draw is to respect.
+/// Noisy values of a function [N x C] at inputs [N x P], on which a draw is conditioned.
 pub(super) struct Evidence {
     pub inputs: DMatrix<f64>,
     pub values: DMatrix<f64>,
@@ -39,28 +39,28 @@ impl DrawnFunction {
         Ok(Self { kernel, points, coefficients })
     }
 
-    /// Turns a draw from the prior into one from the posterior: what the draw is wrong by at the evidence is interpolated
-    /// and added (Matheron's rule).
+    /// Turns a draw from the prior into one from the posterior: the error of the draw at the evidence is interpolated and
+    /// subtracted (Matheron's rule).
     pub fn given(self, evidence: &Evidence, random: &mut ChaCha8Rng) -> Result<Self, NumericsError> {
         let Evidence { inputs, values, noise_variance } = evidence;
-        let mut more = values - self.at(inputs);
-        more -= normal(values.nrows(), values.ncols(), noise_variance.sqrt(), random);
-        factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve_mut(&mut more);
+        let mut correction = values - self.at(inputs);
+        correction -= normal(values.nrows(), values.ncols(), noise_variance.sqrt(), random);
+        factor(&self.kernel, inputs, noise_variance / self.kernel.variance)?.solve_mut(&mut correction);
         let stack = |above: &DMatrix<f64>, below: &DMatrix<f64>| {
             let n = above.nrows();
-            let mut all = DMatrix::zeros(n + below.nrows(), above.ncols());
-            all.rows_mut(0, n).copy_from(above);
-            all.rows_mut(n, below.nrows()).copy_from(below);
-            all
+            let mut stacked = DMatrix::zeros(n + below.nrows(), above.ncols());
+            stacked.rows_mut(0, n).copy_from(above);
+            stacked.rows_mut(n, below.nrows()).copy_from(below);
+            stacked
         };
         Ok(Self {
             points: stack(&self.points, inputs),
-            coefficients: stack(&self.coefficients, &more),
+            coefficients: stack(&self.coefficients, &correction),
             kernel: self.kernel,
         })
     }
 
-    /// f at the rows of `x` [n x P]: [n x C].
+    /// f at the rows of `x` [N x P]: [N x C].
     pub fn at(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
         self.kernel.cross_covariance(x, &self.points) * &self.coefficients
     }

@@ -1,226 +1,41 @@
-//! The synthetic experiment of Velychko et al. (2018, section 5.1, figure 3): two coupled systems of which one drives the
-//! other weakly. Does training find who drives whom?
+//! The synthetic experiment of Velychko et al. (2018, section 5.1, figure 3): two coupled systems, one of which drives the
+//! other weakly. Does training find out which?
 //!
 //! x^1_t = g^1(x^1_{t-1}) (18), x^2_t = 0.1 g^1(x^1_{t-1}) + 0.9 g^2(x^2_{t-1}) (19), 300 frames, both of dimension 2; each
 //! part is seen through 10 functions of its latents. All functions are drawn from GPs with an RBF kernel.
 //!
-//! The paper does not say its lengthscales, starts, noise or what it did with draws that come to rest. Here g^1 and g^2 are
-//! draws given a few noisy transitions that turn about the origin, each at its own rate, so that the movement goes on and the
-//! parts do not fall into step: in step, either one's phase tells the other's, and the data do not say who drives whom.
+//! The paper does not give its lengthscales, starts and noise, nor what it did with draws that come to rest. Here g^1 and g^2
+//! are draws that are conditioned on a few noisy transitions around the origin, each at its own rate, so that the movement
+//! goes on and the parts do not fall into step: in step, the phase of each part gives that of the other, and the data do not
+//! say which drives which.
+//!
+//! ```
+//! use vcgpdm::models::VariationalSettings;
+//! use vcgpdm::synthetic::{DRIVE, Experiment, Synthetic};
+//!
+//! let data = Synthetic::draw(2, DRIVE)?;
+//! assert_eq!((data.y.len(), data.y[0].shape()), (2, (300, 10)));
+//!
+//! // A few iterations only; `Synthetic::settings()` has 1500.
+//! let settings = VariationalSettings { max_iterations: 5, ..Synthetic::settings() };
+//! let mut experiment = Experiment::new(data, &settings, 2)?;
+//! while !experiment.step().done {}
+//! let findings = experiment.findings()?;
+//! assert!(findings.fit.bound > experiment.start().bound);
+//! println!("alpha from part 1 to part 2: {}", findings.alpha[(0, 1)]);
+//! # Ok::<(), vcgpdm::synthetic::SyntheticError>(())
+//! ```
 
 mod alignment;
+mod data;
 mod experiment;
 mod function;
+mod verdict;
 
 pub use alignment::{Alignment, align};
+pub use data::{DRIVE, NOISE_VARIANCE, Synthetic, SyntheticError};
 pub use experiment::{Experiment, Findings, Fit};
-
-use crate::evaluation::dtw_mse;
-use crate::gp::NumericsError;
-use crate::models::variational::{FittedModel, Reading, Trainer};
-use crate::models::{Poser, Roller, RolloutError, TrainingError, VariationalSettings};
-use function::{DrawnFunction, Evidence, grid, normal, rbf};
-use nalgebra::DMatrix;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
-use std::f64::consts::TAU;
-use thiserror::Error;
-
-/// T of the paper.
-const FRAMES: usize = 300;
-/// Observed columns of a part.
-const COLUMNS: usize = 10;
-/// The share of g^1 in the second part, in the paper; the rest is g^2.
-pub const DRIVE: f64 = 0.1;
-/// Frames in which the start is forgotten, before the first that is seen.
-const LEAD: usize = 100;
-/// Frames of one turn of each part, in the evidence for the draws.
-const PERIODS: [f64; 2] = [19.0, 11.0];
-/// Standard deviation of that evidence: what lets the draws differ.
-const LOOSENESS: f64 = 0.05;
-/// A part with a smaller standard deviation, both dimensions together, rests. On the unit circle it would be 1.
-const REST: f64 = 0.3;
-/// A draw in which a part rests is drawn again, so many times at most.
-const DRAWS: usize = 20;
-const DYNAMICS_LENGTHSCALE: f64 = 1.0;
-const POSE_LENGTHSCALE: f64 = 1.5;
-/// Of the observations, whose signal has variance 1.
-pub const NOISE_VARIANCE: f64 = 0.01;
-/// How many times larger alpha^{21} is than alpha^{11} at least for "much larger".
-pub const MUCH: f64 = 10.0;
-/// alpha^{12} is at most so many times alpha^{22}, and at least this part of it, when the first part drives the second.
-pub const ALIKE: f64 = 4.0;
-
-/// Data of two coupled systems, and the truth about them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Synthetic {
-    /// The true latents of each part [N x 2].
-    pub latents: Vec<DMatrix<f64>>,
-    /// The centred observations of each part [N x 10].
-    pub y: Vec<DMatrix<f64>>,
-    /// The share of g^1 in the second part.
-    pub drive: f64,
-}
-
-/// Why the experiment could not be made.
-#[derive(Debug, Error)]
-pub enum SyntheticError {
-    /// The share of the first part in the second is none.
-    #[error("the share of the first part in the second must be from 0 to 1, found {0:?}")]
-    Drive(f64),
-    /// A covariance could not be factorised.
-    #[error(transparent)]
-    Numerics(#[from] NumericsError),
-    /// Training could not start.
-    #[error(transparent)]
-    Training(#[from] TrainingError),
-    /// The model cannot be rolled out.
-    #[error(transparent)]
-    Rollout(#[from] RolloutError),
-}
-
-impl Synthetic {
-    /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share of g^1 in the
-    /// second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do with each other.
-    pub fn draw(seed: u32, drive: f64) -> Result<Self, SyntheticError> {
-        if !(0.0..=1.0).contains(&drive) {
-            return Err(SyntheticError::Drive(drive));
-        }
-        let mut random = ChaCha8Rng::seed_from_u64(u64::from(seed));
-        let mut latents = moving(drive, &mut random)?;
-        for _ in 1..DRAWS {
-            if latents.iter().all(|x| spread(x) >= REST) {
-                break;
-            }
-            latents = moving(drive, &mut random)?;
-        }
-        let mut y = Vec::new();
-        for x in &latents {
-            let pose = DrawnFunction::prior(rbf(POSE_LENGTHSCALE), grid(7, 3.0), COLUMNS, &mut random)?;
-            let mut seen = pose.at(x);
-            seen += normal(FRAMES, COLUMNS, NOISE_VARIANCE.sqrt(), &mut random);
-            centre(&mut seen);
-            y.push(seen);
-        }
-        Ok(Self { latents, y, drive })
-    }
-
-    /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as in the paper, and
-    /// iterations enough for the bound to settle.
-    pub fn settings() -> VariationalSettings {
-        VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
-    }
-
-    /// Ready to train on the observations.
-    pub fn trainer(&self, settings: &VariationalSettings, seed: u32) -> Result<Trainer, TrainingError> {
-        Trainer::new(self.y.clone(), vec![FRAMES], settings, seed)
-    }
-
-    /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;
-    /// the mean of the parts. A part has a path of its own because it has a rhythm of its own.
-    pub fn mse(&self, model: &FittedModel) -> Result<f64, SyntheticError> {
-        let roller = Roller::new(model, &model.alpha, Reading::AsLearned)?;
-        let paths = roller.latents(model.start(0)?, FRAMES)?;
-        let poser = Poser::new(model)?;
-        let mut sum = 0.0;
-        for (part, y) in self.y.iter().enumerate() {
-            // The shapes fit each other; only numbers that are none can be in the way.
-            let score = dtw_mse(&poser.observations(part, &paths[part]), y);
-            sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
-        }
-        Ok(sum / self.y.len() as f64)
-    }
-}
-
-/// Transitions on two rings about the origin, each by the same angle and half the way to the unit circle.
-fn turn(angle: f64) -> Evidence {
-    const AROUND: usize = 8;
-    let (sin, cos) = angle.sin_cos();
-    let inputs = DMatrix::from_fn(2 * AROUND, 2, |k, c| {
-        let radius = if k < AROUND { 0.6 } else { 1.5 };
-        let (y, x) = (TAU * k as f64 / AROUND as f64).sin_cos();
-        radius * if c == 0 { x } else { y }
-    });
-    let values = DMatrix::from_fn(inputs.nrows(), 2, |k, c| {
-        let (x, y) = (inputs[(k, 0)], inputs[(k, 1)]);
-        let half_way = 0.5 + 0.5 / x.hypot(y);
-        half_way * if c == 0 { cos * x - sin * y } else { sin * x + cos * y }
-    });
-    Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }
-}
-
-/// Takes its mean off each column; answers with the means.
-fn centre(x: &mut DMatrix<f64>) -> Vec<f64> {
-    let frames = x.nrows().max(1) as f64;
-    let take_off = |column: &mut [f64]| {
-        let mean = column.iter().sum::<f64>() / frames;
-        column.iter_mut().for_each(|value| *value -= mean);
-        mean
-    };
-    x.as_mut_slice().chunks_exact_mut(frames as usize).map(take_off).collect()
-}
-
-/// Standard deviation, all dimensions together.
-fn spread(x: &DMatrix<f64>) -> f64 {
-    let mut centred = x.clone();
-    centre(&mut centred);
-    (centred.norm_squared() / x.nrows() as f64).sqrt()
-}
-
-/// Latents of freshly drawn g^1 and g^2: equations (18) and (19).
-fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, NumericsError> {
-    let mut dynamics = Vec::new();
-    for period in PERIODS {
-        let draw = DrawnFunction::prior(rbf(DYNAMICS_LENGTHSCALE), grid(9, 3.0), 2, random)?;
-        dynamics.push(draw.given(&turn(TAU / period), random)?);
-    }
-    let mut latents = vec![DMatrix::zeros(FRAMES, 2); 2];
-    let start = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
-    let mut now = [start.clone(), start];
-    for t in 0..LEAD + FRAMES {
-        let next = [dynamics[0].at(&now[0]), dynamics[1].at(&now[1])];
-        for q in 0..2 {
-            if t >= LEAD {
-                latents[0][(t - LEAD, q)] = now[0][(0, q)];
-                latents[1][(t - LEAD, q)] = now[1][(0, q)];
-            }
-            now[0][(0, q)] = next[0][(0, q)];
-            now[1][(0, q)] = drive * next[0][(0, q)] + (1.0 - drive) * next[1][(0, q)];
-        }
-    }
-    Ok(latents)
-}
-
-/// What coupling variances say about who drives whom, `alpha[source][target]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Verdict {
-    /// alpha^{21} / alpha^{11}: how much less the second part says about the first than the first itself.
-    pub back: f64,
-    /// alpha^{12} / alpha^{22}: how much less the first part says about the second than the second itself.
-    pub forth: f64,
-}
-
-impl Verdict {
-    /// Of learned couplings [2 x 2].
-    pub fn new(alpha: &DMatrix<f64>) -> Self {
-        Self { back: alpha[(1, 0)] / alpha[(0, 0)], forth: alpha[(0, 1)] / alpha[(1, 1)] }
-    }
-
-    /// Whether it says that the second part does not drive the first.
-    pub fn back_is_right(&self) -> bool {
-        self.back >= MUCH
-    }
-
-    /// Whether it says that the first part drives the second if, and only if, the share `drive` of it is not 0.
-    pub fn forth_is_right(&self, drive: f64) -> bool {
-        if drive > 0.0 { (1.0 / ALIKE..=ALIKE).contains(&self.forth) } else { self.forth >= MUCH }
-    }
-
-    /// Whether it says the truth about both.
-    pub fn right(&self, drive: f64) -> bool {
-        self.back_is_right() && self.forth_is_right(drive)
-    }
-}
+pub use verdict::{ALIKE, MUCH, Verdict};
 
 #[cfg(test)]
 mod tests;

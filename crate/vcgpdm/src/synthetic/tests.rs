@@ -1,4 +1,9 @@
+//! The data, the training and the verdict.
+
+use super::data::{COLUMNS, FRAMES};
 use super::*;
+use crate::models::VariationalSettings;
+use nalgebra::DMatrix;
 
 #[test]
 fn both_parts_move_and_all_follows_from_the_seed() {

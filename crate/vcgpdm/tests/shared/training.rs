@@ -1,7 +1,7 @@
 //! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model that can be shared.
 
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, MotionModel, RolloutRequest, Source, VariationalSettings};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{bvh, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -44,7 +44,7 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 300);
     while !trainer.step().done {}
-    let model = MotionModel::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let rollout = model.rollout(&request).unwrap();
     for (path, part) in rollout.latents.iter().zip(&trainer.best().parts) {
@@ -52,7 +52,7 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
         assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
     }
 
-    let again = MotionModel::from_json(&model.to_json().unwrap()).unwrap();
+    let again = TrainedModel::<Vcgpdm>::from_json(&model.to_json().unwrap()).unwrap();
     assert_eq!(again.rollout(&request).unwrap().y, rollout.y);
 
     let clip = model.clip(&rollout, "rollout.bvh").unwrap();

@@ -5,21 +5,22 @@ mod blocked;
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use thiserror::Error;
 
-/// A covariance that stayed indefinite after all the jitter that the ladder allows.
+/// Why a covariance could not be factorised, or a result not be used.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NumericsError {
     /// The matrix holds NaN or an infinity.
     #[error("the {what} has a value that is not a finite number")]
     NotFinite {
-        /// Which matrix it was, in the model's terms.
+        /// Which matrix it is, in the words of the model.
         what: &'static str,
     },
-    /// No rung of the jitter ladder made the factorisation succeed.
+    /// The matrix is not positive definite, even with the largest jitter on its diagonal.
     #[error(
         "the {what} ({size} x {size}) is not positive definite, even with jitter {jitter:e} on its diagonal"
     )]
     NotPositiveDefinite {
-        /// Which matrix it was, in the model's terms.
+        /// Which matrix it is, in the words of the model.
         what: &'static str,
         /// Its number of rows.
         size: usize,
@@ -28,6 +29,7 @@ pub enum NumericsError {
     },
 }
 
+/// The first jitter, relative to the mean of the diagonal; each further one is 10 times as large.
 const FIRST_RUNG: f64 = 1e-6;
 const RUNGS: usize = 10;
 
@@ -45,14 +47,14 @@ impl Factor {
         Ok(factor)
     }
 
-    /// As [`new`](Self::new), quicker for hundreds of rows.
+    /// As [`new`](Self::new), but faster for hundreds of rows.
     pub fn of_large(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
         let mut factor = Self::default();
         factor.refactor_by(blocked::factorise, matrix, what)?;
         Ok(factor)
     }
 
-    /// Becomes the factor of `matrix`, as [`new`](Self::new); allocates nothing when the size stays and no jitter is needed.
+    /// Becomes the factor of `matrix`, as [`new`](Self::new). Allocates nothing when the size stays and no jitter is needed.
     pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
         self.refactor_by(Cholesky::new, matrix, what)
     }
@@ -66,13 +68,13 @@ impl Factor {
         if matrix.iter().any(|v| !v.is_finite()) {
             return Err(NumericsError::NotFinite { what });
         }
-        let mut room = std::mem::take(self).cholesky.unpack_dirty();
-        if room.shape() == matrix.shape() {
-            room.copy_from(matrix);
+        let mut memory = std::mem::take(self).cholesky.unpack_dirty();
+        if memory.shape() == matrix.shape() {
+            memory.copy_from(matrix);
         } else {
-            room = matrix.clone();
+            memory = matrix.clone();
         }
-        if let Some(cholesky) = factorise(room) {
+        if let Some(cholesky) = factorise(memory) {
             self.cholesky = cholesky;
             return Ok(());
         }

@@ -1,17 +1,17 @@
-//! The sums over rows, block by block: what a block of rows brings to the exponents, and what comes back from them.
+//! The sums over rows, block by block: what a block of rows adds to the exponents, and the way back to its inputs.
 //!
 //! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into one term for each
 //! of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
 
+use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
 use crate::gp::lanes::{LANES, Lanes};
-use crate::gp::psi::Gaussians;
 use nalgebra::DMatrix;
 use wide::f64x2;
 
-/// Rows a block.
+/// Rows in a block.
 pub(super) const BLOCK: usize = 64;
-/// Chunks of lanes a block.
+/// Chunks of lanes in a block.
 const CHUNKS: usize = BLOCK / LANES;
 
 /// The lanes `c` of rows `start` to `start + len` of a column; zero past the end.
@@ -21,9 +21,9 @@ fn lanes(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize, c: usiz
     Lanes::load(&rows[c * LANES..])
 }
 
-/// What one block of rows brings to the exponents. Rows past the end have scale 0, so they count for nothing.
+/// What one block of rows adds to the exponents. Rows past the end have scale 0, so they count for nothing.
 ///
-/// Rows come as chunks of lanes; what also depends on the dimension q stands at `[chunk * P + q]`, what depends on the
+/// Rows come as chunks of lanes; what also depends on the dimension q is at `[chunk * P + q]`, what depends on the
 /// inducing input a at `[a * CHUNKS + chunk]`.
 pub(super) struct Block {
     dims: usize,
@@ -38,9 +38,9 @@ pub(super) struct Block {
     mean: Vec<Lanes>,
     /// m_q / (lambda_q + n s_q).
     pull: Vec<Lanes>,
-    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) [chunks].
+    /// - 1/2 sum_q m_q^2 / (lambda_q + n s_q) `[chunks]`.
     base: Vec<Lanes>,
-    /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 [chunks].
+    /// sigma^2n prod_q (lambda_q / (lambda_q + n s_q))^1/2 `[chunks]`.
     scale: Vec<Lanes>,
     /// psi2's exponent of each a alone.
     own: Vec<Lanes>,
@@ -77,7 +77,7 @@ impl Block {
         &self.z[a * self.dims..(a + 1) * self.dims]
     }
 
-    /// Takes the inducing inputs [K x P] and starts the sums anew.
+    /// Sets the inducing inputs [K x P] and the sums to zero.
     pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
         self.sums.fill(Lanes::ZERO);
         let mut products = self.products.iter_mut();
@@ -197,9 +197,9 @@ pub(super) struct PullBack {
     total: Vec<Lanes>,
     first: Vec<Lanes>,
     second: Vec<Lanes>,
-    /// h of every pair, for the chunk at hand.
+    /// h of every pair, for the current chunk.
     pairs: Vec<Lanes>,
-    /// Sum over b of h c_q, for the a and chunk at hand [P].
+    /// Sum over b of h c_q, for the current a and chunk `[P]`.
     centred: Vec<Lanes>,
     /// dF/dz_aq / n of the block so far [K x P].
     d_z: Vec<Lanes>,

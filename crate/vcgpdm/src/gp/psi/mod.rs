@@ -1,192 +1,38 @@
 //! The psi statistics: expectations of a kernel under Gaussian inputs, and their adjoints. Knows no bound.
 //!
-//! For one row with mean m, variance s and inducing inputs z (MODEL.md's symbols; Velychko et al. 2018, appendix A):
+//! For one row with mean m, variances s and inducing inputs z (Velychko et al. 2018, appendix B: A13, A16 and A17 with a
+//! diagonal covariance; lambda and sigma^2 are those of the [`Kernel`](crate::gp::Kernel)):
 //!
 //! - psi0 = sigma^2
 //! - psi1_a = sigma^2 prod_q (lambda_q / (lambda_q + s_q))^1/2 exp( -1/2 sum_q (m_q - z_aq)^2 / (lambda_q + s_q) )
 //! - psi2_ab = sigma^4 prod_q (lambda_q / (lambda_q + 2 s_q))^1/2
 //!   exp( - sum_q (z_aq - z_bq)^2 / (4 lambda_q) - sum_q (m_q - (z_aq + z_bq) / 2)^2 / (lambda_q + 2 s_q) )
 //!
-//! Only the sums over rows of psi0 and psi2 are needed, and psi2 is symmetric. How the sums are taken: [`block`].
+//! Of psi0 and psi2 only the sums over rows are needed, and psi2 is symmetric.
+//!
+//! ```
+//! use nalgebra::{DMatrix, dvector};
+//! use vcgpdm::gp::psi::{PairWorkspace, PsiStatistics, Purpose};
+//! use vcgpdm::gp::{Gaussians, Kernel};
+//!
+//! let kernel = Kernel { lambda: dvector![1.0], variance: 1.0 };
+//! let z = DMatrix::from_column_slice(2, 1, &[0.0, 1.0]);
+//! // One input that is known exactly, and one that is not.
+//! let x = Gaussians {
+//!     mean: DMatrix::from_column_slice(2, 1, &[0.0, 0.0]),
+//!     variance: DMatrix::from_column_slice(2, 1, &[0.0, 3.0]),
+//! };
+//! let mut psi = PsiStatistics::new(2, 2, 1);
+//! psi.compute(&x, &z, &kernel, Purpose::Value, &mut PairWorkspace::default());
+//! assert_eq!(psi.psi0, 2.0);
+//! // Known exactly, psi1 is the kernel itself; uncertainty flattens it.
+//! assert!((psi.psi1[(0, 0)] - 1.0).abs() < 1e-12 && (psi.psi1[(1, 0)] - 0.5).abs() < 1e-12);
+//! ```
 
 mod block;
+mod statistics;
 
-use crate::gp::kernel::{Kernel, KernelAdjoint};
-use crate::gp::lanes::{LANES, Lanes};
-use block::{BLOCK, Block, PullBack};
-use nalgebra::DMatrix;
-
-/// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are computed again.
-const MOST_KEPT: usize = 4 << 20;
-
-/// Independent Gaussians, one a row and dimension.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Gaussians {
-    /// Means [rows x P].
-    pub mean: DMatrix<f64>,
-    /// Variances [rows x P].
-    pub variance: DMatrix<f64>,
-}
-
-impl Gaussians {
-    /// All zero: a place to add adjoints to.
-    pub fn zeros(rows: usize, dims: usize) -> Self {
-        Self { mean: DMatrix::zeros(rows, dims), variance: DMatrix::zeros(rows, dims) }
-    }
-
-    /// Sets all entries to zero.
-    pub fn set_zero(&mut self) {
-        self.mean.fill(0.0);
-        self.variance.fill(0.0);
-    }
-}
-
-/// The psi statistics of K inducing inputs, with the room to compute them again and again.
-pub struct PsiStatistics {
-    /// Sum over rows of psi0.
-    pub psi0: f64,
-    /// psi1 [rows x K].
-    pub psi1: DMatrix<f64>,
-    /// Sum over rows of psi2 [K x K], symmetric.
-    pub psi2: DMatrix<f64>,
-    /// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
-    spread: Vec<f64>,
-    block: Block,
-    pull: PullBack,
-}
-
-/// Room for psi2's summands. It can be lent to one [`PsiStatistics`] after the other, but must hold from a computation to its
-/// [`PsiStatistics::pull_back`].
-#[derive(Default)]
-pub struct PairRoom {
-    /// Chunk of rows after chunk, pair after pair.
-    values: Vec<Lanes>,
-    /// Whether all rows are there, and not the last block alone.
-    whole: bool,
-}
-
-/// Whether an adjoint will follow.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// Only the values are wanted.
-    Value,
-    /// [`PsiStatistics::pull_back`] will be called.
-    Gradient,
-}
-
-/// dF with respect to the psi statistics.
-pub struct PsiAdjoint<'a> {
-    /// dF/dpsi0.
-    pub psi0: f64,
-    /// dF/dpsi1 [rows x K].
-    pub psi1: &'a DMatrix<f64>,
-    /// dF/dpsi2 [K x K], symmetric, every entry counted once.
-    pub psi2: &'a DMatrix<f64>,
-}
-
-impl PsiStatistics {
-    /// For `rows` inputs and `ips` inducing inputs of `dims` dimensions.
-    pub fn new(rows: usize, ips: usize, dims: usize) -> Self {
-        Self {
-            psi0: 0.0,
-            psi1: DMatrix::zeros(rows, ips),
-            psi2: DMatrix::zeros(ips, ips),
-            spread: vec![0.0; ips * (ips + 1) / 2],
-            block: Block::new(ips, dims),
-            pull: PullBack::new(ips, dims),
-        }
-    }
-
-    /// psi0, psi1 and psi2 of the inputs `x` [rows x P] at the inducing inputs `z` [K x P].
-    pub fn compute(
-        &mut self,
-        x: &Gaussians,
-        z: &DMatrix<f64>,
-        kernel: &Kernel,
-        purpose: Purpose,
-        room: &mut PairRoom,
-    ) {
-        let (rows, ips, pairs) = (x.mean.nrows(), z.nrows(), self.spread.len());
-        let block = &mut self.block;
-        block.set_inducing_inputs(z);
-        let mut spread = self.spread.iter_mut();
-        for a in 0..ips {
-            for (b, spread) in (0..=a).zip(&mut spread) {
-                let square = |q: usize| (z[(a, q)] - z[(b, q)]).powi(2) / kernel.lambda[q];
-                *spread = -0.25 * (0..z.ncols()).map(square).sum::<f64>();
-            }
-        }
-        room.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
-        let chunks = if room.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
-        room.values.resize(chunks * pairs, Lanes::ZERO);
-        self.psi0 = rows as f64 * kernel.variance;
-        for start in (0..rows).step_by(BLOCK) {
-            let len = BLOCK.min(rows - start);
-            block.load(x, start, len, kernel, 1.0);
-            for a in 0..ips {
-                block.psi1(a, &mut self.psi1.as_mut_slice()[a * rows + start..][..len]);
-            }
-            block.load(x, start, len, kernel, 2.0);
-            block.split_exponent();
-            block.psi2(&self.spread, room.block_mut(start, pairs), true);
-        }
-        block.psi2_sums(&mut self.psi2);
-    }
-
-    /// Turns the adjoint of [`compute`](Self::compute) into those of its arguments, which must be the same as then, and adds
-    /// them to `into_x` and `into_kernel`.
-    pub fn pull_back(
-        &mut self,
-        (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
-        adjoint: &PsiAdjoint,
-        room: &mut PairRoom,
-        into_x: &mut Gaussians,
-        into_kernel: &mut KernelAdjoint,
-    ) {
-        let (rows, pairs) = (x.mean.nrows(), self.spread.len());
-        let (block, pull) = (&mut self.block, &mut self.pull);
-        into_kernel.variance += rows as f64 * adjoint.psi0;
-        for start in (0..rows).step_by(BLOCK) {
-            let len = BLOCK.min(rows - start);
-            block.load(x, start, len, kernel, 1.0);
-            pull.psi1(block, &self.psi1, adjoint.psi1, start, len);
-            pull.scatter(block, start, len, into_x, into_kernel);
-            block.load(x, start, len, kernel, 2.0);
-            if !room.whole {
-                block.split_exponent();
-                block.psi2(&self.spread, room.block_mut(start, pairs), false);
-            }
-            pull.psi2(block, adjoint.psi2, room.block_mut(start, pairs));
-            pull.scatter(block, start, len, into_x, into_kernel);
-        }
-        // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
-        let psi1_total = adjoint.psi1.dot(&self.psi1);
-        let psi2_total = adjoint.psi2.dot(&self.psi2);
-        into_kernel.variance += (psi1_total + 2.0 * psi2_total) / kernel.variance;
-        for q in 0..z.ncols() {
-            let lambda = kernel.lambda[q];
-            into_kernel.lambda[q] += 0.5 * (psi1_total + psi2_total) / lambda;
-            for a in 0..z.nrows() {
-                for b in 0..a {
-                    let h = 2.0 * adjoint.psi2[(a, b)] * self.psi2[(a, b)];
-                    let d = (z[(a, q)] - z[(b, q)]) / lambda;
-                    into_kernel.lambda[q] += 0.25 * h * d * d;
-                    into_kernel.z[(a, q)] -= 0.5 * h * d;
-                    into_kernel.z[(b, q)] += 0.5 * h * d;
-                }
-            }
-        }
-    }
-}
-
-impl PairRoom {
-    /// The values of the block that begins at row `start`.
-    fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Lanes] {
-        let from = if self.whole { start / LANES * pairs } else { 0 };
-        let end = self.values.len().min(from + BLOCK / LANES * pairs);
-        &mut self.values[from..end]
-    }
-}
+pub use statistics::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 
 #[cfg(test)]
 mod tests;

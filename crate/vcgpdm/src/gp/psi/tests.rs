@@ -1,5 +1,9 @@
+//! The statistics against integrals, and their adjoints against differences.
+
 use super::*;
+use crate::gp::{Gaussians, Kernel, KernelAdjoint};
 use approx::assert_relative_eq;
+use nalgebra::DMatrix;
 use nalgebra::{DVector, dvector};
 use proptest::prelude::*;
 
@@ -19,11 +23,11 @@ fn psi_statistics(
     z: &DMatrix<f64>,
     kernel: &Kernel,
     purpose: Purpose,
-) -> (PsiStatistics, PairRoom) {
+) -> (PsiStatistics, PairWorkspace) {
     let mut statistics = PsiStatistics::new(x.mean.nrows(), z.nrows(), z.ncols());
-    let mut room = PairRoom::default();
-    statistics.compute(x, z, kernel, purpose, &mut room);
-    (statistics, room)
+    let mut workspace = PairWorkspace::default();
+    statistics.compute(x, z, kernel, purpose, &mut workspace);
+    (statistics, workspace)
 }
 
 /// Gauss-Hermite nodes and weights for the standard normal, 24 points, by Newton's method on the Hermite functions.
@@ -112,11 +116,11 @@ proptest! {
         };
         // Summands that are kept and summands that are computed again give the same.
         let purpose = if keep { Purpose::Gradient } else { Purpose::Value };
-        let (mut statistics, mut room) = psi_statistics(&x, &z, &kernel, purpose);
+        let (mut statistics, mut workspace) = psi_statistics(&x, &z, &kernel, purpose);
         let mut dx = Gaussians::zeros(rows, dims);
         let mut dk = KernelAdjoint::zeros(ips, dims);
         let adjoint = PsiAdjoint { psi0: 0.7, psi1: &g1, psi2: &g2 };
-        statistics.pull_back((&x, &z, &kernel), &adjoint, &mut room, &mut dx, &mut dk);
+        statistics.pull_back((&x, &z, &kernel), &adjoint, &mut workspace, &mut dx, &mut dk);
         let h = 1e-5;
         let close = |analytic: f64, up: f64, down: f64| {
             let difference = (up - down) / (2.0 * h);

@@ -1,11 +1,8 @@
 //! Dynamic movement primitives towards a goal.
 
 use crate::gp::NumericsError;
-use crate::json::Value;
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -28,27 +25,31 @@ pub struct DiscreteStart {
 /// Fitted discrete dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpDiscrete {
-    /// g [D]: the mean of the last frames of the whole trials.
+    /// Goal g `[D]`: the mean of the last frames of the whole trials.
     pub goal: DVector<f64>,
     /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
     pub alpha_x: f64,
-    /// Centres of the bases, in x [B].
+    /// Centres of the bases, in x `[B]`.
     pub centres: Vec<f64>,
-    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) [B].
+    /// psi_b(x) = exp(-widths_b (x - centres_b)^2) `[B]`.
     pub widths: Vec<f64>,
-    /// w [B x D].
+    /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
-    /// Whether the column's force is scaled by g - y(0) [D].
+    /// Whether the column's force is scaled by g - y(0) `[D]`.
     pub scaled: Vec<bool>,
     /// One for each training sequence.
     pub starts: Vec<DiscreteStart>,
-    /// D_i of each part, in order.
+    /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpDiscrete {
     /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
     /// begin at the same place in it, and forces of different places must not be averaged.
+    ///
+    /// # Errors
+    ///
+    /// When the regression cannot be solved.
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alpha_x = ALPHA_X;
         // Equal distances in time; in x they shrink with it.
@@ -66,7 +67,7 @@ impl DmpDiscrete {
         let alignment = Alignment::new(trials, Some(PhaseAxis::Trial));
         let start = |(trial, map): (&Trial, &PhaseMap)| DiscreteStart {
             map: *map,
-            spring: SpringStart::of(&trial.y),
+            spring: SpringStart::at_first_frame(&trial.y),
         };
         let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
         let d = trials.first().map_or(0, |t| t.y.ncols());
@@ -112,7 +113,7 @@ impl DmpDiscrete {
         Ok(model)
     }
 
-    /// x psi_b(x) / sum psi at `phase` = t / tau [B].
+    /// x psi_b(x) / sum psi at `phase` = t / tau `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let x = (-self.alpha_x * phase).exp();
         let exponents =
@@ -161,32 +162,27 @@ fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
 }
 
 impl SpringStart {
-    /// At the first frame of `y` [T x D].
-    pub(super) fn of(y: &DMatrix<f64>) -> Self {
+    /// The springs at the first frame of `y` [T x D].
+    pub(super) fn at_first_frame(y: &DMatrix<f64>) -> Self {
         Self { position: y.row(0).transpose(), velocity: Curve::new(y).first_velocity() }
     }
 }
 
-impl MovementModel for DmpDiscrete {
-    fn kind(&self) -> ModelKind {
-        ModelKind::DmpDiscrete
-    }
-
-    /// As fast as the training trials were in the mean; behind their end it stands at the goal.
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+impl DmpDiscrete {
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// It is as fast as the training trials were in the mean; behind their end it stands at the goal.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// Weights, goal, y(0), y'(0), start and rate of one sequence, which columns are scaled, and alpha_x.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: weights, goal, y(0), y'(0), start
+    /// and rate of one sequence, which columns are scaled, and alpha_x.
+    pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 4 * self.goal.len() + 3
-    }
-
-    fn bound(&self) -> Option<f64> {
-        None
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

@@ -4,29 +4,17 @@ use crate::gp::NumericsError;
 use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::learner::Learner;
+use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::Trial;
+use crate::models::progress::{EndReason, LearningProgress};
 use crate::models::settings::DmpSettings;
 use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::trials_of;
+use crate::models::trials::split_trials;
 use nalgebra::DMatrix;
 
 const MOST_BASES: usize = 200;
-
-enum Fitted {
-    Discrete(DmpDiscrete),
-    Rhythmic(DmpRhythmic),
-}
-
-impl Fitted {
-    fn model(&self) -> &dyn MovementModel {
-        match self {
-            Fitted::Discrete(model) => model,
-            Fitted::Rhythmic(model) => model,
-        }
-    }
-}
 
 /// A training of dynamic movement primitives: a single step does it all.
 pub struct DmpLearner {
@@ -34,9 +22,9 @@ pub struct DmpLearner {
     columns: Vec<usize>,
     canonical: Canonical,
     bases: usize,
-    fitted: Option<Fitted>,
+    fitted: Option<Model>,
     error: f64,
-    reason: Option<String>,
+    reason: Option<EndReason>,
 }
 
 impl DmpLearner {
@@ -51,24 +39,21 @@ impl DmpLearner {
         settings: &DmpSettings,
     ) -> Result<Self, TrainingError> {
         in_range("the number of bases", settings.bases, MOST_BASES)?;
-        let (trials, columns) = trials_of(movements)?;
+        let (trials, columns) = split_trials(movements)?;
         let (bases, error) = (settings.bases, f64::INFINITY);
         Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
     }
 
-    fn fit(&self) -> Result<Fitted, NumericsError> {
+    fn fit(&self) -> Result<Model, NumericsError> {
+        let (trials, columns, bases) = (&self.trials, &self.columns, self.bases);
         Ok(match self.canonical {
-            Canonical::Discrete => {
-                Fitted::Discrete(DmpDiscrete::fit(&self.trials, &self.columns, self.bases)?)
-            }
-            Canonical::Rhythmic => {
-                Fitted::Rhythmic(DmpRhythmic::fit(&self.trials, &self.columns, self.bases)?)
-            }
+            Canonical::Discrete => Model::DmpDiscrete(Box::new(DmpDiscrete::fit(trials, columns, bases)?)),
+            Canonical::Rhythmic => Model::DmpRhythmic(Box::new(DmpRhythmic::fit(trials, columns, bases)?)),
         })
     }
 
     /// Mean squared difference of the whole training trials from what the model makes of their starts.
-    fn training_error(&self, model: &dyn MovementModel) -> f64 {
+    fn training_error(&self, model: &Model) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
             let Ok(parts) = model.rollout(s, trial.y.nrows()) else { return f64::INFINITY };
@@ -89,11 +74,11 @@ impl Learner for DmpLearner {
         if self.reason.is_none() {
             match self.fit() {
                 Ok(fitted) => {
-                    self.error = self.training_error(fitted.model());
-                    self.reason = Some("the regression is done".into());
+                    self.error = self.training_error(&fitted);
+                    self.reason = Some(EndReason::Regression);
                     self.fitted = Some(fitted);
                 }
-                Err(error) => self.reason = Some(format!("stopped: {error}")),
+                Err(error) => self.reason = Some(EndReason::Failed { primitives: None, error }),
             }
         }
         self.progress()
@@ -105,27 +90,18 @@ impl Learner for DmpLearner {
         LearningProgress {
             iteration: usize::from(done),
             max_iterations: 1,
+            evaluations: 0,
             objective: -self.error,
             best: -self.error,
+            phase: None,
             done,
             reason: self.reason.clone(),
             fraction: if done { 1.0 } else { 0.0 },
         }
     }
 
-    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
+    fn model(&self) -> Result<Model, NumericsError> {
         // Before the first step, or after one that failed: learned now, to say why it fails.
-        let fresh;
-        let fitted = match &self.fitted {
-            Some(fitted) => fitted,
-            None => {
-                fresh = self.fit()?;
-                &fresh
-            }
-        };
-        Ok(match fitted {
-            Fitted::Discrete(model) => Box::new(model.clone()),
-            Fitted::Rhythmic(model) => Box::new(model.clone()),
-        })
+        self.fitted.clone().map_or_else(|| self.fit(), Ok)
     }
 }

@@ -45,8 +45,8 @@ pub enum Canonical {
 /// Position and velocity at the first frame of a sequence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringStart {
-    /// y(0) [D].
+    /// y(0) `[D]`.
     pub position: DVector<f64>,
-    /// y'(0), per frame [D].
+    /// y'(0), per frame `[D]`.
     pub velocity: DVector<f64>,
 }

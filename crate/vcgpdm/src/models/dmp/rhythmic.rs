@@ -1,11 +1,8 @@
 //! Dynamic movement primitives around a centre.
 
 use crate::gp::NumericsError;
-use crate::json::Value;
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -22,7 +19,7 @@ const PLACES: usize = 256;
 pub struct RhythmicStart {
     /// Phase of the first frame and phase from frame to frame, in cycles.
     pub map: PhaseMap,
-    /// r.
+    /// Amplitude r of the movement; 1 in the training trials.
     pub amplitude: f64,
     /// The springs at the first frame.
     pub spring: SpringStart,
@@ -31,28 +28,32 @@ pub struct RhythmicStart {
 /// Fitted rhythmic dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DmpRhythmic {
-    /// g [D]: the mean of the cycle.
+    /// Centre g of the movement `[D]`: the mean of the cycle.
     pub centre: DVector<f64>,
     /// psi_b(phi) = exp(concentration (cos(phi - 2 pi b / B) - 1)).
     pub concentration: f64,
-    /// w [B x D].
+    /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
     /// One for each training sequence.
     pub starts: Vec<RhythmicStart>,
-    /// D_i of each part, in order.
+    /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpRhythmic {
     /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns; starts and rates of the
     /// trials are aligned to their mean cycle. A movement without a period is one cycle, as long as the longest trial.
+    ///
+    /// # Errors
+    ///
+    /// When the regression cannot be solved.
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alignment = Alignment::new(trials, Some(PhaseAxis::Cycle));
         let d = trials.first().map_or(0, |t| t.y.ncols());
         let start = |(trial, map): (&Trial, &PhaseMap)| RhythmicStart {
             map: *map,
             amplitude: 1.0,
-            spring: SpringStart::of(&trial.y),
+            spring: SpringStart::at_first_frame(&trial.y),
         };
         let mut model = Self {
             centre: alignment.template(trials).row_mean().transpose(),
@@ -79,7 +80,7 @@ impl DmpRhythmic {
         Ok(model)
     }
 
-    /// psi_b / sum psi at a phase in cycles [B].
+    /// psi_b / sum psi at a phase in cycles `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let bases = self.weights.nrows();
         let value =
@@ -148,25 +149,19 @@ impl RhythmicStart {
     }
 }
 
-impl MovementModel for DmpRhythmic {
-    fn kind(&self) -> ModelKind {
-        ModelKind::DmpRhythmic
-    }
-
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+impl DmpRhythmic {
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// Weights, centre, y(0) and y'(0) of one sequence, its start, rate and amplitude, and the concentration.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: weights, centre, y(0) and y'(0) of
+    /// one sequence, its start, rate and amplitude, and the concentration.
+    pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 3 * self.centre.len() + 4
-    }
-
-    fn bound(&self) -> Option<f64> {
-        None
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

@@ -128,7 +128,7 @@ impl<'a> Curve<'a> {
         )
     }
 
-    /// y' at the first frame, per frame [D].
+    /// y' at the first frame, per frame `[D]`.
     pub fn first_velocity(&self) -> DVector<f64> {
         DVector::from_fn(self.y.ncols(), |k, _| self.at(0.0, k).1)
     }

@@ -11,7 +11,7 @@ const MOST_BASES: usize = 1000;
 
 impl DmpDiscrete {
     /// The model as JSON.
-    pub(super) fn value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         Value::object([
             ("goal", Value::numbers(self.goal.as_slice())),
             ("alpha_x", Value::Number(self.alpha_x)),
@@ -68,7 +68,7 @@ impl DmpDiscrete {
 
 impl DmpRhythmic {
     /// The model as JSON.
-    pub(super) fn value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         Value::object([
             ("centre", Value::numbers(self.centre.as_slice())),
             ("concentration", Value::Number(self.concentration)),

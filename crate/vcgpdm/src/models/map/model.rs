@@ -1,17 +1,16 @@
 //! A fitted MAP model: predictions by the exact conditional means.
 //!
-//! E[x^i_t] = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and E[y^i_t] = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
+//! `E[x^i_t]` = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and `E[y^i_t]` = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
 //! over all training frames, whose coefficients are solved for once.
 
-use crate::gp::{Kernel, NumericsError};
-use crate::json::Value;
+use crate::gp::{Kernel, KernelSum, NumericsError};
+use crate::models::couplings::coupling_weights;
 use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
+use crate::models::latent_dynamics::LatentDynamics;
 use crate::models::map::density::LogDensity;
 use crate::models::map::params::MapParams;
-use crate::models::rollout::{KernelSum, Poser, Roller, RolloutError, check_frames};
+use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::sequences::Sequences;
-use crate::models::variational::coupling_weights;
 use nalgebra::DMatrix;
 
 /// The pose map of one part.
@@ -33,12 +32,16 @@ pub struct MapModel {
     dynamics: Vec<Vec<Kernel>>,
     coefficients: Vec<DMatrix<f64>>,
     alpha: DMatrix<f64>,
-    roller: Roller,
-    poser: Poser,
+    latent_dynamics: LatentDynamics,
+    poses: Vec<KernelSum>,
 }
 
 impl MapModel {
     /// The model at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn fit(density: &LogDensity, params: &MapParams) -> Result<Self, NumericsError> {
         let poses = density.pose_coefficients(params)?;
         let parts = params.parts.iter().zip(poses).map(|(part, coefficients)| MapPoseMap {
@@ -70,10 +73,10 @@ impl MapModel {
             sources.map(|((h, row), w)| KernelSum::new(h, &row[i], &(c * (w * w)))).collect()
         });
         let latent = parts.iter().map(|part| part.latents.ncols()).collect();
-        let roller = Roller::of_sums(sequences.order(), latent, sums.collect());
+        let latent_dynamics = LatentDynamics::new(sequences.order(), latent, sums.collect());
         let maps = parts.iter().map(|part| KernelSum::new(&part.latents, &part.kernel, &part.coefficients));
-        let poser = Poser::of_sums(maps.collect());
-        Self { sequences, parts, dynamics, coefficients, alpha, roller, poser }
+        let poses = maps.collect();
+        Self { sequences, parts, dynamics, coefficients, alpha, latent_dynamics, poses }
     }
 
     /// Where the training sequences lie in the latents.
@@ -81,7 +84,7 @@ impl MapModel {
         &self.sequences
     }
 
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub fn parts(&self) -> &[MapPoseMap] {
         &self.parts
     }
@@ -102,6 +105,10 @@ impl MapModel {
     }
 
     /// The latent path of every part [frames x Q_i] from the first latents of a training sequence.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
     pub fn latents(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
         let count = self.sequences.lengths().len();
@@ -109,36 +116,31 @@ impl MapModel {
         let first = range.ok_or(RolloutError::Sequence { count, found: sequence })?.start;
         let order = self.sequences.order();
         let start = self.parts.iter().map(|part| part.latents.rows(first, order).into_owned());
-        self.roller.latents(&start.collect::<Vec<_>>(), frames)
+        self.latent_dynamics.path(&start.collect::<Vec<_>>(), frames)
     }
-}
 
-impl MovementModel for MapModel {
-    fn kind(&self) -> ModelKind {
+    /// The kind of model: a MAP CGPDM, or a MAP GPDM if it has one part.
+    pub fn kind(&self) -> ModelKind {
         if self.parts.len() == 1 { ModelKind::MapGpdm } else { ModelKind::MapCgpdm }
     }
 
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let latents = self.latents(sequence, frames)?;
-        let parts = latents.iter().enumerate();
-        Ok(parts.map(|(part, x)| self.poser.observations(part, x)).collect())
+        Ok(self.poses.iter().zip(&latents).map(|(pose, x)| pose.at_rows(x)).collect())
     }
 
-    /// All training latents, the coefficients of all maps, kernels and couplings.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out: all training latents, the coefficients of all maps, kernels and couplings.
+    pub fn stored_numbers(&self) -> usize {
         let poses =
             self.parts.iter().map(|p| p.latents.len() + p.coefficients.len() + p.kernel.lambda.len() + 1);
         let kernels = self.dynamics.iter().flatten().map(|kernel| kernel.lambda.len());
         let coefficients = self.coefficients.iter().map(|c| c.len());
         poses.chain(kernels).chain(coefficients).sum::<usize>() + self.alpha.len()
-    }
-
-    fn bound(&self) -> Option<f64> {
-        None
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }
 

@@ -29,7 +29,7 @@ pub struct MapParams {
 }
 
 impl MapParams {
-    /// M.
+    /// Number of parts M.
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }

@@ -15,7 +15,7 @@ const MOST_ORDER: usize = 100;
 
 impl MapModel {
     /// The model as JSON.
-    pub(super) fn value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         let parts = Value::list(self.parts(), |part| {
             Value::object([
                 ("lambda", Value::numbers(part.kernel.lambda.as_slice())),

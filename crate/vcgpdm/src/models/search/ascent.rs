@@ -3,7 +3,6 @@
 
 use crate::gp::NumericsError;
 use crate::models::flat::{Group, Parameters};
-use crate::models::learner::LearningProgress;
 use crate::models::search::optimizer::{Evaluate, Optimizer};
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -41,21 +40,11 @@ pub struct Phase {
 /// Why a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum EndReason {
+pub enum SearchEnd {
     /// The objective no longer rises.
     Settled,
     /// All iterations are used.
     Iterations,
-}
-
-impl EndReason {
-    /// The reason in plain words, where the `objective` is "bound" or "density".
-    pub fn words(self, objective: &str) -> String {
-        match self {
-            EndReason::Settled => format!("the {objective} no longer rises"),
-            EndReason::Iterations => "all iterations used".to_owned(),
-        }
-    }
 }
 
 /// What the optimiser's evaluations leave behind.
@@ -117,7 +106,7 @@ pub struct Ascent<T: Target> {
     /// Best values of the last phase, iteration by iteration.
     trace: Vec<f64>,
     value: f64,
-    reason: Option<EndReason>,
+    reason: Option<SearchEnd>,
 }
 
 impl<T: Target + Send + 'static> Ascent<T>
@@ -166,7 +155,7 @@ where
     pub fn step(&mut self) {
         if self.reason.is_none() {
             if self.iteration >= self.max_iterations {
-                self.reason = Some(EndReason::Iterations);
+                self.reason = Some(SearchEnd::Iterations);
             } else {
                 self.iterate();
             }
@@ -191,7 +180,7 @@ where
             let settled = self.trace.len() > PATIENCE
                 && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
             if !moved || settled {
-                self.reason = Some(EndReason::Settled);
+                self.reason = Some(SearchEnd::Settled);
             }
         }
         if last || (moved && self.phase_iterations < self.phases[self.phase].iterations) {
@@ -238,21 +227,8 @@ where
     }
 
     /// Why the search ended; `None` while it goes on.
-    pub fn reason(&self) -> Option<EndReason> {
+    pub fn reason(&self) -> Option<SearchEnd> {
         self.reason
-    }
-
-    /// How far the search is, as for all models; the `objective` is "bound" or "density".
-    pub fn progress(&self, objective: &str) -> LearningProgress {
-        LearningProgress {
-            iteration: self.iteration,
-            max_iterations: self.max_iterations,
-            objective: self.value,
-            best: self.search().best,
-            done: self.reason.is_some(),
-            reason: self.reason.map(|reason| reason.words(objective)),
-            fraction: self.fraction(),
-        }
     }
 
     /// Share of the iterations used, 0 to 1.

@@ -3,4 +3,4 @@
 pub(crate) mod ascent;
 pub(crate) mod optimizer;
 
-pub use ascent::{EndReason, Phase};
+pub use ascent::{Phase, SearchEnd};

@@ -26,7 +26,7 @@ pub struct PhaseKernel {
     pub axis: PhaseAxis,
     /// l, in units of phase.
     pub lengthscale: f64,
-    /// Inducing phases [R].
+    /// Inducing phases `[R]`.
     pub inducing: Vec<f64>,
     factor: Factor,
 }

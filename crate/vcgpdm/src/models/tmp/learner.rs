@@ -1,14 +1,16 @@
 //! Learning temporal movement primitives, sweep by sweep, and their number.
 
 use crate::gp::NumericsError;
-use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::learner::Learner;
+use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::{Alignment, Trial};
+use crate::models::progress::{EndReason, LearningProgress};
 use crate::models::settings::TmpSettings;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::trials_of;
+use crate::models::trials::split_trials;
 
 /// More would only be slow.
 const MOST_PRIMITIVES: usize = 40;
@@ -58,7 +60,7 @@ pub struct TmpLearner {
     best: Option<(f64, Posterior)>,
     bounds: Vec<(usize, f64)>,
     iteration: usize,
-    reason: Option<String>,
+    reason: Option<EndReason>,
 }
 
 impl TmpLearner {
@@ -78,7 +80,7 @@ impl TmpLearner {
     ) -> Result<Self, TrainingError> {
         let asked = settings.primitives;
         in_range("the number of primitives", asked.unwrap_or(1), MOST_PRIMITIVES)?;
-        let (trials, columns) = trials_of(movements)?;
+        let (trials, columns) = split_trials(movements)?;
         let alignment = Alignment::new(&trials, None);
         let count = asked.unwrap_or(1);
         // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the same footing, because
@@ -150,11 +152,11 @@ impl TmpLearner {
         }
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
         if self.asked.is_some() {
-            self.reason = Some("the bound no longer rises".into());
+            self.reason = Some(EndReason::BoundSettled);
         } else if self.count >= best + WORSE_IN_A_ROW {
-            self.reason = Some(format!("more than {best} primitives lower the bound"));
+            self.reason = Some(EndReason::MorePrimitivesAreWorse { best });
         } else if self.count >= self.limits.most_primitives {
-            self.reason = Some(format!("the most primitives are tried; {best} are best"));
+            self.reason = Some(EndReason::MostPrimitives { best });
         } else {
             self.count += 1;
             self.current = Posterior::start(&self.trials, &self.alignment, &self.groups, self.count)?;
@@ -171,7 +173,7 @@ impl Learner for TmpLearner {
         if self.reason.is_none() {
             self.iteration += 1;
             if let Err(error) = self.advance() {
-                self.reason = Some(format!("stopped with {} primitives: {error}", self.count));
+                self.reason = Some(EndReason::Failed { primitives: Some(self.count), error });
             }
         }
         self.progress()
@@ -186,21 +188,27 @@ impl Learner for TmpLearner {
         LearningProgress {
             iteration: self.iteration,
             max_iterations: counts * self.limits.max_sweeps,
+            evaluations: 0,
             objective: self.bound,
             best,
+            phase: None,
             done,
             reason: self.reason.clone(),
             fraction: if done { 1.0 } else { share.min(1.0) },
         }
     }
 
-    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
-        Ok(Box::new(self.fitted()?))
+    fn model(&self) -> Result<Model, NumericsError> {
+        Ok(Model::Tmp(Box::new(self.fitted()?)))
     }
 }
 
 impl TmpLearner {
     /// The best model so far, with all that is known of it.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<Tmp, NumericsError> {
         let best = match &self.best {
             Some((bound, posterior)) if *bound >= self.bound => posterior,

@@ -2,13 +2,13 @@
 //!
 //! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
 //!
-//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part; Endres et al. have one for each column),
+//! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part),
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
 //!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
 //!   normalisation of their lengths would add up steps of the left and of the right leg. Start and rate begin with an alignment
-//!   to the mean of all trials ([`Alignment`]) and then follow the bound like everything else. The frames themselves are
-//!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
+//!   to the mean of all trials ([`crate::models::Alignment`]) and then follow the bound like everything else. The frames
+//!   themselves are modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
 //! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing phases, their number
 //!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
 //! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k diag(a)). c_k is the scale of
@@ -31,9 +31,6 @@ mod weights;
 pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
-use crate::json::Value;
-use crate::models::kind::ModelKind;
-use crate::models::learner::MovementModel;
 use crate::models::phase::{PhaseAxis, PhaseMap, Trial};
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
@@ -46,7 +43,7 @@ use posterior::Posterior;
 pub struct TrialWeights {
     /// Where it lies.
     pub map: PhaseMap,
-    /// E[w_sk] [D x Q].
+    /// `E[w_sk]` [D x Q].
     pub weights: DMatrix<f64>,
 }
 
@@ -59,19 +56,19 @@ pub struct Tmp {
     pub lengthscale: f64,
     /// Between which phases the whole trials lie: 0 and 1 on a cycle.
     pub range: (f64, f64),
-    /// Inducing phases z [R].
+    /// Inducing phases z `[R]`.
     pub inducing: Vec<f64>,
     /// K_zz^-1 E[m(z)] [R x Q]: primitive q at phase p is sum_r k(p, z_r) coefficients_rq.
     pub coefficients: DMatrix<f64>,
     /// One for each training sequence.
     pub trials: Vec<TrialWeights>,
-    /// E[mu_k] [D x Q]: the mean movement.
+    /// `E[mu_k]` [D x Q]: the mean movement.
     pub centre: DMatrix<f64>,
-    /// c_k [D].
+    /// c_k `[D]`.
     pub scale: DVector<f64>,
     /// V [Q x Q].
     pub spread: DMatrix<f64>,
-    /// sigma_k^2 [D].
+    /// sigma_k^2 `[D]`.
     pub noise: DVector<f64>,
     /// D_i of each part, in order.
     pub columns: Vec<usize>,
@@ -109,23 +106,23 @@ impl Tmp {
         })
     }
 
-    /// The primitives at `phases` [T]: [T x Q].
+    /// The primitives at `phases` `[T]`: [T x Q].
     pub fn primitives(&self, phases: &[f64]) -> DMatrix<f64> {
         let cross = DMatrix::from_fn(phases.len(), self.inducing.len(), |t, r| {
             covariance(self.axis, self.lengthscale, phases[t] - self.inducing[r])
         });
         cross * &self.coefficients
     }
-}
 
-impl MovementModel for Tmp {
-    fn kind(&self) -> ModelKind {
-        ModelKind::Tmp
-    }
-
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
     /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do: more frames than
     /// reach there are spread over the same phases, so that the movement is slower.
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
         let trial = self
             .trials
@@ -139,17 +136,10 @@ impl MovementModel for Tmp {
         Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
     }
 
-    /// Primitives at the inducing phases, the weights of one trial, its start and rate, lengthscale and range.
-    fn stored_numbers(&self) -> usize {
+    /// How many numbers must be kept to roll out from one sequence: primitives at the inducing phases, the weights of one trial,
+    /// its start and rate, lengthscale and range.
+    pub fn stored_numbers(&self) -> usize {
         let weights = self.centre.len();
         self.coefficients.len() + weights + 2 + 1 + if self.axis == PhaseAxis::Trial { 2 } else { 0 }
-    }
-
-    fn bound(&self) -> Option<f64> {
-        Some(self.bound)
-    }
-
-    fn to_value(&self) -> Option<Value> {
-        Some(self.value())
     }
 }

@@ -46,19 +46,19 @@ pub struct Posterior {
     pub kernel: PhaseKernel,
     /// Where each trial lies.
     pub maps: Vec<PhaseMap>,
-    /// E[v] [R x Q]: primitive q at phases p is P(p) v_q.
+    /// `E[v]` [R x Q]: primitive q at phases p is P(p) v_q.
     pub v: DMatrix<f64>,
     /// The covariance of v, primitive after primitive [RQ x RQ].
     pub v_covariance: DMatrix<f64>,
     /// q(mu_k, w_k) of every column.
     pub weights: Vec<ColumnWeights>,
-    /// sigma_k^2 [D].
+    /// sigma_k^2 `[D]`.
     pub noise: DVector<f64>,
-    /// c_k [D].
+    /// c_k `[D]`.
     pub scale: DVector<f64>,
     /// V [Q x Q].
     pub spread: DMatrix<f64>,
-    /// a_q [Q].
+    /// a_q `[Q]`.
     pub relevance: DVector<f64>,
     /// Columns that share their noise, one group after the other: the number of columns of each.
     groups: Vec<usize>,
@@ -118,7 +118,7 @@ impl Posterior {
         Ok(posterior)
     }
 
-    /// Q.
+    /// Number of primitives Q.
     pub fn primitives(&self) -> usize {
         self.v.ncols()
     }
@@ -146,7 +146,7 @@ impl Posterior {
         sum
     }
 
-    /// E[w_sk] / sigma_k^2 of trial `s` [D x Q].
+    /// `E[w_sk]` / sigma_k^2 of trial `s` [D x Q].
     fn pull(&self, s: usize) -> DMatrix<f64> {
         DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| {
             self.weights[k].mean[s][q] / self.noise[k]
@@ -194,12 +194,12 @@ impl Posterior {
     /// Expected squared error of column `k` over all trials, `energies` as of [`Self::energy`].
     fn squared_error(&self, trials: &[Trial], energies: &[DMatrix<f64>], k: usize) -> f64 {
         let weights = &self.weights[k];
-        let one = |(s, trial): (usize, &Trial)| {
+        let of_trial = |(s, trial): (usize, &Trial)| {
             let seen = self.v.tr_mul(&self.views[s].projected.column(k));
             trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[s])
                 + weights.second[s].dot(&energies[s])
         };
-        trials.iter().enumerate().map(one).sum()
+        trials.iter().enumerate().map(of_trial).sum()
     }
 
     /// sigma^2, c, V and a, one after the other, each at the bound's maximum.

@@ -12,7 +12,7 @@ const MOST_PRIMITIVES: usize = 1000;
 
 impl Tmp {
     /// The model as JSON.
-    pub(super) fn value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         let axis = match self.axis {
             PhaseAxis::Cycle => "cycle",
             PhaseAxis::Trial => "trial",

@@ -7,11 +7,11 @@ use nalgebra::{DMatrix, DVector};
 /// q(mu_k, w_1k, ..., w_Sk) of a column k, a joint Gaussian.
 #[derive(Clone, Debug)]
 pub struct ColumnWeights {
-    /// E[w_sk] [Q] of each trial.
+    /// `E[w_sk]` `[Q]` of each trial.
     pub mean: Vec<DVector<f64>>,
     /// E[w_sk w_sk^T] [Q x Q] of each trial.
     pub second: Vec<DMatrix<f64>>,
-    /// E[mu_k] [Q].
+    /// `E[mu_k]` `[Q]`.
     pub centre: DVector<f64>,
     /// E[mu_k mu_k^T] [Q x Q].
     pub centre_second: DMatrix<f64>,
@@ -22,7 +22,7 @@ pub struct ColumnWeights {
 }
 
 /// The posterior under mu_k ~ N(0, diag `centre_variance`), w_sk | mu_k ~ N(mu_k, `precision`^-1) and a log likelihood of
-/// `h`_s^T w - 1/2 w^T `e`_s w for each trial s, given as (e_s [Q x Q], h_s [Q]).
+/// `h`_s^T w - 1/2 w^T `e`_s w for each trial s, given as (e_s [Q x Q], h_s `[Q]`).
 ///
 /// Given mu_k the trials are independent, with C_s = (Lambda + e_s)^-1; integrating them out leaves mu_k with the precision
 /// diag(1 / centre_variance) + sum_s Lambda C_s e_s and the information sum_s Lambda C_s h_s.

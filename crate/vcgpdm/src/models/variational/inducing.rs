@@ -1,7 +1,7 @@
 //! The inducing points of a fitted model: where they are, and for which latents each speaks.
 
 use crate::gp::Kernel;
-use crate::models::variational::posterior::{FittedExpert, FittedModel, PoseMap};
+use crate::models::variational::model::{FittedExpert, PoseMap, Vcgpdm};
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -35,11 +35,12 @@ pub enum InducingError {
     },
 }
 
-impl FittedModel {
+impl Vcgpdm {
     /// The pose map of a part, counted from 0.
     ///
     /// # Errors
-    /// There is no such part.
+    ///
+    /// When there is no such part.
     pub fn pose_map(&self, part: usize) -> Result<&PoseMap, InducingError> {
         self.parts.get(part).ok_or(InducingError::Part { count: self.part_count(), found: part })
     }
@@ -47,7 +48,8 @@ impl FittedModel {
     /// The expert by which the part `source` predicts the part `target`, both counted from 0.
     ///
     /// # Errors
-    /// There is no such part.
+    ///
+    /// When there is no such part.
     pub fn expert(&self, source: usize, target: usize) -> Result<&FittedExpert, InducingError> {
         let part = |found| InducingError::Part { count: self.part_count(), found };
         self.experts.get(source).ok_or_else(|| part(source))?.get(target).ok_or_else(|| part(target))
@@ -57,7 +59,8 @@ impl FittedModel {
     /// over its variance, k(x, r) / sigma^2, 0 to 1.
     ///
     /// # Errors
-    /// There is no such part or point, or the latents are not whole rows.
+    ///
+    /// When there is no such part or point, or the latents are not whole rows.
     pub fn pose_ip_weights(
         &self,
         part: usize,
@@ -65,14 +68,15 @@ impl FittedModel {
         latents: &[f64],
     ) -> Result<Vec<f64>, InducingError> {
         let map = self.pose_map(part)?;
-        kernel_weights(&map.kernel, &map.r, index, latents, map.r.ncols(), 0)
+        kernel_weights(map.kernel(), map.r(), index, latents, map.r().ncols(), 0)
     }
 
     /// How much the dynamics inducing point `index` of an expert says about each frame of the source's latent path
     /// [frames x Q, row after row]: k(history, z), 0 to 1; 0 for the first frames, which have no history.
     ///
     /// # Errors
-    /// There is no such part or point, or the latents are not whole rows.
+    ///
+    /// When there is no such part or point, or the latents are not whole rows.
     pub fn dynamics_ip_weights(
         &self,
         source: usize,
@@ -81,8 +85,8 @@ impl FittedModel {
         latents: &[f64],
     ) -> Result<Vec<f64>, InducingError> {
         let expert = self.expert(source, target)?;
-        let columns = expert.z.ncols() / self.order;
-        kernel_weights(&expert.kernel, &expert.z, index, latents, columns, self.order)
+        let columns = expert.z().ncols() / self.order;
+        kernel_weights(expert.kernel(), expert.z(), index, latents, columns, self.order)
     }
 }
 
@@ -115,25 +119,20 @@ fn kernel_weights(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::variational::testing::random_case;
+    use crate::models::variational::testing::fitted;
     use approx::assert_relative_eq;
-
-    fn model() -> FittedModel {
-        let (params, objective) = random_case(1);
-        FittedModel::fit(&objective, &params).unwrap()
-    }
 
     #[test]
     fn a_point_speaks_fully_for_itself() {
-        let model = model();
-        let r = &model.parts[0].r;
+        let model = fitted(1);
+        let r = model.parts[0].r();
         let latents: Vec<f64> = r.row(1).iter().chain(r.row(0).iter()).copied().collect();
         let weights = model.pose_ip_weights(0, 1, &latents).unwrap();
         assert_relative_eq!(weights[0], 1.0, epsilon = 1e-12);
         assert!(weights[1] < 1.0);
 
         // A dynamics point speaks for the frame after the history that it is.
-        let z = &model.experts[0][1].z;
+        let z = model.experts[0][1].z();
         let history: Vec<f64> = z.row(2).iter().copied().collect();
         let columns = z.ncols() / model.order;
         let path: Vec<f64> = history.iter().copied().chain(vec![0.5; columns]).collect();
@@ -145,16 +144,16 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_refused_in_words() {
-        let model = model();
+        let model = fitted(1);
         let words = |refused: Result<Vec<f64>, InducingError>| refused.unwrap_err().to_string();
         assert_eq!(words(model.pose_ip_weights(2, 0, &[])), "expected a part from 0 to 1, found 2");
         assert_eq!(words(model.dynamics_ip_weights(0, 5, 0, &[])), "expected a part from 0 to 1, found 5");
-        let most = model.parts[0].r.nrows() - 1;
+        let most = model.parts[0].r().nrows() - 1;
         assert_eq!(
             words(model.pose_ip_weights(0, 99, &[])),
             format!("expected an inducing point from 0 to {most}, found 99")
         );
-        let columns = model.parts[0].r.ncols();
+        let columns = model.parts[0].r().ncols();
         assert_eq!(
             words(model.pose_ip_weights(0, 0, &vec![0.0; columns + 1])),
             format!("expected rows of {columns} latents, found {} numbers", columns + 1)

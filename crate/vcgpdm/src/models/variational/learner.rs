@@ -1,15 +1,14 @@
 //! The vCGPDM and, of one part, the vGPDM among the other models.
 
 use crate::gp::NumericsError;
-use crate::models::kind::ModelKind;
-use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::learner::Learner;
+use crate::models::model::Model;
 use crate::models::movements::Movements;
-use crate::models::rollout::{Poser, Roller, RolloutError, check_frames};
+use crate::models::progress::{EndReason, LearningProgress};
+use crate::models::search::ascent::SearchEnd;
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::TrainingError;
-use crate::models::variational::posterior::{FittedModel, Reading};
 use crate::models::variational::trainer::{Trainer, TrainingProgress};
-use nalgebra::DMatrix;
 
 /// A training of the variational model. The parts are those of the movements: one for the vGPDM.
 pub struct VariationalLearner {
@@ -18,6 +17,10 @@ pub struct VariationalLearner {
 
 impl VariationalLearner {
     /// Ready to train. A sequence that is not whole is a short one like any other.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, or the movements cannot be learned from.
     pub fn new(
         movements: Movements,
         settings: &VariationalSettings,
@@ -25,11 +28,6 @@ impl VariationalLearner {
     ) -> Result<Self, TrainingError> {
         let lengths = movements.lengths();
         Ok(Self { trainer: Trainer::new(movements.y, lengths, settings, seed)? })
-    }
-
-    /// The training itself, which knows more than all models have in common.
-    pub fn trainer(&self) -> &Trainer {
-        &self.trainer
     }
 }
 
@@ -42,78 +40,37 @@ impl Learner for VariationalLearner {
         self.trainer.progress().into()
     }
 
-    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
-        let fitted = self.trainer.model()?;
-        Ok(Box::new(VariationalModel::new(fitted, self.trainer.progress().best)?))
+    fn model(&self) -> Result<Model, NumericsError> {
+        Ok(Model::Vcgpdm(Box::new(self.trainer.model()?)))
     }
 }
 
 impl From<TrainingProgress> for LearningProgress {
-    fn from(p: TrainingProgress) -> Self {
+    fn from(progress: TrainingProgress) -> Self {
+        let reason = progress.reason.map(|end| match end {
+            SearchEnd::Settled => EndReason::BoundSettled,
+            SearchEnd::Iterations => EndReason::Iterations,
+        });
         Self {
-            iteration: p.iteration,
-            max_iterations: p.max_iterations,
-            objective: p.bound,
-            best: p.best,
-            done: p.done,
-            reason: p.reason.map(|reason| reason.words("bound")),
-            fraction: p.fraction,
+            iteration: progress.iteration,
+            max_iterations: progress.max_iterations,
+            evaluations: progress.evaluations,
+            objective: progress.bound,
+            best: progress.best,
+            phase: Some(progress.phase),
+            done: progress.done,
+            reason,
+            fraction: progress.fraction,
         }
-    }
-}
-
-/// A fitted variational model under its learned couplings.
-#[derive(Clone, Debug)]
-pub struct VariationalModel {
-    fitted: FittedModel,
-    poser: Poser,
-    bound: f64,
-}
-
-impl VariationalModel {
-    /// `bound` is the one that `fitted` reached, in nats.
-    pub fn new(fitted: FittedModel, bound: f64) -> Result<Self, NumericsError> {
-        let poser = Poser::new(&fitted)?;
-        Ok(Self { fitted, poser, bound })
-    }
-}
-
-impl MovementModel for VariationalModel {
-    fn kind(&self) -> ModelKind {
-        if self.fitted.part_count() == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm }
-    }
-
-    fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        check_frames(frames)?;
-        let roller = Roller::new(&self.fitted, &self.fitted.alpha, Reading::AsLearned)?;
-        let latents = roller.latents(self.fitted.start(sequence)?, frames)?;
-        let parts = latents.iter().enumerate();
-        Ok(parts.map(|(part, x)| self.poser.observations(part, x)).collect())
-    }
-
-    fn stored_numbers(&self) -> usize {
-        self.fitted.stored_numbers()
-    }
-
-    fn bound(&self) -> Option<f64> {
-        Some(self.bound)
-    }
-}
-
-impl FittedModel {
-    /// Inducing inputs, posterior means and kernels of all maps, couplings, and one start.
-    pub fn stored_numbers(&self) -> usize {
-        let poses = self.parts.iter().map(|p| p.r.len() + p.mean.len() + p.kernel.lambda.len() + 1);
-        let experts = self.experts.iter().flatten().map(|e| e.z.len() + e.mean.len() + e.kernel.lambda.len());
-        let start = self.parts.iter().map(|p| self.order * p.r.ncols());
-        poses.sum::<usize>() + experts.sum::<usize>() + self.alpha.len() + start.sum::<usize>()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::kind::ModelKind;
     use crate::models::movements::Sequence;
+    use nalgebra::DMatrix;
 
     fn movements() -> Movements {
         let wave = |lag: f64| {
@@ -125,7 +82,7 @@ mod tests {
         Movements { y: vec![wave(0.0), wave(1.0)], sequences }
     }
 
-    fn learned(movements: Movements) -> Box<dyn MovementModel> {
+    fn learned(movements: Movements) -> Model {
         let settings =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 5, max_iterations: 60 };
         let mut learner = VariationalLearner::new(movements, &settings, 1).unwrap();

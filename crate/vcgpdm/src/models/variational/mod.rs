@@ -1,10 +1,10 @@
-//! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the posterior.
+//! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted model.
 
 pub(crate) mod elbo;
 pub(crate) mod inducing;
 pub(crate) mod learner;
+pub(crate) mod model;
 pub(crate) mod params;
-pub(crate) mod posterior;
 pub(crate) mod start;
 #[cfg(test)]
 pub mod testing;
@@ -12,12 +12,10 @@ pub(crate) mod trainer;
 
 pub use crate::gp::bound::InducingPosterior;
 pub use crate::models::flat::LARGEST_COUPLING;
-pub use elbo::{
-    BoundTerms, DynamicsSums, Objective, Posteriors, Workspace, coupling_weight_matrix, coupling_weights,
-};
+pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, Workspace};
 pub use inducing::InducingError;
-pub use learner::{VariationalLearner, VariationalModel};
+pub use learner::VariationalLearner;
+pub use model::{FittedExpert, PoseMap, Vcgpdm};
 pub use params::{Expert, Params, PartParams};
-pub use posterior::{FittedExpert, FittedModel, PoseMap, Reading};
 pub use start::starting_point;
-pub use trainer::{Trainer, TrainingPhase, TrainingProgress, schedule};
+pub use trainer::{Trainer, TrainingProgress, schedule};

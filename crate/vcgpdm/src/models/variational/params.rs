@@ -41,7 +41,7 @@ pub struct Params {
 }
 
 impl Params {
-    /// M.
+    /// Number of parts M.
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }

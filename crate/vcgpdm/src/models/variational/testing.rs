@@ -3,6 +3,7 @@
 use crate::gp::{Gaussians, Kernel};
 use crate::models::sequences::Sequences;
 use crate::models::variational::elbo::Objective;
+use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::{Expert, Params, PartParams};
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
@@ -54,4 +55,11 @@ pub fn random_case(seed: u64) -> (Params, Objective) {
     let y = d.iter().map(|&d| normal(n, d, 1.0)).collect();
     let objective = Objective::new(y, Sequences::new(lengths, order).unwrap(), 0.0);
     (Params { parts, experts, alpha }, objective)
+}
+
+/// The model fitted to the random problem of that seed.
+pub fn fitted(seed: u64) -> Vcgpdm {
+    let (params, objective) = random_case(seed);
+    let terms = objective.terms(&params).unwrap();
+    Vcgpdm::fit(&objective, &params, terms).unwrap()
 }

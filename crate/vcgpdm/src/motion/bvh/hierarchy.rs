@@ -1,7 +1,7 @@
 //! The HIERARCHY of a file: from words to joints.
 
+use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::Cursor;
-use crate::motion::bvh::{BvhError, BvhProblem};
 use crate::motion::skeleton::{Channel, Joint, MAX_JOINTS, Skeleton};
 
 /// A joint whose closing brace has not come yet.
@@ -14,7 +14,7 @@ struct Open {
 
 /// Reads from the start of the file to the word MOTION, which it takes.
 ///
-/// Open joints are kept on a stack of our own, so that no file can nest deeper than the program's.
+/// Open joints are kept in a vector, not on the call stack, which a deeply nested file could exhaust.
 pub(super) fn read(cursor: &mut Cursor) -> Result<Skeleton, BvhError> {
     cursor.expect("HIERARCHY")?;
     cursor.expect("ROOT")?;

@@ -1,92 +1,15 @@
-//! BVH files: text to [`Clip`](crate::motion::clip::Clip) and back. What a file got wrong is told with its line.
+//! BVH files: text to [`Recording`](crate::motion::Recording), and [`Clip`](crate::motion::Clip) to text. An error names the
+//! file and the line.
 
+mod error;
 mod hierarchy;
 mod motion;
 mod parse;
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;
 mod text;
 mod write;
 
+pub use error::{BvhError, BvhProblem};
 pub use parse::read;
 pub use write::write;
-
-use crate::motion::clip::MAX_VALUES;
-use thiserror::Error;
-
-/// Why a file could not be read, and where.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{file}, line {line}: {problem}")]
-pub struct BvhError {
-    /// The file's name as given to [`read`].
-    pub file: String,
-    /// The line, counted from 1.
-    pub line: usize,
-    /// What is wrong there.
-    pub problem: BvhProblem,
-}
-
-/// What is wrong with a file.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum BvhProblem {
-    /// Something else stands where the format wants something.
-    #[error("expected {expected}, found {found}")]
-    Expected {
-        /// What should stand there.
-        expected: String,
-        /// What stands there.
-        found: String,
-    },
-    /// A second ROOT.
-    #[error("expected MOTION, found a second ROOT: a clip of one body is expected, please split the file")]
-    SecondRoot,
-    /// More joints than any body has.
-    #[error("expected at most {max} joints and as many end sites, found more")]
-    TooManyJoints {
-        /// The limit.
-        max: usize,
-    },
-    /// More numbers than can be meant.
-    #[error("expected at most {MAX_VALUES} values in all, found {frames} frames of {channels} channels")]
-    TooManyValues {
-        /// Frames declared or found.
-        frames: usize,
-        /// Channels of one frame.
-        channels: usize,
-    },
-    /// The rows are far from as many as the header declares.
-    #[error("expected {declared} rows as \"Frames:\" declares, found {found}")]
-    RowCount {
-        /// Rows declared.
-        declared: usize,
-        /// Rows found.
-        found: usize,
-    },
-    /// A row that is too short or too long.
-    #[error("expected {expected} values in the row of frame {frame}, found {found}")]
-    RowLength {
-        /// The frame, counted from 1.
-        frame: usize,
-        /// Channels of the skeleton.
-        expected: usize,
-        /// Numbers in the row.
-        found: usize,
-    },
-}
-
-impl BvhProblem {
-    /// "expected this, found that", with the word shortened and quoted.
-    fn expected(expected: &str, found: Option<&str>) -> BvhProblem {
-        let found = found.map_or("the end of the file".to_owned(), quoted);
-        BvhProblem::Expected { expected: expected.to_owned(), found }
-    }
-}
-
-/// A word of the file for a message: quoted, escaped, cut to a readable length.
-fn quoted(word: &str) -> String {
-    const LONGEST: usize = 40;
-    if word.chars().count() <= LONGEST {
-        return format!("{word:?}");
-    }
-    format!("{:?}", word.chars().take(LONGEST).chain(['…']).collect::<String>())
-}

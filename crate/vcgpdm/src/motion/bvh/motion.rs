@@ -1,7 +1,7 @@
 //! The MOTION of a file: the header's two numbers, then the rows.
 
+use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::{Cursor, finite, is_blank, not_a_number};
-use crate::motion::bvh::{BvhError, BvhProblem};
 use crate::motion::clip::MAX_VALUES;
 
 /// The rows of a file.

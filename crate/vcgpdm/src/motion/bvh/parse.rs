@@ -1,7 +1,8 @@
 //! A whole file: bytes to recording, with what was odd about it.
 
+use crate::motion::bvh::error::{BvhError, BvhProblem, quoted};
 use crate::motion::bvh::text::{Cursor, decode};
-use crate::motion::bvh::{BvhError, BvhProblem, hierarchy, motion};
+use crate::motion::bvh::{hierarchy, motion};
 use crate::motion::clip::sha256;
 use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
@@ -101,7 +102,7 @@ fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
 
 /// The first few names, quoted.
 fn listed(names: &[&str]) -> String {
-    let mut text: Vec<String> = names.iter().take(3).map(|name| crate::motion::bvh::quoted(name)).collect();
+    let mut text: Vec<String> = names.iter().take(3).map(|name| quoted(name)).collect();
     if names.len() > 3 {
         text.push("…".to_owned());
     }

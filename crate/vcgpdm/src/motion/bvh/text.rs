@@ -1,6 +1,6 @@
 //! From bytes to words with their lines: encodings, line ends, numbers.
 
-use crate::motion::bvh::{BvhError, BvhProblem};
+use crate::motion::bvh::error::{BvhError, BvhProblem};
 
 /// The text of a file, and a warning when its encoding was not UTF-8.
 pub(super) fn decode(bytes: &[u8]) -> (String, Option<String>) {

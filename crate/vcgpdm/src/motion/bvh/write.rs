@@ -13,7 +13,7 @@ pub fn write(clip: &Clip) -> String {
 }
 
 impl Clip {
-    /// A motion that was made, not recorded. Its hash is that of the text that [`write`] gives.
+    /// A motion that was made, not recorded. Its hash is that of the text that [`write()`] gives.
     ///
     /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
     pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
@@ -31,7 +31,7 @@ impl Clip {
 }
 
 impl Recording {
-    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write`] would give.
+    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write()`] would give.
     ///
     /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
     pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Recording {

@@ -1,15 +1,39 @@
-//! Splits of a body that need no hand: whole, lower and upper, legs with trunk and arms.
+//! Splits of a body that are found automatically: whole, lower and upper, legs with trunk and arms.
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
-use crate::motion::parts::{PartSpec, PartsPreset};
+use crate::motion::parts::spec::PartSpec;
 use crate::motion::skeleton::Skeleton;
+use serde::Serialize;
 
-/// The ways to split a body that its joints' names, or else its shape, tell: always "whole"; "lower-upper" where legs were
-/// found; "legs-trunk-arms" where arms were found too.
+/// A usual way to split a body.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PartsPreset {
+    /// "whole", "lower-upper" or "legs-trunk-arms".
+    pub id: String,
+    /// Its title for a person to read.
+    pub title: String,
+    /// The parts; each joint is in one of them.
+    pub parts: Vec<PartSpec>,
+}
+
+/// The ways to split a body that follow from the names of its joints, or else from its shape: always "whole";
+/// "lower-upper" where legs were found; "legs-trunk-arms" where arms were found too.
+///
+/// ```
+/// use vcgpdm::motion::{parts, samples};
+///
+/// let clip = samples::clip("walk-1").ok_or("no such sample")?;
+/// let presets = parts::presets(&clip.skeleton);
+/// let ids: Vec<&str> = presets.iter().map(|preset| preset.id.as_str()).collect();
+/// assert_eq!(ids, ["whole", "lower-upper", "legs-trunk-arms"]);
+/// let names: Vec<&str> = presets[1].parts.iter().map(|part| part.name.as_str()).collect();
+/// assert_eq!(names, ["lower", "upper"]);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
-    let all: Vec<usize> = (0..skeleton.joints.len()).collect();
-    let mut presets = vec![preset("whole", "Whole body", vec![("body", all)])];
+    let every_joint: Vec<usize> = (0..skeleton.joints.len()).collect();
+    let mut presets = vec![preset("whole", "Whole body", vec![("body", every_joint)])];
     let Some(anatomy) = Anatomy::of(skeleton) else { return presets };
     let leg = |region: Region| matches!(region, Region::Leg(_));
     let hips = hips(skeleton, &anatomy);
@@ -34,7 +58,7 @@ pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
             ("left arm", anatomy.joints(Region::Arm(Side::Left))),
             ("right arm", anatomy.joints(Region::Arm(Side::Right))),
         ];
-        // A body whose arms hang on its hips has no trunk to speak of.
+        // A body whose arms hang on its hips has no trunk.
         let parts = parts.into_iter().filter(|(_, joints)| !joints.is_empty()).collect();
         presets.push(preset("legs-trunk-arms", "Legs, trunk, left arm, right arm", parts));
     }
@@ -46,7 +70,8 @@ fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset 
     PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }
 }
 
-/// The root, and what lies between it and the legs unless it is called a part of the back.
+/// For each joint, whether it belongs to the hips: the root, and what lies between it and the legs unless its name is that of
+/// a part of the back.
 fn hips(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<bool> {
     let mut bears_legs = vec![false; skeleton.joints.len()];
     for (place, joint) in skeleton.joints.iter().enumerate().rev() {

@@ -2,6 +2,9 @@
 
 use super::*;
 use crate::motion::clip::Clip;
+use crate::motion::pose::PoseMapping;
+use crate::motion::skeleton::Skeleton;
+use nalgebra::DMatrix;
 
 /// A body as BVH text from lines "name parent x y z"; z up if asked for.
 fn body(joints: &[(&str, Option<usize>, [f64; 3])]) -> Skeleton {

@@ -1,21 +1,26 @@
-//! Rows of Y back to clips and to places on the stage.
+//! Rows of Y back to clips and to positions on the stage.
 
 use crate::motion::clip::Clip;
+use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS};
+use crate::motion::pose::root;
 use crate::motion::pose::root::{RootPose, RootStart};
-use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
 use crate::motion::rotation;
 use crate::motion::skeleton::WorldPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 
-/// No angle and no step is larger; squares of larger numbers may overflow.
+/// The largest size of a number in a row; squares of larger ones could overflow.
 const LARGEST: f64 = 1e9;
 
 impl PoseMapping {
-    /// The motion that rows of Y [frames x columns] tell, set out from `start`: the inverse of
-    /// [`PoseMapping::encode`]. Each joint gets its own channels back, its angles without jumps where they can be.
+    /// The motion of rows of Y [frames x columns] that begins at `start`, `frame_time` seconds a frame: the inverse of
+    /// [`PoseMapping::encode`]. Each joint gets its own channels back, with angles that do not jump where that is possible.
     ///
-    /// Channels that a joint does not have cannot be shown: a joint with one angle gets the part of its rotation about that
-    /// axis.
+    /// A joint with fewer than three angles gets the part of its rotation that they can express.
+    ///
+    /// # Errors
+    ///
+    /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`] for numbers that
+    /// are not finite or too large.
     pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
         self.check(y, start)?;
         let mut values = DMatrix::zeros(y.nrows(), self.skeleton.channel_count());
@@ -45,8 +50,12 @@ impl PoseMapping {
         Ok(Clip::new("motion.bvh", self.skeleton.clone(), frame_time, values))
     }
 
-    /// Stage positions [frames x nodes x 3] of the motion that rows of Y tell, straight from the rotation vectors: y up,
+    /// Stage positions [frames x nodes x 3] of the motion of rows of Y, computed directly from the rotation vectors: y up,
     /// metres, the body 1.7 m tall, the ground where the mapping's clip has it.
+    ///
+    /// # Errors
+    ///
+    /// As [`PoseMapping::decode`].
     pub fn decode_positions(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<Vec<f32>, PoseError> {
         self.check(y, start)?;
         let nodes = self.skeleton.figure().len();

@@ -1,29 +1,35 @@
 //! Clips to rows of Y.
 
 use crate::motion::clip::Clip;
+use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS, mean_positions};
+use crate::motion::pose::root;
 use crate::motion::pose::root::{RootPose, RootStart};
-use crate::motion::pose::{PoseError, PoseMapping, ROOT_COLUMNS, root};
 use crate::motion::rotation;
 use crate::motion::skeleton::LocalPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
-/// A clip as a model sees it.
+/// A clip as rows of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoded {
     /// Poses [frames x columns of the mapping].
     pub y: DMatrix<f64>,
-    /// Where the clip sets out: with `y`, all of the motion.
+    /// Where the clip starts. Together with `y` it determines the whole motion.
     pub start: RootStart,
-    /// What the rows cannot hold, in words.
+    /// What of the clip the rows cannot hold, in words.
     pub warnings: Vec<String>,
 }
 
-/// Positions that vary by less than this part of the body's height are constant.
+/// Positions that vary by less than this share of the body's height count as constant.
 const STILL: f64 = 1e-3;
 
 impl PoseMapping {
-    /// Turns a clip of the same body into rows of Y. The clip may have other channels than the mapping's body.
+    /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than the mapping's
+    /// body.
+    ///
+    /// # Errors
+    ///
+    /// [`PoseError::Body`] when the clip shows another body.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -69,42 +75,9 @@ impl PoseMapping {
     }
 }
 
-/// The rotation vector that continues `previous`: the nearest one, unless even that is a leap. Sensors that flip over would
-/// otherwise wind a joint up turn by turn.
+/// The rotation vector that continues `previous`: the nearest one, unless even that is far away. Otherwise a sensor that
+/// flips over would wind the joint up, turn by turn.
 fn next_rotation(rotation: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
     let near = rotation::log_near(rotation, previous);
     if (near - previous).norm() > FRAC_PI_2 { rotation::log(rotation) } else { near }
-}
-
-/// The mean place of each joint in its parent's frame, and the most that it strays from there in any axis.
-pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
-    let mut means = Vec::new();
-    let mut spreads = Vec::new();
-    let mut column = 0;
-    for joint in &clip.skeleton.joints {
-        let (mut mean, mut spread) = (joint.offset, 0.0_f64);
-        for channel in &joint.channels {
-            if !channel.is_rotation() && clip.frames() > 0 {
-                let values = clip.values.column(column);
-                // Relative to the first value, so that a constant channel comes out exactly.
-                let first = values[0];
-                let average =
-                    first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64;
-                mean[channel.axis()] = average;
-                spread = values.iter().map(|value| (value - average).abs()).fold(spread, f64::max);
-            }
-            column += 1;
-        }
-        means.push(mean);
-        spreads.push(spread);
-    }
-    (means, spreads)
-}
-
-/// The rotation vector of each joint in the first frame, |r| <= pi; the root's is not used.
-pub(super) fn first_rotations(clip: &Clip) -> Vec<[f64; 3]> {
-    if clip.frames() == 0 {
-        return vec![[0.0; 3]; clip.skeleton.joints.len()];
-    }
-    clip.local_pose(0).rotations.iter().map(|rotation| rotation::log(rotation).into()).collect()
 }

@@ -1,171 +1,17 @@
-//! Joint rotations and root to rows of Y and back.
+//! Poses as rows of numbers Y that a model can learn from, and back.
 //!
-//! A row holds, for the root, what does not depend on where the body is and which way it faces, and for each other
+//! A row holds six numbers of the root that do not depend on where the body is and which way it faces, and for each other
 //! joint its rotation vector (exponential map). See [`PoseMapping`].
 
 mod decode;
 mod encode;
+mod mapping;
 mod root;
 mod stored;
-#[cfg(test)]
-mod tests;
 
 pub use encode::Encoded;
+pub use mapping::{Column, ColumnKind, PoseError, PoseMapping};
 pub use root::RootStart;
 
-use crate::motion::clip::Clip;
-use crate::motion::same_body::BodyMismatch;
-use crate::motion::skeleton::Skeleton;
-use crate::motion::stage::Stage;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use thiserror::Error;
-
-/// What one column of Y holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ColumnKind {
-    /// Change of the root's heading since the frame before, radians, to the left positive.
-    YawRate,
-    /// Displacement since the frame before along the heading, in leg lengths.
-    Forward,
-    /// Displacement since the frame before to the left of the heading, in leg lengths.
-    Sideways,
-    /// Height of the root, in leg lengths.
-    Height,
-    /// Rotation of the root about its left, after the heading, radians; forward positive.
-    Pitch,
-    /// Rotation of the root about its front, after heading and pitch, radians.
-    Roll,
-    /// A component (0, 1, 2) of a joint's rotation vector in its parent's frame, radians.
-    Rotation(usize),
-}
-
-/// One column of Y.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// The joint it belongs to.
-    pub joint: usize,
-    /// What it holds.
-    pub kind: ColumnKind,
-}
-
-/// Columns of the root, always the first.
-pub(crate) const ROOT_COLUMNS: [ColumnKind; 6] = [
-    ColumnKind::YawRate,
-    ColumnKind::Forward,
-    ColumnKind::Sideways,
-    ColumnKind::Height,
-    ColumnKind::Pitch,
-    ColumnKind::Roll,
-];
-
-/// Why poses could not be turned into numbers or back.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum PoseError {
-    /// The clip shows another body.
-    #[error("{clip}: not the same skeleton as the first clip: {reason}")]
-    Body {
-        /// The clip.
-        clip: String,
-        /// The difference.
-        reason: BodyMismatch,
-    },
-    /// Rows of another width.
-    #[error("expected {expected} columns, found {found}")]
-    Columns {
-        /// Columns of the mapping.
-        expected: usize,
-        /// Columns given.
-        found: usize,
-    },
-    /// NaN, an infinity or a number of absurd size in a row.
-    #[error("frame {frame}, column {column}: expected a number from -1e9 to 1e9, found {found}")]
-    NotFinite {
-        /// The frame, counted from 0.
-        frame: usize,
-        /// The column, counted from 0.
-        column: usize,
-        /// What stands there.
-        found: f64,
-    },
-    /// Where a motion sets out, with numbers that cannot be used.
-    #[error("{field}: expected {expected}")]
-    Field {
-        /// The field.
-        field: &'static str,
-        /// What it should be.
-        expected: String,
-    },
-}
-
-/// How poses of one body become rows of Y, and back: all that a rollout needs to know about the body.
-///
-/// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the file's world
-/// to y up, and R0 the one of the 24 axis-aligned rotations that stands the body of the clip upright, facing z: whatever
-/// axes its root has, yaw is then its heading and pitch and roll are near zero. Displacements and height are in leg
-/// lengths, taken as half the body's height: a step is then as large as the angle that the leg sweeps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PoseMapping {
-    /// The body.
-    skeleton: Skeleton,
-    /// Up axis, height and ground of the clip.
-    stage: Stage,
-    /// R0 as a quaternion [w, x, y, z].
-    upright: [f64; 4],
-    /// The place of each joint in its parent's frame, file units: its offset, or the mean of its position channels.
-    positions: Vec<[f64; 3]>,
-    /// The rotation vector of each joint in the first frame: clips begin on the branch nearest to it.
-    first: Vec<[f64; 3]>,
-}
-
-impl PoseMapping {
-    /// The mapping for the body of a clip.
-    pub fn new(clip: &Clip) -> PoseMapping {
-        let stage = clip.stage();
-        PoseMapping {
-            skeleton: clip.skeleton.clone(),
-            stage,
-            upright: root::upright(clip, stage.up),
-            positions: encode::mean_positions(clip).0,
-            first: encode::first_rotations(clip),
-        }
-    }
-
-    /// The body.
-    pub fn skeleton(&self) -> &Skeleton {
-        &self.skeleton
-    }
-
-    /// Up axis, height and ground.
-    pub fn stage(&self) -> &Stage {
-        &self.stage
-    }
-
-    /// The columns of Y: six of the root, then three of each other joint, in the order of the joints.
-    pub fn columns(&self) -> Vec<Column> {
-        let root = ROOT_COLUMNS.into_iter().map(|kind| Column { joint: 0, kind });
-        let others = (1..self.skeleton.joints.len())
-            .flat_map(|joint| (0..3).map(move |axis| Column { joint, kind: ColumnKind::Rotation(axis) }));
-        root.chain(others).collect()
-    }
-
-    /// The number of columns of Y.
-    pub fn column_count(&self) -> usize {
-        ROOT_COLUMNS.len() + 3 * (self.skeleton.joints.len() - 1)
-    }
-
-    /// A leg's length in file units, in which displacements and height are given.
-    fn leg(&self) -> f64 {
-        0.5 * self.stage.height
-    }
-
-    /// R0.
-    fn upright(&self) -> UnitQuaternion<f64> {
-        let [w, x, y, z] = self.upright;
-        UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
-    }
-
-    /// The places of the joints in their parents' frames.
-    fn local_positions(&self) -> Vec<Vector3<f64>> {
-        self.positions.iter().map(|place| Vector3::from(*place)).collect()
-    }
-}
+#[cfg(test)]
+mod tests;

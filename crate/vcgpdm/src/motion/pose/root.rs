@@ -1,4 +1,4 @@
-//! The root without its heading: from place and orientation to rates, and back.
+//! The root: from its place and orientation to rates that do not depend on its heading, and back.
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::clip::Clip;
@@ -7,7 +7,7 @@ use crate::motion::rotation;
 use crate::motion::stage::UpAxis;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// Where a motion sets out: what its rows leave open.
+/// Where a motion starts, which its rows leave open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootStart {
     /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used: rows hold it.
@@ -36,23 +36,23 @@ impl RootPose {
 }
 
 /// Angles of a sequence of orientations, without jumps: each the solution nearest to the one before. The first is the one
-/// with the smaller pitch and roll, whatever the heading.
+/// with the smaller pitch and roll, whatever its heading is.
 pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternion<f64>>) -> Vec<[f64; 3]> {
     let mut angles: Vec<[f64; 3]> = Vec::new();
     for orientation in orientations {
         let next = match angles.last() {
             Some(previous) => rotation::euler_near(&orientation, YXZ, *previous),
             None => {
-                let one = rotation::euler_near(&orientation, YXZ, [0.0; 3]);
+                let first = rotation::euler_near(&orientation, YXZ, [0.0; 3]);
                 // The other solution, reached from where it lies.
                 let turned = [
-                    one[0] + std::f64::consts::PI,
-                    std::f64::consts::PI - one[1],
-                    one[2] + std::f64::consts::PI,
+                    first[0] + std::f64::consts::PI,
+                    std::f64::consts::PI - first[1],
+                    first[2] + std::f64::consts::PI,
                 ];
                 let other = [turned[0], rotation::wrapped(turned[1]), rotation::wrapped(turned[2])];
                 let tilt = |angles: &[f64; 3]| angles[1].hypot(angles[2]);
-                if tilt(&other) < tilt(&one) { other } else { one }
+                if tilt(&other) < tilt(&first) { other } else { first }
             }
         };
         angles.push(next);
@@ -60,7 +60,7 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
     angles
 }
 
-/// Rows [frames x 6] of a sequence of root poses, in the order of [`crate::motion::pose::ROOT_COLUMNS`].
+/// Rows [frames x 6] of a sequence of root poses, in the order of [`super::mapping::ROOT_COLUMNS`].
 ///
 /// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t - p_{t-1})`. Row 0,
 /// which has no frame before it, repeats the rates of row 1.
@@ -79,7 +79,7 @@ pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
     rows
 }
 
-/// The inverse of [`rows`]: the pose after `before` that a row tells; the first row's rates are not looked at.
+/// The inverse of [`rows`]: the pose that follows `before`. The rates of the first row are not used.
 pub(super) fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> RootPose {
     let [yaw_rate, forward, sideways, height, pitch, roll] = *row;
     let (yaw, mut place) = match before {
@@ -93,7 +93,7 @@ pub(super) fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootP
     RootPose { place, angles: [yaw, pitch, roll] }
 }
 
-/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that stands the body of the clip upright, facing z
+/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that turns the body of the clip upright, facing z
 /// with its left along x.
 pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     let turn = up.to_y_up();

@@ -1,11 +1,11 @@
-//! A mapping as it stands in a document.
+//! A mapping in a document.
 
 use crate::json::{Field, FieldError, Value};
-use crate::motion::pose::PoseMapping;
+use crate::motion::pose::mapping::PoseMapping;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use crate::motion::stage::{Stage, UpAxis};
 
-/// Beyond this size no product of numbers stays finite for sure.
+/// The largest size of a number; products of larger ones could overflow.
 const LARGEST: f64 = 1e12;
 
 impl PoseMapping {
@@ -25,7 +25,7 @@ impl PoseMapping {
         ])
     }
 
-    /// Reads a mapping; only one of a whole body that can be drawn and moved is accepted.
+    /// Reads a mapping, and checks that its body is complete and can be drawn and moved.
     pub(crate) fn from_field(field: Field) -> Result<PoseMapping, FieldError> {
         let mut mapping = field.object()?;
         let field = mapping.get("skeleton")?;

@@ -1,13 +1,15 @@
 //! Rows of Y against what they stand for.
 
+use super::mapping::ROOT_COLUMNS;
 use super::*;
 use crate::json::Field;
+use crate::motion::clip::Clip;
 use crate::motion::rotation;
-use crate::motion::skeleton::{Channel, Joint};
+use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use crate::motion::stage::UpAxis;
 use crate::motion::testing::any_clip;
 use approx::assert_abs_diff_eq;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
 /// A person with named legs and arms who walks round a circle, 40 frames at 30 a second; the root's angles in the order

@@ -1,5 +1,5 @@
-//! The clips that ship with the page. They are made here, not stored: a procedural walker built from published gait curves
-//! and body proportions, several trials of two movements, each with natural variation. The same on every machine.
+//! Sample clips that the project makes itself: several trials of two movements by a procedural walker, built from published
+//! gait curves and body proportions, each with natural variation. They are computed, not stored, and the same on every machine.
 
 mod body;
 mod gait;
@@ -13,7 +13,7 @@ use walker::Arms;
 /// A clip that this project makes itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct SampleInfo {
-    /// What [`clip`] knows it by.
+    /// The id by which [`clip`] finds it.
     pub id: &'static str,
     /// For a person to read.
     pub title: &'static str,
@@ -54,7 +54,16 @@ pub fn list() -> Vec<SampleInfo> {
     RECIPES.iter().map(|recipe| recipe.info).collect()
 }
 
-/// Makes a sample clip (60 frames a second, centimetres, y up); `None` when there is none of that id.
+/// Makes the sample clip of that id (60 frames a second, centimetres, y up); `None` where no sample has it.
+///
+/// ```
+/// use vcgpdm::motion::samples;
+///
+/// let walks: Vec<_> = samples::list().into_iter().filter(|info| info.movement == "walk").collect();
+/// assert_eq!((walks.len(), walks[0].id), (6, "walk-1"));
+/// assert!(samples::clip("walk-1").is_some_and(|clip| clip.frames() == 252));
+/// assert!(samples::clip("run-1").is_none());
+/// ```
 pub fn clip(id: &str) -> Option<Clip> {
     let recipe = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
     let skeleton = body::skeleton();
@@ -103,8 +112,8 @@ mod tests {
 
     #[test]
     fn there_are_enough_trials_and_each_is_found_by_its_id() {
-        let of = |movement| list().iter().filter(|info| info.movement == movement).count();
-        assert!(of("walk") >= 5 && of("walk and wave") >= 3);
+        let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
+        assert!(trials("walk") >= 5 && trials("walk and wave") >= 3);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
         assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
         assert!(clip("walk-0").is_none());

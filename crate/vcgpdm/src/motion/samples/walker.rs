@@ -13,7 +13,7 @@ use rand_chacha::rand_core::SeedableRng;
 pub(super) const RATE: f64 = 60.0;
 /// Steps of the integration in a frame.
 const SUBSTEPS: usize = 4;
-/// How sharply the ground tells the lowest points of the soles from the others, centimetres.
+/// How sharply the ground separates the lowest points of the soles from the others, centimetres.
 const SOFTNESS: f64 = 0.7;
 
 /// What the arms do.

@@ -3,7 +3,7 @@
 //! log p = sum_i log N(Y^i; 0, K^i + beta^i I) + sum_i log N(x^i_t, t >= p; 0, sum_j w_ji^2 K^{ji} + alpha^i I)
 //!       + sum over t < p of log N(x^i_t; 0, I)
 //!
-//! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, 1 to 3): the functions f^{ji} are
+//! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, equations 1 and 2): the functions f^{ji} are
 //! marginalised, so the experts into a part add up to one covariance over all frames with a history. The prior of the
 //! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
 //!
@@ -11,10 +11,10 @@
 //! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
 
 use crate::gp::{Kernel, NumericsError};
+use crate::models::couplings::coupling_weights;
 use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
 use crate::models::map::params::MapParams;
 use crate::models::sequences::Sequences;
-use crate::models::variational::coupling_weights;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -24,9 +24,9 @@ const DYNAMICS: &str = "covariance of the dynamics";
 /// The terms of the log density, in nats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapTerms {
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part, balanced where that was asked for [M].
+    /// The dynamics into each part, balanced where that was asked for `[M]`.
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,
@@ -82,6 +82,10 @@ impl LogDensity {
     }
 
     /// The terms of the log density at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the density is not finite.
     pub fn terms(&self, params: &MapParams) -> Result<MapTerms, NumericsError> {
         let histories = self.histories(params);
         let (mut kinematics, mut dynamics) = (Vec::new(), Vec::new());
@@ -95,6 +99,10 @@ impl LogDensity {
     }
 
     /// The terms at `params` and the gradient of their sum with respect to the natural parameters.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the density is not finite.
     pub fn terms_and_gradient(&self, params: &MapParams) -> Result<(MapTerms, MapParams), NumericsError> {
         let mut gradient = params.zeros_like();
         let histories = self.histories(params);

@@ -5,12 +5,14 @@ use crate::models::flat::Group;
 use crate::models::latents::{
     check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
 };
-use crate::models::learner::{Learner, LearningProgress, MovementModel};
+use crate::models::learner::Learner;
 use crate::models::map::density::{LogDensity, MapTerms};
 use crate::models::map::model::MapModel;
 use crate::models::map::params::{MapParams, MapPart};
+use crate::models::model::Model;
 use crate::models::movements::Movements;
-use crate::models::search::ascent::{Ascent, Phase, Target};
+use crate::models::progress::{EndReason, LearningProgress};
+use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::sequences::Sequences;
 use crate::models::settings::MapSettings;
 use crate::models::training_error::TrainingError;
@@ -55,6 +57,10 @@ pub struct MapLearner {
 
 impl MapLearner {
     /// Ready to train. A sequence that is not whole is a short one like any other.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, or the movements cannot be learned from.
     pub fn new(movements: Movements, settings: &MapSettings, seed: u32) -> Result<Self, TrainingError> {
         let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
         let params = starting_point(&movements, &sequences, settings, seed);
@@ -89,6 +95,10 @@ impl MapLearner {
     }
 
     /// The model of the best density so far.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<MapModel, NumericsError> {
         let search = self.ascent.search();
         MapModel::fit(&search.target.density, &search.best_parameters())
@@ -132,11 +142,25 @@ impl Learner for MapLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        self.ascent.progress("density")
+        let (ascent, search) = (&self.ascent, self.ascent.search());
+        LearningProgress {
+            iteration: ascent.iteration(),
+            max_iterations: ascent.max_iterations(),
+            evaluations: 0,
+            objective: ascent.value(),
+            best: search.best,
+            phase: None,
+            done: ascent.reason().is_some(),
+            reason: ascent.reason().map(|end| match end {
+                SearchEnd::Settled => EndReason::DensitySettled,
+                SearchEnd::Iterations => EndReason::Iterations,
+            }),
+            fraction: ascent.fraction(),
+        }
     }
 
-    fn model(&self) -> Result<Box<dyn MovementModel>, NumericsError> {
-        Ok(Box::new(self.fitted()?))
+    fn model(&self) -> Result<Model, NumericsError> {
+        Ok(Model::Map(Box::new(self.fitted()?)))
     }
 }
 

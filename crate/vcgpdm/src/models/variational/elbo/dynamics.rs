@@ -1,11 +1,12 @@
 //! The dynamics into one part: the collapsed bound of all experts about it, stacked and weighted by the couplings.
 
-use crate::gp::bound::{BoundRoom, InducingPosterior, SparseGp};
+use crate::gp::bound::{BoundWorkspace, InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
-use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
+use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::variational::elbo::Objective;
+use crate::models::couplings::coupling_weights_into;
+use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 
@@ -18,30 +19,6 @@ pub struct DynamicsSums {
     pub psi2: DMatrix<f64>,
     /// psi1^{jT} mu_t [sum K x Q_i].
     pub psi1_mu: DMatrix<f64>,
-}
-
-/// alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji} for the column `alpha` of one target.
-pub fn coupling_weights(alpha: &[f64]) -> (f64, Vec<f64>) {
-    let mut weights = vec![0.0; alpha.len()];
-    (coupling_weights_into(alpha, &mut weights), weights)
-}
-
-/// As [`coupling_weights`]: gives alpha^i, and the weights in a vector that is there.
-fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
-    let combined = 1.0 / alpha.iter().map(|a| 1.0 / a).sum::<f64>();
-    for (w, a) in weights.iter_mut().zip(alpha) {
-        *w = combined / a;
-    }
-    combined
-}
-
-/// The weights w[source][target] that coupling variances alpha[source][target] give [M x M]; those into each part sum to 1.
-pub fn coupling_weight_matrix(alpha: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut weights = alpha.clone();
-    for (mut column, alpha) in weights.column_iter_mut().zip(alpha.column_iter()) {
-        coupling_weights_into(alpha.as_slice(), column.as_mut_slice());
-    }
-    weights
 }
 
 /// Where blocks of these heights start when stacked; one entry more than there are blocks.
@@ -117,7 +94,7 @@ pub struct Dynamics {
     psi2: DMatrix<f64>,
     b: DMatrix<f64>,
     psi0: f64,
-    room: BoundRoom,
+    room: BoundWorkspace,
 }
 
 impl Dynamics {
@@ -156,7 +133,7 @@ impl Dynamics {
             psi2: DMatrix::zeros(total, total),
             b: DMatrix::zeros(total, latent),
             psi0: 0.0,
-            room: BoundRoom::new(total, latent),
+            room: BoundWorkspace::new(total, latent),
         }
     }
 
@@ -167,7 +144,7 @@ impl Dynamics {
         params: &Params,
         histories: &[Gaussians],
         purpose: Purpose,
-        rooms: &mut [PairRoom],
+        rooms: &mut [PairWorkspace],
     ) {
         let i = self.target;
         self.noise = coupling_weights_into(params.alpha.column(i).as_slice(), &mut self.weights);
@@ -205,7 +182,7 @@ impl Dynamics {
     }
 
     /// The bound and the room to compute it in, apart.
-    fn gp(&mut self) -> (SparseGp<'_>, &mut BoundRoom) {
+    fn gp(&mut self) -> (SparseGp<'_>, &mut BoundWorkspace) {
         let gp = SparseGp {
             k: &self.k,
             psi2: &self.psi2,
@@ -240,7 +217,7 @@ impl Dynamics {
         objective: &Objective,
         params: &Params,
         histories: &[Gaussians],
-        rooms: &mut [PairRoom],
+        rooms: &mut [PairWorkspace],
         gradient: &mut Params,
         histories_adjoint: &mut [Gaussians],
     ) -> Result<f64, NumericsError> {

@@ -1,11 +1,11 @@
 //! The kinematics of one part: the collapsed bound of its pose map.
 
 use crate::gp::NumericsError;
-use crate::gp::bound::{BoundRoom, InducingPosterior, SparseGp};
+use crate::gp::bound::{BoundWorkspace, InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
-use crate::gp::psi::{PairRoom, PsiAdjoint, PsiStatistics, Purpose};
+use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
-use crate::models::variational::elbo::Objective;
+use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 
@@ -15,7 +15,7 @@ pub struct Kinematics {
     statistics: PsiStatistics,
     /// psi1^T Y [L x D].
     b: DMatrix<f64>,
-    room: BoundRoom,
+    room: BoundWorkspace,
     /// dF/db^T [D x L].
     b_adjoint: DMatrix<f64>,
     /// dF/dpsi1 [N x L].
@@ -31,7 +31,7 @@ impl Kinematics {
             k: DMatrix::zeros(ips, ips),
             statistics: PsiStatistics::new(frames, ips, latent),
             b: DMatrix::zeros(ips, columns),
-            room: BoundRoom::new(ips, columns),
+            room: BoundWorkspace::new(ips, columns),
             b_adjoint: DMatrix::zeros(columns, ips),
             psi1_adjoint: DMatrix::zeros(frames, ips),
             kernel_adjoint: KernelAdjoint::zeros(ips, latent),
@@ -45,7 +45,7 @@ impl Kinematics {
         params: &Params,
         i: usize,
         purpose: Purpose,
-        room: &mut PairRoom,
+        room: &mut PairWorkspace,
     ) {
         let part = &params.parts[i];
         part.kernel.inducing_covariance_into(&part.r, objective.jitter, &mut self.k);
@@ -55,7 +55,12 @@ impl Kinematics {
     }
 
     /// The bound and the room to compute it in, apart.
-    fn gp(&mut self, objective: &Objective, params: &Params, i: usize) -> (SparseGp<'_>, &mut BoundRoom) {
+    fn gp(
+        &mut self,
+        objective: &Objective,
+        params: &Params,
+        i: usize,
+    ) -> (SparseGp<'_>, &mut BoundWorkspace) {
         let gp = SparseGp {
             k: &self.k,
             psi2: &self.statistics.psi2,
@@ -90,7 +95,7 @@ impl Kinematics {
         objective: &Objective,
         params: &Params,
         i: usize,
-        room: &mut PairRoom,
+        room: &mut PairWorkspace,
         gradient: &mut Params,
     ) -> Result<f64, NumericsError> {
         let (gp, bound_room) = self.gp(objective, params, i);

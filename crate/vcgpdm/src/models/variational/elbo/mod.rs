@@ -1,20 +1,21 @@
-//! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix A).
+//! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix C).
 //!
 //! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of [`crate::gp::bound`]
 //! fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked backwards.
 
 mod dynamics;
 mod kinematics;
+mod objective;
 
 use crate::gp::bound::InducingPosterior;
-use crate::gp::psi::{PairRoom, Purpose};
+use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::sequences::Sequences;
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
-pub use dynamics::{DynamicsSums, coupling_weight_matrix, coupling_weights, stack_offsets};
+pub use dynamics::{DynamicsSums, stack_offsets};
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
+pub use objective::Objective;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -22,9 +23,9 @@ use std::f64::consts::TAU;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BoundTerms {
-    /// The pose map of each part [M].
+    /// The pose map of each part `[M]`.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part [M].
+    /// The dynamics into each part `[M]`.
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,
@@ -39,23 +40,14 @@ impl BoundTerms {
     }
 }
 
-/// What the bound is computed on: centred observations and how they divide into sequences.
-#[derive(Clone, Debug)]
-pub struct Objective {
-    y: Vec<DMatrix<f64>>,
-    second_moments: Vec<f64>,
-    sequences: Sequences,
-    jitter: f64,
-}
-
 /// The optimal posteriors of all inducing outputs.
 #[derive(Clone, Debug)]
 pub struct Posteriors {
-    /// q(v^i) [M].
+    /// q(v^i) `[M]`.
     pub kinematics: Vec<InducingPosterior>,
-    /// q(u) into each target, its sources stacked in order [M].
+    /// q(u) into each target, its sources stacked in order `[M]`.
     pub dynamics: Vec<InducingPosterior>,
-    /// What q(u) was computed from [M].
+    /// What q(u) was computed from `[M]`.
     pub sums: Vec<DynamicsSums>,
 }
 
@@ -68,7 +60,7 @@ pub struct Workspace {
     kinematics: Vec<Kinematics>,
     dynamics: Vec<Dynamics>,
     /// One for each source of a target at a time.
-    rooms: Vec<PairRoom>,
+    rooms: Vec<PairWorkspace>,
 }
 
 impl Workspace {
@@ -85,28 +77,6 @@ impl Workspace {
 }
 
 impl Objective {
-    /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added to the diagonal of
-    /// every inducing covariance. The matrices must have as many rows as the sequences have frames.
-    pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, jitter: f64) -> Self {
-        let second_moments = y.iter().map(|y| y.norm_squared()).collect();
-        Self { y, second_moments, sequences, jitter }
-    }
-
-    /// The sequences.
-    pub fn sequences(&self) -> &Sequences {
-        &self.sequences
-    }
-
-    /// The centred observations of each part [N x D_i].
-    pub fn observations(&self) -> &[DMatrix<f64>] {
-        &self.y
-    }
-
-    /// The factor of the signal variance on the diagonal of every inducing covariance.
-    pub fn jitter(&self) -> f64 {
-        self.jitter
-    }
-
     /// Room to compute the bound for parameters of the shapes of `params`.
     pub fn workspace(&self, params: &Params) -> Workspace {
         let transitions = self.sequences.transitions();
@@ -127,11 +97,15 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: (0..m).map(|_| PairRoom::default()).collect(),
+            rooms: (0..m).map(|_| PairWorkspace::default()).collect(),
         }
     }
 
     /// Computes the terms of the bound at `params`; they stay in the workspace.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
         let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
         self.begin(params, histories, terms);
@@ -145,6 +119,10 @@ impl Objective {
     }
 
     /// Computes the terms of the bound at `params` and the gradient of their sum; they stay in the workspace.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute_with_gradient(
         &self,
         params: &Params,
@@ -170,6 +148,10 @@ impl Objective {
     }
 
     /// The terms of the bound at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn terms(&self, params: &Params) -> Result<BoundTerms, NumericsError> {
         let mut workspace = self.workspace(params);
         self.compute(params, &mut workspace)?;
@@ -177,6 +159,10 @@ impl Objective {
     }
 
     /// The terms of the bound at `params` and the gradient of their sum, as [`Workspace::gradient`].
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn terms_and_gradient(&self, params: &Params) -> Result<(BoundTerms, Params), NumericsError> {
         let mut workspace = self.workspace(params);
         self.compute_with_gradient(params, &mut workspace)?;
@@ -184,6 +170,10 @@ impl Objective {
     }
 
     /// The optimal posteriors at `params`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
         let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
             self.workspace(params);

@@ -1,4 +1,3 @@
-use super::*;
 use crate::models::flat::Parameters;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
@@ -40,11 +39,4 @@ fn an_expert_switched_off_leaves_the_others_alone() {
     let before = objective.terms(&params).unwrap();
     params.experts[1][0].z *= 0.5;
     assert_relative_eq!(before.total(), objective.terms(&params).unwrap().total(), max_relative = 1e-10);
-}
-
-#[test]
-fn weights_sum_to_one() {
-    let (combined, weights) = coupling_weights(&[0.5, 2.0, 4.0]);
-    assert_relative_eq!(weights.iter().sum::<f64>(), 1.0, epsilon = 1e-15);
-    assert_relative_eq!(combined, 1.0 / (2.0 + 0.5 + 0.25));
 }

@@ -3,12 +3,14 @@
 use crate::gp::NumericsError;
 use crate::models::flat::Group;
 use crate::models::latents::{check_dimensions, check_training};
-use crate::models::search::ascent::{Ascent, EndReason, Phase, Target};
+use crate::models::progress::TrainingPhase;
+use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
+use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
-use crate::models::variational::posterior::FittedModel;
+
 use crate::models::variational::start::starting_point;
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -19,34 +21,6 @@ const JITTER: f64 = 1e-6;
 const BLOCK_ITERATIONS: usize = 50;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
-
-/// What is being optimised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum TrainingPhase {
-    /// What the latents are explained with, while they are held.
-    CouplingsKernelsInducingPoints,
-    /// Everything together.
-    Everything,
-}
-
-impl TrainingPhase {
-    fn of(phase: &Phase) -> Self {
-        if phase.groups.contains(&Group::Latents) {
-            TrainingPhase::Everything
-        } else {
-            TrainingPhase::CouplingsKernelsInducingPoints
-        }
-    }
-
-    /// The phase in plain words.
-    pub fn words(self) -> &'static str {
-        match self {
-            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
-            TrainingPhase::Everything => "everything together",
-        }
-    }
-}
 
 /// How far training is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -68,7 +42,7 @@ pub struct TrainingProgress {
     /// Whether training has ended.
     pub done: bool,
     /// Why it ended.
-    pub reason: Option<EndReason>,
+    pub reason: Option<SearchEnd>,
     /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
     pub fraction: f64,
 }
@@ -105,7 +79,12 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say.
+    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say. The
+    /// `seed` is that of everything random.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, the observations do not fit the sequences, or the bound cannot be computed at the start.
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,
@@ -121,6 +100,10 @@ impl Trainer {
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
     /// number of iterations and, with the seed, for the model's provenance.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, there is no phase, or the bound cannot be computed at the start.
     pub fn from_start(
         objective: Objective,
         start: Params,
@@ -158,7 +141,7 @@ impl Trainer {
             bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
-            phase: TrainingPhase::of(ascent.phase()),
+            phase: training_phase(ascent.phase()),
             done: ascent.reason().is_some(),
             reason: ascent.reason(),
             fraction: ascent.fraction(),
@@ -186,9 +169,22 @@ impl Trainer {
     }
 
     /// The model of the best bound so far.
-    pub fn model(&self) -> Result<FittedModel, NumericsError> {
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn model(&self) -> Result<Vcgpdm, NumericsError> {
         let search = self.ascent.search();
-        FittedModel::fit(&search.target.objective, &search.best_parameters())
+        Vcgpdm::fit(&search.target.objective, &search.best_parameters(), search.best_terms.clone())
+    }
+}
+
+/// What is optimised in a phase of the [`schedule`].
+fn training_phase(phase: &Phase) -> TrainingPhase {
+    if phase.groups.contains(&Group::Latents) {
+        TrainingPhase::Everything
+    } else {
+        TrainingPhase::CouplingsKernelsInducingPoints
     }
 }
 
@@ -206,8 +202,8 @@ pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{InducingInputs, Kernels, Latents};
     let first =
         Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
-    let all = &[Latents, Kernels, InducingInputs];
-    vec![first, Phase { groups: all, iterations: max_iterations }]
+    let last = Phase { groups: &[Latents, Kernels, InducingInputs], iterations: max_iterations };
+    vec![first, last]
 }
 
 #[cfg(test)]

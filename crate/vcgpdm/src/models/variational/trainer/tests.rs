@@ -1,6 +1,5 @@
 use super::*;
-use crate::models::rollout::Roller;
-use crate::models::variational::posterior::Reading;
+use crate::models::couplings::Reading;
 
 /// Two noisy loops, the second half a cycle behind the first.
 fn loops(frames: usize) -> Vec<DMatrix<f64>> {
@@ -34,9 +33,8 @@ fn training_raises_the_bound_and_the_rollout_keeps_moving() {
     }
     assert!(best > start.best + 100.0, "{} to {best}", start.best);
     let model = trainer.model().unwrap();
-    let roller = Roller::new(&model, &model.alpha, Reading::AsLearned).unwrap();
-    for (path, part) in
-        roller.latents(model.start(0).unwrap(), 300).unwrap().iter().zip(&trainer.best().parts)
+    let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+    for (path, part) in dynamics.path(model.start(0).unwrap(), 300).unwrap().iter().zip(&trainer.best().parts)
     {
         let spread = |x: &DMatrix<f64>| x.row_variance().sum().sqrt();
         let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));

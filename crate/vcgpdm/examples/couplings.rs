@@ -1,0 +1,62 @@
+//! Changes one coupling of a model and measures what it does to the weights and to the swing of the arms:
+//!
+//! ```sh
+//! cargo run --example train -- FOLDER
+//! cargo run --example couplings -- FOLDER
+//! ```
+//!
+//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the target part listens to the source part.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::{Reading, RolloutRequest, TrainedModel};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
+}
+
+/// Reads FOLDER/model.json and prints a table.
+pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let path = folder.join("model.json");
+    let document = std::fs::read_to_string(&path)
+        .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
+    let trained = TrainedModel::<Vcgpdm>::from_json(&document)?;
+    let (lower, upper) = (0, 1); // the order in which training got the parts
+
+    println!("factor  weight lower to upper  weight upper to upper  swing of the left hand, cm");
+    for factor in [0.1, 1.0, 10.0, 100.0] {
+        let mut alpha = trained.model.alpha.clone();
+        alpha[(lower, upper)] *= factor;
+        let request = RolloutRequest {
+            frames: 120,
+            sequence: 0,
+            alpha: Some(alpha),
+            // The experts stay as learned; Reading::ReInferred infers them again from the same data under the new couplings.
+            reading: Reading::AsLearned,
+        };
+        let rollout = trained.rollout(&request)?;
+        println!(
+            "{factor:6}  {:21.2}  {:21.2}  {:26.0}",
+            rollout.weights[(lower, upper)],
+            rollout.weights[(upper, upper)],
+            100.0 * swing(&trained, &trained.positions(&rollout)?)?,
+        );
+    }
+    Ok(())
+}
+
+/// How far the left hand swings forward and back beside the hips, in metres. `positions` are [frames x nodes x 3].
+fn swing(trained: &TrainedModel<Vcgpdm>, positions: &[f32]) -> Result<f32, Box<dyn Error>> {
+    let skeleton = trained.body.mapping.skeleton();
+    let hand = skeleton
+        .joints
+        .iter()
+        .position(|joint| joint.name == "LeftHand")
+        .ok_or("the body has no LeftHand")?;
+    // A rollout starts facing z; the hips are joint 0.
+    let ahead =
+        positions.chunks_exact(3 * skeleton.figure().len()).map(|frame| frame[3 * hand + 2] - frame[2]);
+    let (back, front) = ahead.fold((f32::MAX, f32::MIN), |(low, high), z| (low.min(z), high.max(z)));
+    Ok(front - back)
+}

@@ -1,0 +1,40 @@
+//! Rolls a model out into a new walk and writes it as a BVH file:
+//!
+//! ```sh
+//! cargo run --example train -- FOLDER
+//! cargo run --example rollout -- FOLDER
+//! ```
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::{RolloutRequest, TrainedModel};
+use vcgpdm::motion::bvh;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
+}
+
+/// Reads FOLDER/model.json and writes FOLDER/new-walk.bvh.
+pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let path = folder.join("model.json");
+    let document = std::fs::read_to_string(&path)
+        .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
+
+    // The document holds all that a rollout needs: the body, the mapping to poses, the model. No training clip is in it.
+    let trained = TrainedModel::<Vcgpdm>::from_json(&document)?;
+
+    // The mean rollout starts where the first training sequence starts, and goes on for ten seconds.
+    let frames = (10.0 / trained.body.frame_time).round() as usize;
+    let rollout = trained.rollout(&RolloutRequest { frames, sequence: 0, ..RolloutRequest::default() })?;
+
+    // It holds the latents of each part and the columns of all parts; the body turns the columns into poses.
+    for (part, latents) in trained.body.layout.parts().iter().zip(&rollout.latents) {
+        println!("{}: latents [{} x {}]", part.name, latents.nrows(), latents.ncols());
+    }
+    let clip = trained.clip(&rollout, "new-walk.bvh")?;
+    let path = folder.join("new-walk.bvh");
+    std::fs::write(&path, bvh::write(&clip))?;
+    println!("{} frames of {:.4} s are in {}", clip.frames(), clip.frame_time, path.display());
+    Ok(())
+}

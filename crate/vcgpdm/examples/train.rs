@@ -1,0 +1,61 @@
+//! Trains a small model on three sample walks and writes it as a JSON document:
+//!
+//! ```sh
+//! cargo run --example train -- FOLDER
+//! ```
+//!
+//! Without FOLDER it writes to the folder for temporary files. The examples `rollout` and `couplings` read the document.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, Source, TrainedModel, VariationalSettings, coupling_weight_matrix};
+use vcgpdm::motion::{Clip, parts, samples};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
+}
+
+/// Trains and writes FOLDER/model.json.
+pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
+    // Clips of your own come from BVH files: bvh::read("walk.bvh", &std::fs::read(path)?)?.into_clip().
+    let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].into_iter().filter_map(samples::clip).collect();
+
+    // The body is split into two parts, which get latents of their own.
+    let presets = parts::presets(&clips[0].skeleton);
+    let split = presets.into_iter().find(|preset| preset.id == "lower-upper").ok_or("no legs were found")?;
+
+    // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns of each part.
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let dataset = Dataset::new(&sources, &split.parts, 20.0)?;
+
+    // A few iterations, so that it takes seconds. The default is 800.
+    let settings = VariationalSettings { max_iterations: 60, ..VariationalSettings::default() };
+    let seed = 1;
+    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, seed)?;
+    loop {
+        let progress = trainer.step();
+        if progress.done {
+            println!("{} iterations: the bound is {:.0} nats", progress.iteration, progress.best);
+            break;
+        }
+    }
+
+    let trained = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 20.0)?;
+    let weights = coupling_weight_matrix(&trained.model.alpha);
+    for (target, into) in split.parts.iter().enumerate() {
+        for (source, from) in split.parts.iter().enumerate() {
+            println!(
+                "the {} part drives the {} part with weight {:.2}",
+                from.name,
+                into.name,
+                weights[(source, target)]
+            );
+        }
+    }
+
+    let path = folder.join("model.json");
+    std::fs::write(&path, trained.to_json()?)?;
+    println!("the model is in {}", path.display());
+    Ok(())
+}

@@ -1,0 +1,68 @@
+//! The document of a model that only rolls out, as it was learned.
+
+use crate::document::error::DocumentError;
+use crate::document::read::head::{
+    Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
+};
+use crate::document::read::settings::baseline_settings;
+use crate::json::checks::count;
+use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
+use crate::models::map::MapModel;
+use crate::models::tmp::Tmp;
+use crate::models::{Model, ModelKind, Provenance, TrainedModel};
+use crate::motion::parts::PartsLayout;
+
+/// What is left of a baseline's document after the body.
+pub(super) fn baseline(mut head: Head) -> Result<TrainedModel, DocumentError> {
+    let parts = head.document.get("parts")?;
+    let specs = parts.list(|part| {
+        let mut object = part.object()?;
+        let spec = part_spec(&mut object)?;
+        object.end()?;
+        Ok(spec)
+    })?;
+    count(&parts, specs.len(), 1..=MOST_PARTS)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    let columns: Vec<usize> = (0..specs.len()).map(|part| layout.columns(part).len()).collect();
+    let field = head.document.get("sequences")?;
+    let sequences = field.list(|item| {
+        let mut object = item.object()?;
+        let info = sequence_info(&mut object)?;
+        object.end()?;
+        Ok(info)
+    })?;
+    count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
+    let lengths: Vec<usize> = sequences.iter().map(|sequence| sequence.frames).collect();
+    let field = head.document.get("model")?;
+    let count = lengths.len();
+    let model = match head.kind {
+        ModelKind::MapGpdm | ModelKind::MapCgpdm => {
+            Model::Map(Box::new(MapModel::from_field(field, &columns, lengths)?))
+        }
+        ModelKind::Tmp => Model::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
+        ModelKind::DmpDiscrete => {
+            Model::DmpDiscrete(Box::new(DmpDiscrete::from_field(field, &columns, count)?))
+        }
+        ModelKind::DmpRhythmic => {
+            Model::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
+        }
+        // They have a document of their own.
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
+    };
+    let mut object = head.document.get("provenance")?.object()?;
+    let engine = object.get("engine")?.text()?.to_owned();
+    let (settings, seed) = baseline_settings(object.get("settings")?, head.kind)?;
+    let provenance = Provenance {
+        engine,
+        settings,
+        seed,
+        frames_per_second: frames_per_second(&mut object)?,
+        objective: object.get("objective")?.number()?,
+        iterations: object.get("iterations")?.whole()?,
+        evaluations: 0,
+        note: note(&mut object)?,
+    };
+    object.end()?;
+    let body = head.body(model.kind(), layout, sequences)?;
+    Ok(TrainedModel { model, body, provenance })
+}

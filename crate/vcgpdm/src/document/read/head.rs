@@ -1,0 +1,112 @@
+//! What the documents of all kinds of models have.
+
+use crate::document::error::{DocumentError, FORMAT, VERSION};
+use crate::json::checks::{count, tame, within};
+use crate::json::{Field, FieldError, Object, Value, write};
+use crate::models::{Body, ModelKind, SequenceInfo};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::pose::PoseMapping;
+
+/// More parts than a body has.
+pub(super) const MOST_PARTS: usize = 64;
+/// More sequences than a training has.
+pub(super) const MOST_SEQUENCES: usize = 10_000;
+
+/// What all kinds of documents have, and the rest.
+pub(super) struct Head<'a> {
+    pub(super) document: Object<'a>,
+    /// The field that names the kind.
+    named: Option<Field<'a>>,
+    pub(super) kind: ModelKind,
+    pub(super) mapping: PoseMapping,
+    column_means: Vec<f64>,
+    frame_time: f64,
+}
+
+impl Head<'_> {
+    /// The body, once the model is known to be of the kind that the document names.
+    pub(super) fn body(
+        self,
+        found: ModelKind,
+        layout: PartsLayout,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<Body, DocumentError> {
+        if let Some(field) = self.named
+            && found != self.kind
+        {
+            let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
+            return Err(field.error(message).into());
+        }
+        self.document.end()?;
+        let Head { mapping, column_means, frame_time, .. } = self;
+        Ok(Body { mapping, layout, column_means, frame_time, sequences })
+    }
+}
+
+pub(super) fn head(value: &Value) -> Result<Head<'_>, DocumentError> {
+    let mut document = Field::root(value).object()?;
+    let format = document.optional("format");
+    match format.as_ref().map(Field::value) {
+        Some(Value::Text(format)) if format == FORMAT => {}
+        Some(other) => {
+            let found = write(other).unwrap_or_default().chars().take(60).collect();
+            return Err(DocumentError::Format { found });
+        }
+        None => return Err(DocumentError::Format { found: "no format".to_owned() }),
+    }
+    let version = document.get("version")?;
+    match version.whole()? {
+        1..=VERSION => {}
+        found if found > VERSION => return Err(DocumentError::Version { found }),
+        _ => return Err(version.wrong(&format!("from 1 to {VERSION}")).into()),
+    }
+    // The first version had no other kind and did not name it.
+    let named = document.optional("kind");
+    let kind = named.as_ref().map_or(Ok(ModelKind::Vcgpdm), kind)?;
+    let mapping = PoseMapping::from_field(document.get("pose")?)?;
+    let frame_time = within(document.get("frame_time")?, 1e-5..=10.0, "seconds from 0.00001 to 10")?;
+    let means = document.get("column_means")?;
+    let column_means = means.numbers()?;
+    count(&means, column_means.len(), mapping.column_count()..=mapping.column_count())?;
+    tame(&means, &column_means)?;
+    Ok(Head { document, named, kind, mapping, column_means, frame_time })
+}
+
+fn kind(field: &Field) -> Result<ModelKind, FieldError> {
+    let id = field.text()?;
+    ModelKind::from_id(id).ok_or_else(|| {
+        let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
+        let found: String = id.chars().take(60).collect();
+        field.error(format!("expected one of {}, found {found:?}", known.join(", ")))
+    })
+}
+
+/// The name and the joints of a part.
+pub(super) fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {
+    Ok(PartSpec {
+        name: part.get("name")?.text()?.to_owned(),
+        joints: part.get("joints")?.list(|joint| joint.whole())?,
+    })
+}
+
+/// Where a training sequence came from.
+pub(super) fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, FieldError> {
+    Ok(SequenceInfo {
+        name: sequence.get("clip")?.text()?.to_owned(),
+        sha256: sequence.get("sha256")?.text()?.to_owned(),
+        frames: sequence.get("frames")?.whole()?,
+    })
+}
+
+/// What a person wants to say about the model.
+pub(super) fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
+    match object.optional("note") {
+        Some(note) if *note.value() != Value::Null => Ok(Some(note.text()?.to_owned())),
+        _ => Ok(None),
+    }
+}
+
+/// The frame rate that the clips were asked to be brought to.
+pub(super) fn frames_per_second(object: &mut Object) -> Result<f64, FieldError> {
+    within(object.get("frames_per_second")?, 0.1..=10_000.0, "frames a second from 0.1 to 10000")
+}

@@ -1,0 +1,210 @@
+//! The document of a vCGPDM or vGPDM.
+
+use crate::document::error::DocumentError;
+use crate::document::read::head::{
+    Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
+};
+use crate::document::read::settings::{MOST_IPS, MOST_LATENT, MOST_ORDER, variational_settings};
+use crate::gp::Kernel;
+use crate::json::checks::{count, positive, positive_number, shape, tame_matrix, within};
+use crate::json::{Field, FieldError};
+use crate::models::variational::{BoundTerms, DynamicsSums, FittedExpert, PoseMap, Vcgpdm};
+use crate::models::{ModelKind, Provenance, SequenceInfo, TrainedModel, VariationalSettings};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use nalgebra::{DMatrix, DVector};
+
+/// What is left of a variational model's document after the body.
+pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
+    let order = head.document.get("order")?;
+    let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
+    let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
+
+    let parts = head.document.get("parts")?;
+    let (specs, maps): (Vec<_>, Vec<_>) = parts.list(part)?.into_iter().unzip();
+    let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
+    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    for (i, item) in parts.items()?.into_iter().enumerate() {
+        let map: &PoseFields = &maps[i];
+        shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
+    }
+    let latent: Vec<usize> = maps.iter().map(|map| map.r.ncols()).collect();
+
+    let dynamics = head.document.get("dynamics")?;
+    let items = dynamics.items()?;
+    count(&dynamics, items.len(), m..=m)?;
+    let mut targets = Vec::with_capacity(m);
+    for (item, q) in items.into_iter().zip(&latent) {
+        targets.push(target(item, &latent, *q, order)?);
+    }
+    let field = head.document.get("alpha")?;
+    let alpha = field.matrix()?;
+    shape(&field, &alpha, m, m)?;
+    positive(&field, alpha.as_slice())?;
+    let field = head.document.get("sequences")?;
+    let (sequences, starts): (Vec<_>, Vec<_>) =
+        field.list(|item| sequence(item, &latent, order))?.into_iter().unzip();
+    count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
+    let (provenance, terms) = provenance(head.document.get("provenance")?, m)?;
+    let found = if m == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm };
+    let body = head.body(found, layout, sequences)?;
+
+    let mut parts = Vec::with_capacity(m);
+    for PoseFields { r, kernel, beta, mean, covariance } in maps {
+        parts.push(PoseMap::new(r, kernel, beta, mean, covariance, jitter)?);
+    }
+    let mut experts = vec![Vec::with_capacity(m); m];
+    let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
+    for target in targets {
+        for (row, ExpertFields { z, kernel, mean }) in experts.iter_mut().zip(target.experts) {
+            row.push(FittedExpert::new(z, kernel, mean, jitter)?);
+        }
+        dynamics_covariance.push(target.covariance);
+        sums.push(target.sums);
+    }
+    let model = Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, alpha, starts, terms };
+    Ok(TrainedModel { model, body, provenance })
+}
+
+/// A part's pose map as it stands in the document.
+struct PoseFields {
+    r: DMatrix<f64>,
+    kernel: Kernel,
+    beta: f64,
+    mean: DMatrix<f64>,
+    covariance: DMatrix<f64>,
+}
+
+fn part(field: Field) -> Result<(PartSpec, PoseFields), FieldError> {
+    let mut part = field.object()?;
+    let spec = part_spec(&mut part)?;
+    let field = part.get("lambda")?;
+    let lambda = field.numbers()?;
+    let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;
+    positive(&field, &lambda)?;
+    let variance = positive_number(part.get("variance")?)?;
+    let beta = positive_number(part.get("beta")?)?;
+    let field = part.get("r")?;
+    let r = tame_matrix(&field)?;
+    let l = count(&field, r.nrows(), 1..=MOST_IPS)?;
+    shape(&field, &r, l, q)?;
+    // Its shape is known when the parts are known to fit the body.
+    let mean = tame_matrix(&part.get("v_mean")?)?;
+    let field = part.get("v_covariance")?;
+    let covariance = tame_matrix(&field)?;
+    shape(&field, &covariance, l, l)?;
+    part.end()?;
+    let kernel = Kernel { lambda: DVector::from_vec(lambda), variance };
+    Ok((spec, PoseFields { r, kernel, beta, mean, covariance }))
+}
+
+/// An expert as it stands in the document.
+struct ExpertFields {
+    z: DMatrix<f64>,
+    kernel: Kernel,
+    mean: DMatrix<f64>,
+}
+
+/// The dynamics into one part; matrices over its sources stack them in order.
+struct Target {
+    experts: Vec<ExpertFields>,
+    covariance: DMatrix<f64>,
+    sums: DynamicsSums,
+}
+
+/// `latent`: dimensions of each source; `q`: of the target.
+fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Target, FieldError> {
+    let mut target = field.object()?;
+    let field = target.get("experts")?;
+    let mut experts = Vec::with_capacity(latent.len());
+    let items = field.items()?;
+    count(&field, items.len(), latent.len()..=latent.len())?;
+    for (item, source) in items.into_iter().zip(latent) {
+        experts.push(expert(item, order * source, q)?);
+    }
+    let total = experts.iter().map(|expert| expert.z.nrows()).sum();
+    let mut matrix = |name: &str, width: usize| {
+        let field = target.get(name)?;
+        let matrix = tame_matrix(&field)?;
+        shape(&field, &matrix, total, width)?;
+        Ok::<_, FieldError>(matrix)
+    };
+    let covariance = matrix("u_covariance", total)?;
+    let sums = DynamicsSums { psi2: matrix("sum_psi2", total)?, psi1_mu: matrix("sum_psi1_mu", q)? };
+    target.end()?;
+    Ok(Target { experts, covariance, sums })
+}
+
+/// `dims`: of the source's history; `q`: of the target.
+fn expert(field: Field, dims: usize, q: usize) -> Result<ExpertFields, FieldError> {
+    let mut expert = field.object()?;
+    let field = expert.get("lambda")?;
+    let lambda = field.numbers()?;
+    count(&field, lambda.len(), dims..=dims)?;
+    positive(&field, &lambda)?;
+    let field = expert.get("z")?;
+    let z = tame_matrix(&field)?;
+    let k = count(&field, z.nrows(), 1..=MOST_IPS)?;
+    shape(&field, &z, k, dims)?;
+    let field = expert.get("u_mean")?;
+    let mean = tame_matrix(&field)?;
+    shape(&field, &mean, k, q)?;
+    expert.end()?;
+    Ok(ExpertFields { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
+}
+
+/// A training sequence with the latent means of the first frames of each part.
+fn sequence(
+    field: Field,
+    latent: &[usize],
+    order: usize,
+) -> Result<(SequenceInfo, Vec<DMatrix<f64>>), FieldError> {
+    let mut sequence = field.object()?;
+    let info = sequence_info(&mut sequence)?;
+    let field = sequence.get("start")?;
+    let items = field.items()?;
+    count(&field, items.len(), latent.len()..=latent.len())?;
+    let mut start = Vec::with_capacity(latent.len());
+    for (item, q) in items.iter().zip(latent) {
+        let latents = tame_matrix(item)?;
+        shape(item, &latents, order, *q)?;
+        start.push(latents);
+    }
+    sequence.end()?;
+    Ok((info, start))
+}
+
+/// How a variational model of `m` parts was made, and the terms of its bound.
+fn provenance(field: Field, m: usize) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
+    let mut object = field.object()?;
+    let engine = object.get("engine")?.text()?.to_owned();
+    let (settings, seed) = variational_settings(object.get("settings")?)?;
+    let frames_per_second = frames_per_second(&mut object)?;
+    let objective = object.get("bound")?.number()?;
+    let terms = terms(object.get("terms")?, m)?;
+    let iterations = object.get("iterations")?.whole()?;
+    let evaluations = object.get("evaluations")?.whole()?;
+    let note = note(&mut object)?;
+    object.end()?;
+    let provenance =
+        Provenance { engine, settings, seed, frames_per_second, objective, iterations, evaluations, note };
+    Ok((provenance, terms))
+}
+
+fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {
+    let mut object = field.object()?;
+    let mut for_each_part = |name: &str| {
+        let field = object.get(name)?;
+        let numbers = field.numbers()?;
+        count(&field, numbers.len(), m..=m)?;
+        Ok::<_, FieldError>(numbers)
+    };
+    let (kinematics, dynamics) = (for_each_part("kinematics")?, for_each_part("dynamics")?);
+    let terms = BoundTerms {
+        kinematics,
+        dynamics,
+        initial: object.get("initial")?.number()?,
+        entropy: object.get("entropy")?.number()?,
+    };
+    object.end()?;
+    Ok(terms)
+}

@@ -1,0 +1,157 @@
+//! The psi statistics of all rows, and their adjoints.
+
+use crate::gp::gaussians::Gaussians;
+use crate::gp::kernel::{Kernel, KernelAdjoint};
+use crate::gp::lanes::{LANES, Lanes};
+use crate::gp::psi::block::{BLOCK, Block, PullBack};
+use nalgebra::DMatrix;
+
+/// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are computed again.
+const MOST_KEPT: usize = 4 << 20;
+
+/// The psi statistics of K inducing inputs, with the memory to compute them again and again.
+pub struct PsiStatistics {
+    /// Sum over rows of psi0.
+    pub psi0: f64,
+    /// psi1 [N x K].
+    pub psi1: DMatrix<f64>,
+    /// Sum over rows of psi2 [K x K], symmetric.
+    pub psi2: DMatrix<f64>,
+    /// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
+    spread: Vec<f64>,
+    block: Block,
+    pull: PullBack,
+}
+
+/// Memory for psi2's summands. Several [`PsiStatistics`] can use it one after the other, but from
+/// [`PsiStatistics::compute`] to the [`PsiStatistics::pull_back`] that belongs to it, it must stay as it is.
+#[derive(Default)]
+pub struct PairWorkspace {
+    /// Chunk of rows after chunk, pair after pair.
+    values: Vec<Lanes>,
+    /// Whether it holds the summands of all rows, not only those of the last block.
+    whole: bool,
+}
+
+/// Whether an adjoint will follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Only the values are wanted.
+    Value,
+    /// [`PsiStatistics::pull_back`] will be called.
+    Gradient,
+}
+
+/// dF with respect to the psi statistics, where F is any function of them.
+pub struct PsiAdjoint<'a> {
+    /// dF/dpsi0.
+    pub psi0: f64,
+    /// dF/dpsi1 [N x K].
+    pub psi1: &'a DMatrix<f64>,
+    /// dF/dpsi2 [K x K], symmetric, every entry counted once.
+    pub psi2: &'a DMatrix<f64>,
+}
+
+impl PsiStatistics {
+    /// For N = `rows` inputs and K = `ips` inducing inputs of P = `dims` dimensions.
+    pub fn new(rows: usize, ips: usize, dims: usize) -> Self {
+        Self {
+            psi0: 0.0,
+            psi1: DMatrix::zeros(rows, ips),
+            psi2: DMatrix::zeros(ips, ips),
+            spread: vec![0.0; ips * (ips + 1) / 2],
+            block: Block::new(ips, dims),
+            pull: PullBack::new(ips, dims),
+        }
+    }
+
+    /// Computes psi0, psi1 and psi2 of the inputs `x` [N x P] at the inducing inputs `z` [K x P].
+    pub fn compute(
+        &mut self,
+        x: &Gaussians,
+        z: &DMatrix<f64>,
+        kernel: &Kernel,
+        purpose: Purpose,
+        workspace: &mut PairWorkspace,
+    ) {
+        let (rows, ips, pairs) = (x.mean.nrows(), z.nrows(), self.spread.len());
+        let block = &mut self.block;
+        block.set_inducing_inputs(z);
+        let mut spread = self.spread.iter_mut();
+        for a in 0..ips {
+            for (b, spread) in (0..=a).zip(&mut spread) {
+                let square = |q: usize| (z[(a, q)] - z[(b, q)]).powi(2) / kernel.lambda[q];
+                *spread = -0.25 * (0..z.ncols()).map(square).sum::<f64>();
+            }
+        }
+        workspace.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
+        let chunks = if workspace.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
+        workspace.values.resize(chunks * pairs, Lanes::ZERO);
+        self.psi0 = rows as f64 * kernel.variance;
+        for start in (0..rows).step_by(BLOCK) {
+            let len = BLOCK.min(rows - start);
+            block.load(x, start, len, kernel, 1.0);
+            for a in 0..ips {
+                block.psi1(a, &mut self.psi1.as_mut_slice()[a * rows + start..][..len]);
+            }
+            block.load(x, start, len, kernel, 2.0);
+            block.split_exponent();
+            block.psi2(&self.spread, workspace.block_mut(start, pairs), true);
+        }
+        block.psi2_sums(&mut self.psi2);
+    }
+
+    /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with respect to the
+    /// arguments, which must be the same as then. It is added to `into_x` and `into_kernel`.
+    pub fn pull_back(
+        &mut self,
+        (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
+        adjoint: &PsiAdjoint,
+        workspace: &mut PairWorkspace,
+        into_x: &mut Gaussians,
+        into_kernel: &mut KernelAdjoint,
+    ) {
+        let (rows, pairs) = (x.mean.nrows(), self.spread.len());
+        let (block, pull) = (&mut self.block, &mut self.pull);
+        into_kernel.variance += rows as f64 * adjoint.psi0;
+        for start in (0..rows).step_by(BLOCK) {
+            let len = BLOCK.min(rows - start);
+            block.load(x, start, len, kernel, 1.0);
+            pull.psi1(block, &self.psi1, adjoint.psi1, start, len);
+            pull.scatter(block, start, len, into_x, into_kernel);
+            block.load(x, start, len, kernel, 2.0);
+            if !workspace.whole {
+                block.split_exponent();
+                block.psi2(&self.spread, workspace.block_mut(start, pairs), false);
+            }
+            pull.psi2(block, adjoint.psi2, workspace.block_mut(start, pairs));
+            pull.scatter(block, start, len, into_x, into_kernel);
+        }
+        // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
+        let psi1_total = adjoint.psi1.dot(&self.psi1);
+        let psi2_total = adjoint.psi2.dot(&self.psi2);
+        into_kernel.variance += (psi1_total + 2.0 * psi2_total) / kernel.variance;
+        for q in 0..z.ncols() {
+            let lambda = kernel.lambda[q];
+            into_kernel.lambda[q] += 0.5 * (psi1_total + psi2_total) / lambda;
+            for a in 0..z.nrows() {
+                for b in 0..a {
+                    let h = 2.0 * adjoint.psi2[(a, b)] * self.psi2[(a, b)];
+                    let d = (z[(a, q)] - z[(b, q)]) / lambda;
+                    into_kernel.lambda[q] += 0.25 * h * d * d;
+                    into_kernel.z[(a, q)] -= 0.5 * h * d;
+                    into_kernel.z[(b, q)] += 0.5 * h * d;
+                }
+            }
+        }
+    }
+}
+
+impl PairWorkspace {
+    /// The values of the block that begins at row `start`.
+    fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Lanes] {
+        let from = if self.whole { start / LANES * pairs } else { 0 };
+        let end = self.values.len().min(from + BLOCK / LANES * pairs);
+        &mut self.values[from..end]
+    }
+}

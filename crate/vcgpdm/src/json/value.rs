@@ -1,0 +1,57 @@
+//! A tree of JSON values.
+
+use nalgebra::DMatrix;
+
+/// Any JSON.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// `null`.
+    Null,
+    /// `true` or `false`.
+    Bool(bool),
+    /// A number. One that was read is finite.
+    Number(f64),
+    /// A string.
+    Text(String),
+    /// An array.
+    List(Vec<Value>),
+    /// An object, its fields in the order of the text.
+    Object(Vec<(String, Value)>),
+}
+
+impl Value {
+    /// An object of named fields.
+    pub fn object<const N: usize>(fields: [(&str, Value); N]) -> Value {
+        Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    }
+
+    /// An array; `value` turns each item into a value.
+    pub fn list<T>(items: impl IntoIterator<Item = T>, value: impl Fn(T) -> Value) -> Value {
+        Value::List(items.into_iter().map(value).collect())
+    }
+
+    /// An array of numbers.
+    pub fn numbers(values: &[f64]) -> Value {
+        Value::list(values, |v| Value::Number(*v))
+    }
+
+    /// An array of the rows of a matrix, each an array of numbers.
+    pub fn matrix(matrix: &DMatrix<f64>) -> Value {
+        Value::list(matrix.row_iter(), |row| Value::list(row.iter(), |v| Value::Number(*v)))
+    }
+
+    /// An array of whole numbers.
+    pub fn wholes(values: &[usize]) -> Value {
+        Value::list(values, |v| Value::whole(*v))
+    }
+
+    /// A whole number; exact up to 2^53.
+    pub fn whole(value: usize) -> Value {
+        Value::Number(value as f64)
+    }
+
+    /// A string.
+    pub fn text(text: &str) -> Value {
+        Value::Text(text.to_owned())
+    }
+}

@@ -1,0 +1,73 @@
+//! A fitted model of any kind.
+
+use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
+use crate::models::kind::ModelKind;
+use crate::models::map::MapModel;
+use crate::models::rollout::RolloutError;
+use crate::models::tmp::Tmp;
+use crate::models::variational::Vcgpdm;
+use nalgebra::DMatrix;
+
+/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over all training frames).
+#[derive(Clone, Debug)]
+pub enum Model {
+    /// A vCGPDM or, of one part, a vGPDM.
+    Vcgpdm(Box<Vcgpdm>),
+    /// A CGPDM with point estimates of its latents or, of one part, a GPDM.
+    Map(Box<MapModel>),
+    /// Temporal movement primitives.
+    Tmp(Box<Tmp>),
+    /// Dynamic movement primitives towards a goal.
+    DmpDiscrete(Box<DmpDiscrete>),
+    /// Dynamic movement primitives around a centre.
+    DmpRhythmic(Box<DmpRhythmic>),
+}
+
+impl Model {
+    /// The kind of model.
+    pub fn kind(&self) -> ModelKind {
+        match self {
+            Model::Vcgpdm(model) => model.kind(),
+            Model::Map(model) => model.kind(),
+            Model::Tmp(_) => ModelKind::Tmp,
+            Model::DmpDiscrete(_) => ModelKind::DmpDiscrete,
+            Model::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+        }
+    }
+
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        match self {
+            Model::Vcgpdm(model) => model.rollout(sequence, frames),
+            Model::Map(model) => model.rollout(sequence, frames),
+            Model::Tmp(model) => model.rollout(sequence, frames),
+            Model::DmpDiscrete(model) => model.rollout(sequence, frames),
+            Model::DmpRhythmic(model) => model.rollout(sequence, frames),
+        }
+    }
+
+    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the same for all models
+    /// and do not count.
+    pub fn stored_numbers(&self) -> usize {
+        match self {
+            Model::Vcgpdm(model) => model.stored_numbers(),
+            Model::Map(model) => model.stored_numbers(),
+            Model::Tmp(model) => model.stored_numbers(),
+            Model::DmpDiscrete(model) => model.stored_numbers(),
+            Model::DmpRhythmic(model) => model.stored_numbers(),
+        }
+    }
+
+    /// The bound on the log evidence, in nats, where the model has one.
+    pub fn bound(&self) -> Option<f64> {
+        match self {
+            Model::Vcgpdm(model) => Some(model.bound()),
+            Model::Tmp(model) => Some(model.bound),
+            Model::Map(_) | Model::DmpDiscrete(_) | Model::DmpRhythmic(_) => None,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! How far a training is, whatever the model, and why it ended.
+
+use crate::gp::NumericsError;
+use serde::Serialize;
+use std::fmt;
+
+/// How far a training is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LearningProgress {
+    /// Iterations so far.
+    pub iteration: usize,
+    /// Most iterations there can be.
+    pub max_iterations: usize,
+    /// Evaluations of the variational bound with its gradient so far; 0 for models that have none.
+    pub evaluations: usize,
+    /// What is maximised, now: the bound, a log density, or the negative of an error.
+    pub objective: f64,
+    /// The best so far.
+    pub best: f64,
+    /// What is being optimised; absent for models that are not trained in phases.
+    pub phase: Option<TrainingPhase>,
+    /// Whether training has ended.
+    pub done: bool,
+    /// Why it ended; absent before the end.
+    pub reason: Option<EndReason>,
+    /// Share of the work done, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
+    pub fraction: f64,
+}
+
+/// What is being optimised in a phase of a variational training. Displayed in plain words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrainingPhase {
+    /// What the latents are explained with, while they are held.
+    CouplingsKernelsInducingPoints,
+    /// Everything together.
+    Everything,
+}
+
+impl fmt::Display for TrainingPhase {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
+            TrainingPhase::Everything => "everything together",
+        })
+    }
+}
+
+/// Why a training ended. Displayed in plain words, as terminal output and results files have it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EndReason {
+    /// The bound no longer rises.
+    BoundSettled,
+    /// The log density no longer rises.
+    DensitySettled,
+    /// All iterations are used.
+    Iterations,
+    /// More temporal primitives than the best number lower the bound.
+    MorePrimitivesAreWorse {
+        /// The number of primitives of the highest bound.
+        best: usize,
+    },
+    /// The largest number of temporal primitives is reached.
+    MostPrimitives {
+        /// The number of primitives of the highest bound.
+        best: usize,
+    },
+    /// The one regression that dynamic movement primitives need is done.
+    Regression,
+    /// A covariance could not be factorised; the best before that is kept.
+    Failed {
+        /// The number of temporal primitives that was tried, for a model that has such a number.
+        primitives: Option<usize>,
+        /// What failed.
+        error: NumericsError,
+    },
+}
+
+impl fmt::Display for EndReason {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            EndReason::BoundSettled => f.write_str("the bound no longer rises"),
+            EndReason::DensitySettled => f.write_str("the density no longer rises"),
+            EndReason::Iterations => f.write_str("all iterations used"),
+            EndReason::MorePrimitivesAreWorse { best } => {
+                write!(f, "more than {best} primitives lower the bound")
+            }
+            EndReason::MostPrimitives { best } => {
+                write!(f, "the most primitives are tried; {best} are best")
+            }
+            EndReason::Regression => f.write_str("the regression is done"),
+            EndReason::Failed { primitives: Some(count), error } => {
+                write!(f, "stopped with {count} primitives: {error}")
+            }
+            EndReason::Failed { primitives: None, error } => write!(f, "stopped: {error}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Results files hold these words.
+    #[test]
+    fn reasons_are_said_in_words() {
+        let error = NumericsError::NotFinite { what: "bound" };
+        let failed = |primitives| EndReason::Failed { primitives, error: error.clone() };
+        for (reason, words) in [
+            (EndReason::BoundSettled, "the bound no longer rises".to_owned()),
+            (EndReason::DensitySettled, "the density no longer rises".to_owned()),
+            (EndReason::Iterations, "all iterations used".to_owned()),
+            (
+                EndReason::MorePrimitivesAreWorse { best: 4 },
+                "more than 4 primitives lower the bound".to_owned(),
+            ),
+            (EndReason::MostPrimitives { best: 11 }, "the most primitives are tried; 11 are best".to_owned()),
+            (EndReason::Regression, "the regression is done".to_owned()),
+            (failed(Some(3)), format!("stopped with 3 primitives: {error}")),
+            (failed(None), format!("stopped: {error}")),
+        ] {
+            assert_eq!(reason.to_string(), words);
+        }
+        assert_eq!(TrainingPhase::Everything.to_string(), "everything together");
+    }
+}

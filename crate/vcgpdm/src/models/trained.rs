@@ -1,0 +1,205 @@
+//! A trained model of a body: the fitted model with what turns its columns into poses, and how it was made.
+
+use crate::gp::NumericsError;
+use crate::models::body::Body;
+use crate::models::couplings::coupling_weight_matrix;
+use crate::models::dataset::Dataset;
+use crate::models::kind::ModelKind;
+use crate::models::learner::Learner;
+use crate::models::model::Model;
+use crate::models::provenance::{ENGINE, Provenance};
+use crate::models::rollout::{Rollout, RolloutError, RolloutRequest};
+use crate::models::settings::{ModelSettings, VariationalSettings};
+use crate::models::variational::{Trainer, Vcgpdm};
+use crate::motion::Clip;
+use crate::motion::pose::PoseError;
+use nalgebra::DMatrix;
+use std::fmt::Debug;
+
+/// A fitted model that names the type of its settings.
+pub trait Fitted {
+    /// What its training is asked for.
+    type Settings: Clone + Debug + PartialEq;
+}
+
+impl Fitted for Model {
+    type Settings = ModelSettings;
+}
+
+impl Fitted for Vcgpdm {
+    type Settings = VariationalSettings;
+}
+
+/// A trained model with the body that it moves, ready to roll out. It holds no training clip.
+///
+/// `TrainedModel` alone is of any kind and rolls out as it was learned; a `TrainedModel<Vcgpdm>` has couplings that can be
+/// changed, and latents to show.
+#[derive(Clone, Debug)]
+pub struct TrainedModel<M: Fitted = Model> {
+    /// The fitted model.
+    pub model: M,
+    /// What turns its columns into poses, and what it was trained on.
+    pub body: Body,
+    /// How the model was made.
+    pub provenance: Provenance<M::Settings>,
+}
+
+impl TrainedModel {
+    /// The best model of a training so far; `settings`, `seed` and `frames_per_second` are what the training and the data set
+    /// were asked for.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn trained(
+        dataset: &Dataset,
+        learner: &dyn Learner,
+        settings: ModelSettings,
+        seed: u32,
+        frames_per_second: f64,
+    ) -> Result<Self, NumericsError> {
+        let progress = learner.progress();
+        let provenance = Provenance {
+            engine: ENGINE.to_owned(),
+            seed: if settings.is_random() { seed } else { 0 },
+            settings,
+            frames_per_second,
+            objective: progress.best,
+            iterations: progress.iteration,
+            evaluations: progress.evaluations,
+            note: None,
+        };
+        Ok(Self { model: learner.model()?, body: Body::new(dataset), provenance })
+    }
+
+    /// The kind of model.
+    pub fn kind(&self) -> ModelKind {
+        self.model.kind()
+    }
+
+    /// All columns, means included [frames x D], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        let width = match &self.model {
+            Model::Vcgpdm(model) => latent_columns(model),
+            Model::Map(_) | Model::Tmp(_) | Model::DmpDiscrete(_) | Model::DmpRhythmic(_) => 0,
+        };
+        self.body.check_frames(frames, width)?;
+        Ok(self.body.columns(&self.model.rollout(sequence, frames)?))
+    }
+
+    /// The same as a model whose couplings can be changed; a model of another kind is given back.
+    ///
+    /// # Errors
+    ///
+    /// The model itself, when it has no such couplings.
+    #[expect(clippy::result_large_err, reason = "the error is the model itself, given back")]
+    pub fn into_vcgpdm(self) -> Result<TrainedModel<Vcgpdm>, Self> {
+        let Self { model, body, provenance } = self;
+        match (model, provenance.settings.clone()) {
+            (Model::Vcgpdm(model), ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings)) => {
+                let provenance = provenance.with_settings(|_| settings);
+                Ok(TrainedModel { model: *model, body, provenance })
+            }
+            (model, _) => Err(Self { model, body, provenance }),
+        }
+    }
+}
+
+impl From<TrainedModel<Vcgpdm>> for TrainedModel {
+    fn from(trained: TrainedModel<Vcgpdm>) -> Self {
+        let TrainedModel { model, body, provenance } = trained;
+        let one_part = model.part_count() == 1;
+        let any = if one_part { ModelSettings::Vgpdm } else { ModelSettings::Vcgpdm };
+        Self { model: Model::Vcgpdm(Box::new(model)), body, provenance: provenance.with_settings(any) }
+    }
+}
+
+impl TrainedModel<Vcgpdm> {
+    /// The best model of a training so far; `frames_per_second` is the rate that the data set was asked for.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn trained(
+        dataset: &Dataset,
+        trainer: &Trainer,
+        frames_per_second: f64,
+    ) -> Result<Self, NumericsError> {
+        let progress = trainer.progress();
+        let provenance = Provenance {
+            engine: ENGINE.to_owned(),
+            settings: trainer.settings().clone(),
+            seed: trainer.seed(),
+            frames_per_second,
+            objective: progress.best,
+            iterations: progress.iteration,
+            evaluations: progress.evaluations,
+            note: None,
+        };
+        Ok(Self { model: trainer.model()?, body: Body::new(dataset), provenance })
+    }
+
+    /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
+        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        let alpha = request.alpha.as_ref().unwrap_or(&self.model.alpha);
+        let dynamics = self.model.dynamics(alpha, request.reading)?;
+        let latents = dynamics.path(self.model.start(request.sequence)?, request.frames)?;
+        let y = self.body.columns(&self.model.observations(&latents));
+        Ok(Rollout { latents, y, weights: coupling_weight_matrix(alpha) })
+    }
+
+    /// The rollout as a clip, starting at the origin.
+    ///
+    /// # Errors
+    ///
+    /// When its columns cannot be turned into poses.
+    pub fn clip(&self, rollout: &Rollout, name: &str) -> Result<Clip, PoseError> {
+        self.body.clip(&rollout.y, name)
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, for a body 1.7 m tall.
+    ///
+    /// # Errors
+    ///
+    /// When its columns cannot be turned into poses.
+    pub fn positions(&self, rollout: &Rollout) -> Result<Vec<f32>, PoseError> {
+        self.body.positions(&rollout.y)
+    }
+
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point `[Q_i]` and the others at their mean pose.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, or the point does not have its latent dimensions.
+    pub fn pose(&self, part: usize, latent: &[f64]) -> Result<Vec<f32>, RolloutError> {
+        let parts = &self.model.parts;
+        let columns = parts.get(part).map_or(0, |p| p.r().ncols());
+        if latent.len() != columns || columns == 0 {
+            return Err(RolloutError::Start {
+                part,
+                rows: 1,
+                columns,
+                found_rows: 1,
+                found_columns: latent.len(),
+            });
+        }
+        let mut latents: Vec<DMatrix<f64>> = parts.iter().map(|p| DMatrix::zeros(0, p.r().ncols())).collect();
+        latents[part] = DMatrix::from_row_slice(1, columns, latent);
+        let y = self.body.columns(&self.model.observations(&latents));
+        Ok(self.body.positions(&y)?)
+    }
+}
+
+/// Latent dimensions of all parts together.
+fn latent_columns(model: &Vcgpdm) -> usize {
+    model.parts.iter().map(|part| part.r().ncols()).sum()
+}

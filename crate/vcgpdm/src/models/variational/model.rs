@@ -1,0 +1,343 @@
+//! The fitted model: what a rollout, a plot or a file needs. Holds no training data.
+
+use crate::gp::linalg::Factor;
+use crate::gp::{Kernel, KernelSum, NumericsError};
+use crate::models::couplings::{Reading, check_couplings, coupling_weights};
+use crate::models::kind::ModelKind;
+use crate::models::latent_dynamics::LatentDynamics;
+use crate::models::rollout::{RolloutError, check_frames};
+use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
+use crate::models::variational::params::{Params, PartParams};
+use nalgebra::DMatrix;
+
+/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = `k(x, r) K_rr^-1 E[v]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseMap {
+    r: DMatrix<f64>,
+    kernel: Kernel,
+    beta: f64,
+    mean: DMatrix<f64>,
+    covariance: DMatrix<f64>,
+    /// k(x, r) K_rr^-1 `E[v]`.
+    sum: KernelSum,
+}
+
+impl PoseMap {
+    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean` `E[v]` [L x D] and the
+    /// `covariance` of every column of v [L x L]. `jitter` times the signal variance is added to the diagonal of K_rr.
+    ///
+    /// # Errors
+    ///
+    /// When K_rr cannot be factorised.
+    pub fn new(
+        r: DMatrix<f64>,
+        kernel: Kernel,
+        beta: f64,
+        mean: DMatrix<f64>,
+        covariance: DMatrix<f64>,
+        jitter: f64,
+    ) -> Result<Self, NumericsError> {
+        let k = kernel.inducing_covariance(&r, jitter);
+        let coefficients = Factor::new(&k, "covariance of the pose inducing points")?.solve(&mean);
+        let sum = KernelSum::new(&r, &kernel, &coefficients);
+        Ok(Self { r, kernel, beta, mean, covariance, sum })
+    }
+
+    /// Pose inducing inputs r [L x Q].
+    pub fn r(&self) -> &DMatrix<f64> {
+        &self.r
+    }
+
+    /// The kernel of the map.
+    pub fn kernel(&self) -> &Kernel {
+        &self.kernel
+    }
+
+    /// Observation noise variance beta.
+    pub fn beta(&self) -> f64 {
+        self.beta
+    }
+
+    /// Mean `E[v]` of the inducing outputs [L x D].
+    pub fn mean(&self) -> &DMatrix<f64> {
+        &self.mean
+    }
+
+    /// Covariance of every column of the inducing outputs v [L x L].
+    pub fn covariance(&self) -> &DMatrix<f64> {
+        &self.covariance
+    }
+
+    /// The columns of the part at its latents `x` [T x Q]: [T x D], without the column means.
+    pub fn observations(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
+        self.sum.at_rows(x)
+    }
+}
+
+/// One expert f^{ji}, what part j predicts about part i, with the posterior mean of its inducing outputs u:
+/// f(x) = `k(x, z) K_zz^-1 E[u]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedExpert {
+    z: DMatrix<f64>,
+    kernel: Kernel,
+    mean: DMatrix<f64>,
+    /// K_zz [K x K].
+    k: DMatrix<f64>,
+    /// k(x, z) K_zz^-1 `E[u]`, which no coupling changes.
+    sum: KernelSum,
+}
+
+impl FittedExpert {
+    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` `E[u]` [K x Q_i]. `jitter` is
+    /// added to the diagonal of K_zz.
+    ///
+    /// # Errors
+    ///
+    /// When K_zz cannot be factorised.
+    pub fn new(
+        z: DMatrix<f64>,
+        kernel: Kernel,
+        mean: DMatrix<f64>,
+        jitter: f64,
+    ) -> Result<Self, NumericsError> {
+        let k = kernel.inducing_covariance(&z, jitter);
+        let coefficients = Factor::new(&k, "covariance of the dynamics inducing points")?.solve(&mean);
+        let sum = KernelSum::new(&z, &kernel, &coefficients);
+        Ok(Self { z, kernel, mean, k, sum })
+    }
+
+    /// Dynamics inducing inputs z [K x pQ_j], oldest state first.
+    pub fn z(&self) -> &DMatrix<f64> {
+        &self.z
+    }
+
+    /// The kernel of the expert; its signal variance is 1.
+    pub fn kernel(&self) -> &Kernel {
+        &self.kernel
+    }
+
+    /// Mean `E[u]` of the inducing outputs [K x Q_i].
+    pub fn mean(&self) -> &DMatrix<f64> {
+        &self.mean
+    }
+}
+
+/// A fitted vCGPDM (or, of one part, vGPDM), without the data it was trained on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vcgpdm {
+    /// Order p of the dynamics.
+    pub order: usize,
+    /// The factor of the signal variance on the diagonal of every inducing covariance.
+    pub jitter: f64,
+    /// The pose map of each part `[M]`.
+    pub parts: Vec<PoseMap>,
+    /// Experts by source and target: `experts[j][i]` is j's prediction about i.
+    pub experts: Vec<Vec<FittedExpert>>,
+    /// Covariance of every column of u into each target, its sources stacked in order `[M]`.
+    pub dynamics_covariance: Vec<DMatrix<f64>>,
+    /// The sums from which the experts into each target can be inferred again under other couplings `[M]`.
+    pub sums: Vec<DynamicsSums>,
+    /// Learned coupling variances [M x M], row the source, column the target.
+    pub alpha: DMatrix<f64>,
+    /// The latent means of the first p frames of every training sequence: `starts[sequence][part]` [p x Q_i].
+    pub starts: Vec<Vec<DMatrix<f64>>>,
+    /// The terms of the bound that training reached, in nats.
+    pub terms: BoundTerms,
+}
+
+impl Vcgpdm {
+    /// The model with the optimal posteriors at `params`, where the bound has these `terms`.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
+    pub fn fit(objective: &Objective, params: &Params, terms: BoundTerms) -> Result<Self, NumericsError> {
+        let posteriors = objective.posteriors(params)?;
+        let (order, jitter) = (objective.sequences().order(), objective.jitter());
+        let mut parts = Vec::with_capacity(params.part_count());
+        for (part, v) in params.parts.iter().zip(posteriors.kinematics) {
+            let (r, kernel) = (part.r.clone(), part.kernel.clone());
+            parts.push(PoseMap::new(r, kernel, part.beta, v.mean, v.covariance, jitter)?);
+        }
+        let mut experts = Vec::with_capacity(params.part_count());
+        for (j, row) in params.experts.iter().enumerate() {
+            let mut fitted = Vec::with_capacity(row.len());
+            for (i, expert) in row.iter().enumerate() {
+                let before = (0..j).map(|l| params.experts[l][i].z.nrows()).sum();
+                let mean = posteriors.dynamics[i].mean.rows(before, expert.z.nrows()).into_owned();
+                fitted.push(FittedExpert::new(expert.z.clone(), expert.kernel.clone(), mean, jitter)?);
+            }
+            experts.push(fitted);
+        }
+        let starts = objective.sequences().ranges().map(|range| {
+            let start = |part: &PartParams| part.latents.mean.rows(range.start, order).into_owned();
+            params.parts.iter().map(start).collect()
+        });
+        Ok(Self {
+            order,
+            jitter,
+            parts,
+            experts,
+            starts: starts.collect(),
+            dynamics_covariance: posteriors.dynamics.into_iter().map(|u| u.covariance).collect(),
+            sums: posteriors.sums,
+            alpha: params.alpha.clone(),
+            terms,
+        })
+    }
+
+    /// Number of parts M.
+    pub fn part_count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// The kind of model: a vCGPDM, or a vGPDM if it has one part.
+    pub fn kind(&self) -> ModelKind {
+        if self.part_count() == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm }
+    }
+
+    /// The bound on the log evidence that training reached, in nats.
+    pub fn bound(&self) -> f64 {
+        self.terms.total()
+    }
+
+    /// The latent means of the first p frames of a training sequence, counted from 0: [p x Q_i] of each part.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence.
+    pub fn start(&self, sequence: usize) -> Result<&[DMatrix<f64>], RolloutError> {
+        let start = self.starts.get(sequence).map(Vec::as_slice);
+        start.ok_or(RolloutError::Sequence { count: self.starts.len(), found: sequence })
+    }
+
+    /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned, only the weights of
+    /// the experts depend on the couplings; re-inferred, the experts into every part are solved for again.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, or a covariance cannot be factorised.
+    pub fn dynamics(&self, alpha: &DMatrix<f64>, reading: Reading) -> Result<LatentDynamics, RolloutError> {
+        let m = self.part_count();
+        check_couplings(alpha, m)?;
+        let mut experts = Vec::with_capacity(m);
+        for target in 0..m {
+            let (noise, weights) = coupling_weights(alpha.column(target).as_slice());
+            experts.push(match reading {
+                Reading::AsLearned => self.reweighted(target, &weights),
+                Reading::ReInferred => self.re_inferred(target, noise, &weights)?,
+            });
+        }
+        let latent = self.parts.iter().map(|part| part.r.ncols()).collect();
+        Ok(LatentDynamics::new(self.order, latent, experts))
+    }
+
+    /// w_j f^{ji} of every source j about the target i.
+    fn reweighted(&self, i: usize, weights: &[f64]) -> Vec<KernelSum> {
+        self.experts.iter().zip(weights).map(|(row, w)| row[i].sum.weighted(*w)).collect()
+    }
+
+    /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise variance alpha^i.
+    fn re_inferred(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Vec<KernelSum>, NumericsError> {
+        // The mean of (A36), Velychko et al. 2018: K^-1 E[u] = A^-1 b / n with A = K + Psi2 / n, all sources stacked.
+        let experts: Vec<&FittedExpert> = self.experts.iter().map(|row| &row[i]).collect();
+        let offsets = stack_offsets(experts.iter().map(|expert| expert.k.nrows()));
+        let (psi2, b) = self.sums[i].weighted(weights, &offsets);
+        let mut a = psi2 / noise;
+        for (expert, offset) in experts.iter().zip(&offsets) {
+            let mut block = a.view_mut((*offset, *offset), expert.k.shape());
+            block += &expert.k;
+        }
+        let stacked =
+            Factor::new(&a, "covariance of the data at the dynamics inducing points")?.solve(&b) / noise;
+        let sources = experts.iter().zip(weights).zip(&offsets);
+        let sums = sources.map(|((expert, w), offset)| {
+            let coefficients = stacked.rows(*offset, expert.k.nrows()) * *w;
+            KernelSum::new(&expert.z, &expert.kernel, &coefficients)
+        });
+        Ok(sums.collect())
+    }
+
+    /// Centred columns of each part [frames x D_i] at the latents of each part [frames x Q_i].
+    pub fn observations(&self, latents: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        self.parts.iter().zip(latents).map(|(part, x)| part.observations(x)).collect()
+    }
+
+    /// Centred columns of each part [frames x D_i] under the learned couplings, starting as the training sequence `sequence`
+    /// starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        check_frames(frames)?;
+        let dynamics = self.dynamics(&self.alpha, Reading::AsLearned)?;
+        Ok(self.observations(&dynamics.path(self.start(sequence)?, frames)?))
+    }
+
+    /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and kernels of all maps,
+    /// couplings, and one start.
+    pub fn stored_numbers(&self) -> usize {
+        let poses = self.parts.iter().map(|p| p.r.len() + p.mean.len() + p.kernel.lambda.len() + 1);
+        let experts = self.experts.iter().flatten().map(|e| e.z.len() + e.mean.len() + e.kernel.lambda.len());
+        let start = self.parts.iter().map(|p| self.order * p.r.ncols());
+        poses.sum::<usize>() + experts.sum::<usize>() + self.alpha.len() + start.sum::<usize>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::variational::testing::{fitted, random_case};
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn re_inferred_under_the_learned_couplings_is_as_learned() {
+        let model = fitted(3);
+        let path = |alpha: &DMatrix<f64>, reading| {
+            model.dynamics(alpha, reading).unwrap().path(model.start(1).unwrap(), 30).unwrap()
+        };
+        for (a, b) in
+            path(&model.alpha, Reading::AsLearned).iter().zip(&path(&model.alpha, Reading::ReInferred))
+        {
+            assert_relative_eq!(a, b, epsilon = 1e-9);
+        }
+        let mut other = model.alpha.clone();
+        other[(1, 0)] *= 5.0;
+        let (kept, inferred) = (path(&other, Reading::AsLearned), path(&other, Reading::ReInferred));
+        assert!((&kept[0] - &inferred[0]).amax() > 1e-6);
+    }
+
+    #[test]
+    fn re_inferred_agrees_with_a_fit_under_the_other_couplings() {
+        let (mut params, objective) = random_case(1);
+        let model = fitted(1);
+        params.alpha[(0, 1)] *= 7.0;
+        params.alpha[(1, 1)] *= 0.3;
+        let terms = objective.terms(&params).unwrap();
+        let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
+        let step = |model: &Vcgpdm, reading| {
+            let dynamics = model.dynamics(&params.alpha, reading).unwrap();
+            dynamics.path(model.start(0).unwrap(), model.order + 1).unwrap()
+        };
+        for (a, b) in step(&model, Reading::ReInferred).iter().zip(&step(&refitted, Reading::AsLearned)) {
+            assert_relative_eq!(a, b, epsilon = 1e-8, max_relative = 1e-8);
+        }
+    }
+
+    #[test]
+    fn bad_requests_are_refused_in_words() {
+        let model = fitted(1);
+        let mut alpha = model.alpha.clone();
+        alpha[(0, 1)] = -1.0;
+        let error = model.dynamics(&alpha, Reading::AsLearned).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "expected a positive coupling variance from part 0 to part 1, 1e-100 to 1e100, found -1.0"
+        );
+        let error = model.start(9).unwrap_err().to_string();
+        assert_eq!(error, "expected a training sequence from 0 to 1, found 9");
+        let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        assert!(dynamics.path(&[], 10).is_err());
+    }
+}

@@ -1,0 +1,117 @@
+//! A part, and when a split of a body into parts is valid.
+
+use crate::motion::skeleton::Skeleton;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// A part: joints that share a latent space.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PartSpec {
+    /// Its name, e.g. "left arm".
+    pub name: String,
+    /// The places of its joints in the skeleton.
+    pub joints: Vec<usize>,
+}
+
+/// Why a split of a body into parts is invalid.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum PartsError {
+    /// No part at all.
+    #[error("expected at least one part, found none")]
+    NoParts,
+    /// A part without joints.
+    #[error("part {part} ({name:?}): expected at least one joint, found none")]
+    EmptyPart {
+        /// The number of the part, counted from 1.
+        part: usize,
+        /// The name of the part.
+        name: String,
+    },
+    /// A name that is empty, or that two parts have.
+    #[error("part {part}: expected a name of its own, found {name:?}")]
+    PartName {
+        /// The number of the part, counted from 1.
+        part: usize,
+        /// The name of the part.
+        name: String,
+    },
+    /// A joint that the skeleton does not have.
+    #[error("part {part} ({name:?}), joint {entry}: expected {expected}, found {found}")]
+    UnknownJoint {
+        /// The number of the part, counted from 1.
+        part: usize,
+        /// The name of the part.
+        name: String,
+        /// The entry among its joints, counted from 1.
+        entry: usize,
+        /// What was expected.
+        expected: String,
+        /// What was found.
+        found: String,
+    },
+    /// Joints that are in more than one part, or twice in one.
+    #[error("expected each joint in one part, found {0} more than once")]
+    Doubled(String),
+    /// Joints that are in no part.
+    #[error("expected each joint in one part, found no part for {0}")]
+    Missing(String),
+    /// A text that is not a list of parts.
+    #[error(
+        "expected a list like [{{\"name\": \"legs\", \"joints\": [\"LeftUpLeg\", 3]}}], found at {path}: {problem}"
+    )]
+    Json {
+        /// Where in the text.
+        path: String,
+        /// What the JSON reader says.
+        problem: String,
+    },
+}
+
+/// Checks that every joint is in exactly one part, and that every part has joints and a name of its own.
+///
+/// # Errors
+///
+/// A [`PartsError`] about the first part that is wrong, or the joints that are in no part or in several.
+pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> {
+    if parts.is_empty() {
+        return Err(PartsError::NoParts);
+    }
+    let mut uses = vec![0_usize; skeleton.joints.len()];
+    for (at, part) in parts.iter().enumerate() {
+        let (number, name) = (at + 1, part.name.clone());
+        if part.name.trim().is_empty() || parts[..at].iter().any(|other| other.name == part.name) {
+            return Err(PartsError::PartName { part: number, name });
+        }
+        if part.joints.is_empty() {
+            return Err(PartsError::EmptyPart { part: number, name });
+        }
+        for (entry, &joint) in part.joints.iter().enumerate() {
+            let Some(count) = uses.get_mut(joint) else {
+                return Err(PartsError::UnknownJoint {
+                    part: number,
+                    name,
+                    entry: entry + 1,
+                    expected: format!("a number from 0 to {}", skeleton.joints.len() - 1),
+                    found: joint.to_string(),
+                });
+            };
+            *count += 1;
+        }
+    }
+    let names = |wanted: &dyn Fn(usize) -> bool| -> Option<String> {
+        let joints: Vec<usize> = (0..uses.len()).filter(|&joint| wanted(uses[joint])).collect();
+        let shown =
+            joints.iter().take(8).map(|&joint| format!("{:?} ({joint})", skeleton.joints[joint].name));
+        let mut text = shown.collect::<Vec<_>>().join(", ");
+        if joints.len() > 8 {
+            text += &format!(" and {} more", joints.len() - 8);
+        }
+        (!joints.is_empty()).then_some(text)
+    };
+    if let Some(doubled) = names(&|uses| uses > 1) {
+        return Err(PartsError::Doubled(doubled));
+    }
+    names(&|uses| uses == 0).map_or(Ok(()), |missing| Err(PartsError::Missing(missing)))
+}

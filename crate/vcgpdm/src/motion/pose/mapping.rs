@@ -1,0 +1,210 @@
+//! How poses of one body become rows of Y: the columns, and what the mapping keeps of the body.
+
+use crate::motion::clip::Clip;
+use crate::motion::pose::root;
+use crate::motion::rotation;
+use crate::motion::same_body::BodyMismatch;
+use crate::motion::skeleton::Skeleton;
+use crate::motion::stage::Stage;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use thiserror::Error;
+
+/// What one column of Y holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColumnKind {
+    /// Change of the root's heading since the frame before, radians, to the left positive.
+    YawRate,
+    /// Displacement since the frame before along the heading, in leg lengths.
+    Forward,
+    /// Displacement since the frame before to the left of the heading, in leg lengths.
+    Sideways,
+    /// Height of the root, in leg lengths.
+    Height,
+    /// Rotation of the root about its left, after the heading, radians; forward positive.
+    Pitch,
+    /// Rotation of the root about its front, after heading and pitch, radians.
+    Roll,
+    /// A component (0, 1, 2) of a joint's rotation vector in its parent's frame, radians.
+    Rotation(usize),
+}
+
+/// One column of Y.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// The place of the joint that it belongs to.
+    pub joint: usize,
+    /// What it holds.
+    pub kind: ColumnKind,
+}
+
+/// Columns of the root, always the first.
+pub(crate) const ROOT_COLUMNS: [ColumnKind; 6] = [
+    ColumnKind::YawRate,
+    ColumnKind::Forward,
+    ColumnKind::Sideways,
+    ColumnKind::Height,
+    ColumnKind::Pitch,
+    ColumnKind::Roll,
+];
+
+/// Why poses could not be turned into numbers or back.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum PoseError {
+    /// The clip shows another body.
+    #[error("{clip}: not the same skeleton as the first clip: {reason}")]
+    Body {
+        /// The name of the clip.
+        clip: String,
+        /// The difference.
+        reason: BodyMismatch,
+    },
+    /// The rows have another width.
+    #[error("expected {expected} columns, found {found}")]
+    Columns {
+        /// Columns of the mapping.
+        expected: usize,
+        /// Columns given.
+        found: usize,
+    },
+    /// NaN, an infinity or a number of absurd size in a row.
+    #[error("frame {frame}, column {column}: expected a number from -1e9 to 1e9, found {found}")]
+    NotFinite {
+        /// The frame, counted from 0.
+        frame: usize,
+        /// The column, counted from 0.
+        column: usize,
+        /// The number found.
+        found: f64,
+    },
+    /// The start of a motion holds numbers that cannot be used.
+    #[error("{field}: expected {expected}")]
+    Field {
+        /// The field.
+        field: &'static str,
+        /// What was expected.
+        expected: String,
+    },
+}
+
+/// How poses of one body become rows of Y, and back: all that a rollout needs to know about the body.
+///
+/// ```
+/// use vcgpdm::motion::pose::{ColumnKind, PoseMapping};
+/// use vcgpdm::motion::samples;
+///
+/// let clip = samples::clip("walk-1").ok_or("no such sample")?;
+/// let mapping = PoseMapping::new(&clip);
+/// assert_eq!(mapping.columns()[1].kind, ColumnKind::Forward);
+///
+/// let encoded = mapping.encode(&clip)?; // y [frames x columns], and where the walk starts
+/// let step = encoded.y.column(1).mean(); // in leg lengths a frame
+/// let leg = 0.5 * 1.7; // metres, of a body 1.7 m tall
+/// assert!((1.0..1.6).contains(&(step * leg / clip.frame_time)), "a walk is 1 to 1.6 metres a second fast");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the file's world
+/// to y up, and R0 that of the 24 axis-aligned rotations that turns the body of the clip upright, facing z. So yaw is the
+/// heading and pitch and roll are near zero, whatever axes the root has. Displacements and height are in leg
+/// lengths, taken as half the body's height: a step is then as large as the angle that the leg sweeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseMapping {
+    /// The body.
+    pub(super) skeleton: Skeleton,
+    /// Up axis, height and ground of the clip.
+    pub(super) stage: Stage,
+    /// R0 as a quaternion [w, x, y, z].
+    pub(super) upright: [f64; 4],
+    /// The place of each joint in its parent's frame, file units: its offset, or the mean of its position channels.
+    pub(super) positions: Vec<[f64; 3]>,
+    /// The rotation vector of each joint in the first frame: clips begin on the branch nearest to it.
+    pub(super) first: Vec<[f64; 3]>,
+}
+
+impl PoseMapping {
+    /// The mapping for the body of a clip. The clip also gives the up axis, the ground, the mean joint positions, and the first
+    /// pose, from which rotation vectors continue without jumps.
+    pub fn new(clip: &Clip) -> PoseMapping {
+        let stage = clip.stage();
+        PoseMapping {
+            skeleton: clip.skeleton.clone(),
+            stage,
+            upright: root::upright(clip, stage.up),
+            positions: mean_positions(clip).0,
+            first: first_rotations(clip),
+        }
+    }
+
+    /// The body whose poses are mapped.
+    pub fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// Up axis, height and ground of the clip that the mapping was made from.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// The columns of Y: six of the root, then three of each other joint, in the order of the joints.
+    pub fn columns(&self) -> Vec<Column> {
+        let root = ROOT_COLUMNS.into_iter().map(|kind| Column { joint: 0, kind });
+        let others = (1..self.skeleton.joints.len())
+            .flat_map(|joint| (0..3).map(move |axis| Column { joint, kind: ColumnKind::Rotation(axis) }));
+        root.chain(others).collect()
+    }
+
+    /// The number of columns of Y.
+    pub fn column_count(&self) -> usize {
+        ROOT_COLUMNS.len() + 3 * (self.skeleton.joints.len() - 1)
+    }
+
+    /// The length of a leg in file units: the unit of displacements and height.
+    pub(super) fn leg(&self) -> f64 {
+        0.5 * self.stage.height
+    }
+
+    /// R0 as a rotation.
+    pub(super) fn upright(&self) -> UnitQuaternion<f64> {
+        let [w, x, y, z] = self.upright;
+        UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
+    }
+
+    /// The places of the joints in their parents' frames.
+    pub(super) fn local_positions(&self) -> Vec<Vector3<f64>> {
+        self.positions.iter().map(|place| Vector3::from(*place)).collect()
+    }
+}
+
+/// The mean place of each joint in its parent's frame, and its largest distance from there along any axis.
+pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
+    let mut means = Vec::new();
+    let mut spreads = Vec::new();
+    let mut column = 0;
+    for joint in &clip.skeleton.joints {
+        let (mut mean, mut spread) = (joint.offset, 0.0_f64);
+        for channel in &joint.channels {
+            if !channel.is_rotation() && clip.frames() > 0 {
+                let values = clip.values.column(column);
+                // Relative to the first value, so that a constant channel comes out exactly.
+                let first = values[0];
+                let average =
+                    first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64;
+                mean[channel.axis()] = average;
+                spread = values.iter().map(|value| (value - average).abs()).fold(spread, f64::max);
+            }
+            column += 1;
+        }
+        means.push(mean);
+        spreads.push(spread);
+    }
+    (means, spreads)
+}
+
+/// The rotation vector of each joint in the first frame, |r| <= pi; the root's is not used.
+fn first_rotations(clip: &Clip) -> Vec<[f64; 3]> {
+    if clip.frames() == 0 {
+        return vec![[0.0; 3]; clip.skeleton.joints.len()];
+    }
+    clip.local_pose(0).rotations.iter().map(|rotation| rotation::log(rotation).into()).collect()
+}
