@@ -99,7 +99,8 @@ describe("the declared types", () => {
     const file = JSON.parse(results.toJson());
     const [trial, first] = [file.setting.trials[2], file.finished[0]];
     file.setting.trials.push({ ...trial, sha256: "another" });
-    file.finished.push({ ...first, job: { ...first.job, training_trials: 3 } });
+    for (const { job, ...rest } of file.finished.filter((/** @type {any} */ { job }) => job.training_trials === 2))
+      file.finished.push({ ...rest, job: { ...job, training_trials: 3 } });
     file.finished.push({ ...first, job: { ...first.job, training_trials: 3, seed: 1 }, outcome: null, failure: "why" });
     const more = Results.fromJson(JSON.stringify(file));
     hold("Results.finished", more.finished());
