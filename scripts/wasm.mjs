@@ -22,7 +22,7 @@ const FEATURES = [
   "mutable-globals",
   "reference-types",
   "multivalue",
-];
+].map((name) => `--enable-${name}`);
 
 export async function buildWasm() {
   const sources = [
@@ -69,6 +69,9 @@ export async function buildPackage(/** @type {string} */ place, /** @type {strin
   await optimise(place);
 }
 
+// Who made the file and what it needs of an engine is for tools alone.
+const STRIP = ["--strip-producers", "--strip-target-features"];
+
 /** Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them differs. */
 async function optimise(/** @type {string} */ place) {
   /** @type {{ before: Buffer, file: string }[]} */
@@ -78,8 +81,7 @@ async function optimise(/** @type {string} */ place) {
     const before = readFileSync(file);
     const same = done.find((other) => other.before.equals(before));
     if (same) copyFileSync(same.file, file);
-    else
-      await runModule("binaryen/bin/wasm-opt", file, "-O3", ...FEATURES.map((name) => `--enable-${name}`), "-o", file);
+    else await runModule("binaryen/bin/wasm-opt", file, "-O3", ...STRIP, ...FEATURES, "-o", file);
     done.push({ before, file });
   }
 }

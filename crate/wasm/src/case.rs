@@ -18,7 +18,7 @@ impl Case {
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &str) -> Result<Case, VcgpdmError> {
         let case =
-            GoldenCase::from_json(text).map_err(|reason| VcgpdmError::new(ErrorCode::Settings, reason))?;
+            GoldenCase::from_json(text).map_err(|reason| VcgpdmError::new(ErrorCode::Settings, &reason))?;
         let workspace = case.objective.workspace(&case.params);
         Ok(Case { case, workspace })
     }

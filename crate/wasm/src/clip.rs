@@ -4,7 +4,7 @@ use crate::body::BodyInfo;
 use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use vcgpdm::models::DatasetError;
+use vcgpdm::models::same_body;
 use vcgpdm::motion::parts::PartsPreset;
 use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
@@ -73,8 +73,10 @@ impl Clip {
 
     /// A clip that the project makes itself, by its id in `samples()`.
     pub fn sample(id: &str) -> Result<Clip, VcgpdmError> {
-        let unknown = || format!("expected the id of a sample clip, found \"{id}\"");
-        let clip = samples::clip(id).ok_or_else(|| VcgpdmError::new(ErrorCode::Clip, unknown()))?;
+        let clip = samples::clip(id).ok_or_else(|| {
+            let message = format_args!("expected the id of a sample clip, found \"{id}\"");
+            VcgpdmError::new(ErrorCode::Clip, &message)
+        })?;
         Ok(Clip { clip })
     }
 
@@ -147,11 +149,7 @@ impl TrainingSet {
     /// Adds a clip. Throws the reason when its body differs from the first clip's; the set stays as it was.
     pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
         if let Some(first) = self.clips.first() {
-            first.skeleton.same_body(&clip.clip.skeleton).map_err(|reason| DatasetError::Body {
-                clip: clip.clip.name.clone(),
-                first: first.name.clone(),
-                reason: Box::new(reason),
-            })?;
+            same_body(first, &clip.clip)?;
         }
         self.clips.push(clip.clip.clone());
         Ok(())

@@ -4,7 +4,7 @@
 //! A visitor downloads this: what is generic over the value is kept small, the rest stands in functions of its own.
 
 use crate::error::{ErrorCode, VcgpdmError};
-use js_sys::{Array, Object, Reflect, Symbol};
+use js_sys::{Array, ArrayBuffer, Object, Reflect};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -70,7 +70,7 @@ pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
 fn in_camel_case(value: Result<JsValue, Error>) -> Result<JsValue, VcgpdmError> {
     let value = value.map_err(unconverted)?;
     renamed(&value, &|field| Ok(camel(field, true)))
-        .map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
+        .map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, &reason))
 }
 
 fn in_snake_case(value: &JsValue) -> Result<JsValue, String> {
@@ -78,23 +78,22 @@ fn in_snake_case(value: &JsValue) -> Result<JsValue, String> {
 }
 
 fn unconverted(reason: Error) -> VcgpdmError {
-    VcgpdmError::new(ErrorCode::Numerics, plain(&reason.to_string()))
+    VcgpdmError::new(ErrorCode::Numerics, &plain(&reason.to_string()))
 }
 
 fn refused(code: ErrorCode, what: &str, reason: &str) -> VcgpdmError {
-    VcgpdmError::new(code, [what, reason].join(": "))
+    VcgpdmError::new(code, &format_args!("{what}: {reason}"))
 }
 
 /// The object's fields of these names, and the others.
 fn divided(value: &JsValue, names: &[&str]) -> (Object, Object) {
     let (first, second) = (Object::new(), Object::new());
     if value.is_object() {
-        for entry in Object::entries(value.unchecked_ref()).iter() {
-            let entry: Array = entry.unchecked_into();
-            let name = entry.get(0).as_string().unwrap_or_default();
+        for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
+            let name = field.as_string().unwrap_or_default();
             let object = if names.contains(&name.as_str()) { &first } else { &second };
-            // A new plain object refuses no field.
-            let _ = Reflect::set(object, &entry.get(0), &entry.get(1));
+            // A plain object neither lacks a field that it names nor refuses one.
+            let _ = Reflect::set(object, &field, &Reflect::get(value, &field).unwrap_or_default());
         }
     }
     (first, second)
@@ -114,54 +113,54 @@ fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Re
         }
         return Ok(copy.into());
     }
-    let has_fields = value.is_object() && !Reflect::has(value, &Symbol::iterator()).unwrap_or(false);
-    if !has_fields {
+    if !value.is_object() || ArrayBuffer::is_view(value) {
         return Ok(value.clone());
     }
     let copy = Object::new();
-    for entry in Object::entries(value.unchecked_ref()).iter() {
-        let entry: Array = entry.unchecked_into();
-        let field = name(&entry.get(0).as_string().unwrap_or_default())?;
-        // A new plain object refuses no field.
-        let _ = Reflect::set(&copy, &field.into(), &renamed(&entry.get(1), name)?);
+    for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
+        // A plain object neither lacks a field that it names nor refuses one.
+        let inner = Reflect::get(value, &field).unwrap_or_default();
+        let new_name = name(&field.as_string().unwrap_or_default())?;
+        let _ = Reflect::set(&copy, &new_name.into(), &renamed(&inner, name)?);
     }
     Ok(copy.into())
 }
 
 /// "dynamics_ips" as "dynamicsIps". Backticks begin and end a field; what stands outside stays as it is.
 fn camel(text: &str, mut is_field: bool) -> String {
-    let mut words = String::new();
+    let mut words = Vec::new();
     let mut capital = false;
-    for letter in text.chars() {
-        is_field ^= letter == '`';
-        if is_field && letter == '_' {
+    for letter in text.bytes() {
+        is_field ^= letter == b'`';
+        if is_field && letter == b'_' {
             capital = true;
         } else {
             words.push(if capital { letter.to_ascii_uppercase() } else { letter });
             capital = false;
         }
     }
-    words
+    string(words)
 }
 
 /// "dynamicsIps" as "dynamics_ips".
 fn snake(field: &str) -> Result<String, String> {
-    let mut name = String::new();
-    for letter in field.chars() {
-        match letter {
-            '_' => return Err(snake_found(field)),
-            'A'..='Z' => {
-                name.push('_');
-                name.push(letter.to_ascii_lowercase());
-            }
-            _ => name.push(letter),
+    let mut name = Vec::new();
+    for letter in field.bytes() {
+        if letter == b'_' {
+            let right = camel(field, true);
+            return Err(format!("expected fields in camelCase, found `{field}`; write `{right}`"));
         }
+        if letter.is_ascii_uppercase() {
+            name.push(b'_');
+        }
+        name.push(letter.to_ascii_lowercase());
     }
-    Ok(name)
+    Ok(string(name))
 }
 
-fn snake_found(field: &str) -> String {
-    format!("expected fields in camelCase, found `{field}`; write `{}`", camel(field, true))
+/// Letters of a text of which only ASCII ones were changed.
+fn string(letters: Vec<u8>) -> String {
+    String::from_utf8(letters).unwrap_or_default()
 }
 
 /// What was wrong with a value, its fields named as JavaScript knows them: serde puts them in backticks.

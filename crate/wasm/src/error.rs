@@ -91,7 +91,7 @@ pub struct VcgpdmError {
 
 impl VcgpdmError {
     /// An error in these words.
-    pub fn new(code: ErrorCode, message: impl Display) -> Self {
+    pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
         Self { code, message: message.to_string() }
     }
 }
@@ -113,7 +113,7 @@ trait LibraryError: Display {
 
 impl<E: LibraryError> From<E> for VcgpdmError {
     fn from(error: E) -> Self {
-        VcgpdmError::new(error.code(), error)
+        VcgpdmError::new(error.code(), &error)
     }
 }
 

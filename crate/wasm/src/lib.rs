@@ -27,7 +27,7 @@ use wasm_bindgen::prelude::*;
 /// A fresh seed from the machine's own randomness.
 #[wasm_bindgen(js_name = freshSeed)]
 pub fn fresh_seed() -> Result<u32, VcgpdmError> {
-    getrandom::u32().map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, reason))
+    getrandom::u32().map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, &reason))
 }
 
 /// The version of this package.

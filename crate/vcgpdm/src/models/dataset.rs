@@ -112,6 +112,19 @@ pub struct Dataset {
     pub warnings: Vec<String>,
 }
 
+/// Checks that clips have the same body, so that they can be trained on together.
+///
+/// # Errors
+///
+/// The bodies differ; the error names both clips and says how.
+pub fn same_body(first: &Clip, clip: &Clip) -> Result<(), DatasetError> {
+    first.skeleton.same_body(&clip.skeleton).map_err(|reason| DatasetError::Body {
+        clip: clip.name.clone(),
+        first: first.name.clone(),
+        reason: Box::new(reason),
+    })
+}
+
 /// Rates that differ by less than this are one rate.
 const SAME_RATE: f64 = 0.02;
 
@@ -126,11 +139,7 @@ impl Dataset {
     pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
         let first = sources.first().ok_or(DatasetError::Empty)?;
         for source in &sources[1..] {
-            first.clip.skeleton.same_body(&source.clip.skeleton).map_err(|reason| DatasetError::Body {
-                clip: source.clip.name.clone(),
-                first: first.clip.name.clone(),
-                reason: Box::new(reason),
-            })?;
+            same_body(first.clip, source.clip)?;
         }
         let mut clips: Vec<Clip> = Vec::new();
         for source in sources {

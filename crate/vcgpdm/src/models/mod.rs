@@ -37,7 +37,7 @@ pub mod variational;
 
 pub use body::Body;
 pub use couplings::{CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights};
-pub use dataset::{Dataset, DatasetError, SequenceInfo, Source};
+pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body};
 pub use flat::{Group, Kind, Parameters};
 pub use kind::ModelKind;
 pub use latent_dynamics::LatentDynamics;
