@@ -1,6 +1,7 @@
 //! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted model.
 
 pub(crate) mod elbo;
+mod familiarity;
 pub(crate) mod inducing;
 pub(crate) mod learner;
 pub(crate) mod model;
