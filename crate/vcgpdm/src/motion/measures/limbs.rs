@@ -4,7 +4,7 @@ use crate::motion::Skeleton;
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::Side;
 use crate::motion::measures::track::Track;
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 use serde::Serialize;
 
 /// A hand or a foot.
@@ -51,33 +51,44 @@ pub(super) struct End {
 }
 
 /// The ends of the limbs that the body has.
-pub(super) fn ends(skeleton: &Skeleton) -> Vec<End> {
-    let Some(anatomy) = Anatomy::of(skeleton) else { return Vec::new() };
+pub(super) fn ends(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<End> {
     let nodes = skeleton.figure();
-    let tips = [
+    let mut ends = Vec::new();
+    for (limb, region) in [
         (Limb::LeftHand, Region::Arm(Side::Left)),
         (Limb::RightHand, Region::Arm(Side::Right)),
         (Limb::LeftFoot, Region::Leg(Side::Left)),
         (Limb::RightFoot, Region::Leg(Side::Right)),
-    ];
-    let tips = tips.map(|(limb, region)| (limb, anatomy.tip(skeleton, region)));
-    let tips = tips.into_iter().filter_map(|(limb, tip)| tip.map(|node| (limb, node)));
-    tips.map(|(limb, node)| End { limb, node, joint: nodes[node].joint }).collect()
+    ] {
+        if let Some(node) = anatomy.tip(skeleton, region) {
+            ends.push(End { limb, node, joint: nodes[node].joint });
+        }
+    }
+    ends
 }
 
-/// The place of each end along the heading, relative to the root [frames x ends], in metres.
-pub(super) fn forward_places(skeleton: &Skeleton, ends: &[End], track: &Track) -> DMatrix<f64> {
-    let across = across(skeleton);
-    let mut places = DMatrix::zeros(track.frames(), ends.len());
+/// The place of each end along the heading, relative to the root, in metres: one row of frames for each end.
+pub(super) fn forward_places(
+    skeleton: &Skeleton,
+    anatomy: &Anatomy,
+    ends: &[End],
+    track: &Track,
+) -> Vec<Vec<f64>> {
+    let across = across(skeleton, anatomy);
+    let mut places = vec![Vec::new(); ends.len()];
     let mut forward = Vector3::z();
     for frame in 0..track.frames() {
-        let left: Vector3<f64> =
-            across.iter().map(|&[left, right]| track.at(frame, left) - track.at(frame, right)).sum();
+        let mut left = Vector3::zeros();
+        for &[on_left, on_right] in &across {
+            left += track.at(frame, on_left) - track.at(frame, on_right);
+        }
         // Front = left x up. A body that lies on its side keeps the heading that it had.
-        let ahead = Vector3::new(-left.z, 0.0, left.x);
-        forward = ahead.try_normalize(1e-6).unwrap_or(forward);
-        for (place, end) in places.row_mut(frame).iter_mut().zip(ends) {
-            *place = track.beside_root(frame, end.node).dot(&forward);
+        let length = left.x.hypot(left.z);
+        if length > 1e-6 {
+            forward = Vector3::new(-left.z / length, 0.0, left.x / length);
+        }
+        for (places, end) in places.iter_mut().zip(ends) {
+            places.push(track.beside_root(frame, end.node).dot(&forward));
         }
     }
     places
@@ -85,15 +96,19 @@ pub(super) fn forward_places(skeleton: &Skeleton, ends: &[End], track: &Track) -
 
 /// Pairs of a left and a right joint that lie across the body whatever the limbs do: the hips and the shoulders. In walking these two
 /// turn against each other, so that both together keep the heading.
-fn across(skeleton: &Skeleton) -> Vec<[usize; 2]> {
-    let Some(anatomy) = Anatomy::of(skeleton) else { return Vec::new() };
+fn across(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<[usize; 2]> {
     let rest = skeleton.rest_pose().positions;
     let apart = 0.02 * skeleton.height();
-    let pair = |region: fn(Side) -> Region| {
+    let mut across = Vec::new();
+    for region in [Region::Leg as fn(Side) -> Region, Region::Arm] {
         let (left, right) = (anatomy.joints(region(Side::Left)), anatomy.joints(region(Side::Right)));
-        // Some files begin both limbs at one point, in the middle of the body.
-        let mut pairs = left.into_iter().zip(right).map(|(left, right)| [left, right]);
-        pairs.find(|&[left, right]| (rest[left] - rest[right]).norm() > apart)
-    };
-    [pair(Region::Leg), pair(Region::Arm)].into_iter().flatten().collect()
+        for (left, right) in left.into_iter().zip(right) {
+            // Some files begin both limbs at one point, in the middle of the body.
+            if (rest[left] - rest[right]).norm() > apart {
+                across.push([left, right]);
+                break;
+            }
+        }
+    }
+    across
 }

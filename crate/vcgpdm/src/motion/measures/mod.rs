@@ -7,8 +7,9 @@ mod speed;
 mod track;
 
 use crate::motion::Skeleton;
+use crate::motion::anatomy::Anatomy;
 use crate::motion::period;
-use limbs::{End, ends, forward_places};
+use limbs::{ends, forward_places};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use track::Track;
@@ -97,47 +98,48 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 /// ```
 pub fn measures(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Measures {
     let track = Track::new(skeleton, positions, frame_time);
-    let ends = ends(skeleton);
-    let places = forward_places(skeleton, &ends, &track);
-    let swings: Vec<f64> = places.column_iter().map(|place| place.variance().sqrt()).collect();
-    let period_of = |limb: usize| {
-        let place = places.columns(limb, 1).into_owned();
-        (swings[limb] >= LEAST_SWING).then(|| period(&[place])).flatten().map(|period| period.frames)
-    };
-    let periods: Vec<Option<f64>> = (0..ends.len()).map(period_of).collect();
-    let limbs = (ends.iter().enumerate()).map(|(limb, end)| {
-        let step = other(&ends, end).and_then(|other| {
-            let foot = if end.limb.is_hand() { other } else { limb };
-            let swinging = swings[limb].min(swings[other]) >= LEAST_SWING;
-            let period = periods[foot].filter(|_| swinging)?;
-            rhythm::step(column(&places, limb), column(&places, other), period)
-        });
-        LimbMeasures {
-            limb: end.limb,
-            joint: end.joint,
-            swing: swings[limb],
-            period: periods[limb].map(|frames| frames * frame_time),
-            ahead: step.map(|step| step.ahead),
-            locking: step.map(|step| step.locking),
-        }
-    });
     let walking_speed = speed::walking(&track);
-    Measures {
-        limbs: limbs.collect(),
+    let mut measures = Measures {
+        limbs: Vec::new(),
         joint_speed: speed::of_joints(&track),
         walking_speed,
-        foot_slide: speed::foot_slide(skeleton, &track, walking_speed),
+        foot_slide: None,
+    };
+    if let Some(anatomy) = Anatomy::of(skeleton) {
+        measures.limbs = of_limbs(skeleton, &anatomy, &track);
+        measures.foot_slide = speed::foot_slide(skeleton, &anatomy, &track, walking_speed);
     }
+    measures
 }
 
-/// Where the limb is with which this one swings in walking: the foot or hand of the other side.
-fn other(ends: &[End], end: &End) -> Option<usize> {
-    ends.iter().position(|candidate| candidate.limb == end.limb.other())
-}
-
-fn column(places: &DMatrix<f64>, limb: usize) -> &[f64] {
-    let frames = places.nrows();
-    &places.as_slice()[limb * frames..(limb + 1) * frames]
+fn of_limbs(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track) -> Vec<LimbMeasures> {
+    let ends = ends(skeleton, anatomy);
+    let places = forward_places(skeleton, anatomy, &ends, track);
+    let mut limbs = Vec::new();
+    let mut periods = Vec::new();
+    for (end, places) in ends.iter().zip(&places) {
+        let place = DMatrix::from_column_slice(places.len(), 1, places);
+        let swing = place.variance().sqrt();
+        // In frames.
+        let repeats = if swing < LEAST_SWING { None } else { period(&[place]) };
+        let repeats = repeats.map(|period| period.frames);
+        let seconds = repeats.map(|frames| frames * track.frame_time);
+        let (limb, joint) = (end.limb, end.joint);
+        limbs.push(LimbMeasures { limb, joint, swing, period: seconds, ahead: None, locking: None });
+        periods.push(repeats);
+    }
+    for k in 0..ends.len() {
+        // The foot or hand of the other side, with which it swings in walking.
+        let Some(other) = ends.iter().position(|end| end.limb == ends[k].limb.other()) else { continue };
+        let foot = if ends[k].limb.is_hand() { other } else { k };
+        let swinging = limbs[k].swing.min(limbs[other].swing) >= LEAST_SWING;
+        let step = periods[foot].filter(|_| swinging);
+        if let Some(step) = step.and_then(|period| rhythm::step(&places[k], &places[other], period)) {
+            limbs[k].ahead = Some(step.ahead);
+            limbs[k].locking = Some(step.locking);
+        }
+    }
+    limbs
 }
 
 #[cfg(test)]

@@ -50,18 +50,26 @@ pub(super) fn walking(track: &Track) -> f64 {
 }
 
 /// Horizontal speed of the lowest node of the legs, as a share of the `walking` speed.
-pub(super) fn foot_slide(skeleton: &Skeleton, track: &Track, walking: f64) -> Option<f64> {
-    let anatomy = Anatomy::of(skeleton)?;
-    let figure = skeleton.figure();
-    let of_legs = |&node: &usize| matches!(anatomy.regions[figure[node].joint], Region::Leg(_));
-    let legs: Vec<usize> = (0..figure.len()).filter(of_legs).collect();
-    let slides = (1..track.frames()).filter_map(|frame| {
-        let height = |&node: &usize| track.at(frame, node).y;
-        let lowest = *legs.iter().min_by(|a, b| height(a).total_cmp(&height(b)))?;
-        Some(along_ground(track.at(frame, lowest) - track.at(frame - 1, lowest)) / track.frame_time)
-    });
-    let mean = slides.sum::<f64>() / track.frames().saturating_sub(1).max(1) as f64;
-    (walking >= WALKING).then(|| mean / walking)
+pub(super) fn foot_slide(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track, walking: f64) -> Option<f64> {
+    let mut legs = Vec::new();
+    for (node, figure) in skeleton.figure().iter().enumerate() {
+        if matches!(anatomy.regions[figure.joint], Region::Leg(_)) {
+            legs.push(node);
+        }
+    }
+    let mut slid = 0.0;
+    for frame in 1..track.frames() {
+        let (mut lowest, mut lowest_height) = (0, f64::INFINITY);
+        for &node in &legs {
+            let height = track.at(frame, node).y;
+            if height < lowest_height {
+                (lowest, lowest_height) = (node, height);
+            }
+        }
+        slid += along_ground(track.at(frame, lowest) - track.at(frame - 1, lowest));
+    }
+    let seconds = track.frames().saturating_sub(1).max(1) as f64 * track.frame_time;
+    (walking >= WALKING).then(|| slid / seconds / walking)
 }
 
 fn along_ground(way: Vector3<f64>) -> f64 {
