@@ -1,5 +1,6 @@
-// A labelled field for a number.
+// A labelled field for a number. A value beyond the limits is not changed silently: the field says which limit it met.
 import { html, nothing, type TemplateResult } from "lit";
+import { grouped } from "./format";
 
 interface NumberInput {
   /** For a label elsewhere. */
@@ -18,13 +19,22 @@ export interface NumberField extends Omit<NumberInput, "id"> {
   hint: string;
 }
 
+/** What to say of a value that became another one; empty where it was taken as it is. */
+export function limitWords(asked: number, { min, max }: NumberInput["limits"]): string {
+  if (asked > max) return `At most ${grouped(max)}.`;
+  return asked < min ? `At least ${grouped(min)}.` : "";
+}
+
 export function numberInput({ id, testId, limits, value, disabled, change }: NumberInput): TemplateResult {
   return html`<input type="number" id=${id ?? nothing} data-testid=${testId} min=${limits.min} max=${limits.max} step=${limits.step}
     .value=${String(value)} ?disabled=${disabled}
     @change=${(event: Event) => {
       const input = event.target as HTMLInputElement;
-      input.value = String(change(input.valueAsNumber));
-    }} />`;
+      const asked = input.valueAsNumber;
+      input.value = String(change(asked));
+      const words = input.nextElementSibling;
+      if (words) words.textContent = limitWords(asked, limits);
+    }} /><small class="limit" role="status"></small>`;
 }
 
 export function numberField({ label, hint, ...input }: NumberField): TemplateResult {
