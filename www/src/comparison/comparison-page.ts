@@ -52,6 +52,10 @@ export class ComparisonPage extends View {
 
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());
+    this.listen(window, "online", () => {
+      this.#problem = "";
+      this.comparison.reconnected();
+    });
   }
 
   /** Beside the button: what would happen, what is happening, or how it ended. */

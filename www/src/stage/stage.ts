@@ -6,7 +6,7 @@ import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
 import type { Fineness } from "../scene/pace";
-import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, reachOf, SOLE } from "../scene/standing";
+import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
 import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, Shown, StageStore } from "./stage-store";
@@ -149,7 +149,7 @@ export class Stage {
     const { camera, controls } = this.viewport;
     const slope = Math.tan((camera.fov * Math.PI) / 360);
     const least = camera.aspect < 0.9 ? NEAR_HIGH : NEAR;
-    const needed = distanceFor(reachOf(motion, this.floor), slope, camera.aspect);
+    const needed = distanceFor(motion, this.floor, slope, camera.aspect);
     return Math.min(controls.maxDistance, Math.max(least, needed));
   }
 
