@@ -78,10 +78,11 @@ export class TrainingView extends View {
     if (why) return sentence(why);
     if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
     if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
-    const ticked = this.clips.ticked.length;
+    const { ticked } = this.clips;
     const { trainings } = this.settings.values;
     const models = trainings === 1 ? "A new model" : `${trainings} new models`;
-    return `${models}, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
+    const sample = ticked.every(({ origin }) => origin === "made") ? "sample " : "";
+    return `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
