@@ -71,8 +71,9 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
   return false;
 }
 
-/** What a button saves to disk. */
+/** What a button saves to disk; those of the menu of the page's head are opened first. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
+  if (await page.locator(`#save-menu [data-testid=${button}]`).count()) await page.getByTestId("save").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }

@@ -23,6 +23,9 @@ export interface StageWords {
   lead: string;
 }
 
+/** The title of a motion of the model, as learned. */
+export const MODEL_TITLE = "Made by the model";
+
 /** So many clips are named; of more the number is said. */
 const NAMED = 2;
 
@@ -59,7 +62,7 @@ function modelWords({ point, altered, learning, learnedFrom }: OnStage): { title
     const text = learning.iteration === null ? "Starting" : `Iteration ${learning.iteration}${seed}`;
     return { title: "The model while it learns", text };
   }
-  return { title: "Made by the model", text: namesOf(learnedFrom ?? []) };
+  return { title: MODEL_TITLE, text: namesOf(learnedFrom ?? []) };
 }
 
 function namesOf(names: readonly string[]): string {

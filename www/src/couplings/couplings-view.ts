@@ -6,6 +6,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { clipTitle, short, weight } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
+import "../terms/term";
 import { swatchStyle, View } from "../ui/view";
 import "./body-map";
 import "./couplings.css";
@@ -86,7 +87,7 @@ export class CouplingsView extends View {
     const inferred = this.settings.values.reading === "re-inferred";
     return html`
       <fieldset class="readings">
-        <legend>When a slider moves</legend>
+        <legend>When a slider moves, <pg-term of="expert" text="experts"></pg-term> <pg-term of="reading" text="stay or are re-inferred"></pg-term></legend>
         <div class="segments">
           <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"
             @click=${() => model.setReading("as learned")}>experts as learned</button>
@@ -118,8 +119,9 @@ export class CouplingsView extends View {
     const info = this.model.model?.info;
     return html`
       <header class="panel-head">
-        <h2>Couplings</h2>
-        <p class="hint">Which part predicts which. Right is strong.</p>
+        <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
+        <p class="hint">Which <pg-term of="part" text="part"></pg-term> predicts which. Right is strong: small
+          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
         ${info ? this.starts(info) : nothing}
       </header>
       ${

@@ -1,7 +1,15 @@
 // The model, its couplings, and its rollouts: as learned and under the couplings now.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { Engine, ModelInfo, ModelView, OpenedModel, Reading, RolloutRequest, RolloutResult } from "../engine/protocol";
+import type {
+  Engine,
+  ModelInfo,
+  ModelView,
+  OpenedModel,
+  Reading,
+  RolloutRequest,
+  RolloutResult,
+} from "../engine/protocol";
 import type { ChangedCouplings, Settings } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";

@@ -93,7 +93,9 @@ describe("labels in short", () => {
       units: "iterations",
       all: "12 + 12 inducing points",
     });
-    expect(inShort(["8 + 8 inducing points, Q = 3, 800 iterations", "4 + 4 inducing points, Q = 2, 800 iterations"])).toEqual({
+    expect(
+      inShort(["8 + 8 inducing points, Q = 3, 800 iterations", "4 + 4 inducing points, Q = 2, 800 iterations"]),
+    ).toEqual({
       short: ["8 + 8, Q = 3", "4 + 4, Q = 2"],
       units: "inducing points",
       all: "800 iterations",

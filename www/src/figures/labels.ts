@@ -128,7 +128,10 @@ export function inShort(labels: readonly string[]): ShortLabels {
   const same = columns.filter((column) => new Set(column).size === 1);
   return {
     short: labels.map((_, i) => varying.map(({ short }) => short[i]).join(", ")),
-    units: varying.map(({ unit }) => unit).filter(Boolean).join(", "),
+    units: varying
+      .map(({ unit }) => unit)
+      .filter(Boolean)
+      .join(", "),
     all: same.map(([clause]) => clause).join(", "),
   };
 }

@@ -5,6 +5,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
+import "../terms/term";
 import { View } from "../ui/view";
 import type { Layers } from "./latent-plot";
 import "./latent-plot";
@@ -42,7 +43,7 @@ export class LatentsView extends View {
     const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
       <header class="panel-head">
-        <h2>Latent spaces</h2>
+        <h2><pg-term of="latent-space" text="Latent spaces"></pg-term></h2>
         <div class="segments" role="group" aria-label="Plot">
           ${(["2d", "3d"] as const).map(
             (plot) => html`
@@ -67,6 +68,7 @@ export class LatentsView extends View {
             )}
           </div>
           <div class="marks" role="group" aria-label="Show inducing points">
+            <pg-term of="inducing-point" text="Inducing points"></pg-term>
             <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
             <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">

@@ -82,7 +82,8 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
   const shoulders = pairOf(figure, joints, /arm|shoulder|collar/i);
   const lowest = figure.nodes.reduce((low, _, node) => Math.min(low, pose[3 * node + 1]!), Infinity);
   // Some skeletons have their root on the ground below the body: no flesh is between the two.
-  const isOnGround = (node: number) => figure.nodes[node]!.parent === null && pose[3 * node + 1]! < lowest + NEAR_GROUND;
+  const isOnGround = (node: number) =>
+    figure.nodes[node]!.parent === null && pose[3 * node + 1]! < lowest + NEAR_GROUND;
   figure.nodes.forEach(({ parent }, node) => {
     if (parent === null) return;
     const joint = figure.nodes[parent]!.joint;

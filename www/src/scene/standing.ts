@@ -39,7 +39,12 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
  * How far away a camera is that has the whole motion in its picture, from whichever side; it looks at the middle of the figure.
  * `slope`: the tangent of half its vertical angle.
  */
-export function distanceFor({ positions, frames, nodes }: Motion, floor: number, slope: number, aspect: number): number {
+export function distanceFor(
+  { positions, frames, nodes }: Motion,
+  floor: number,
+  slope: number,
+  aspect: number,
+): number {
   let distance = 0;
   for (let t = 0; t < frames; t++) {
     const root = 3 * t * nodes;

@@ -64,7 +64,8 @@ describe("settings in the URL", () => {
   });
 
   it("drops what is no value", () => {
-    const text = "#model=../x&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
+    const text =
+      "#model=../x&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
     expect(readSettings(text)).toEqual(initialSettings());
   });
 

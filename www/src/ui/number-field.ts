@@ -15,6 +15,8 @@ interface NumberInput {
 
 export interface NumberField extends Omit<NumberInput, "id"> {
   label: string;
+  /** Beside the label: a term to ask about. */
+  beside?: TemplateResult;
   /** Shown when the mouse rests on it. */
   hint: string;
 }
@@ -37,6 +39,8 @@ export function numberInput({ id, testId, limits, value, disabled, change }: Num
     }} /><small class="limit" role="status"></small>`;
 }
 
-export function numberField({ label, hint, ...input }: NumberField): TemplateResult {
-  return html`<label class="field" title=${hint}><span>${label}</span>${numberInput(input)}</label>`;
+/** The label is not around the field: a button beside its words would then be what it labels. */
+export function numberField({ label, beside, hint, ...input }: NumberField): TemplateResult {
+  const id = `field-${input.testId}`;
+  return html`<div class="field" title=${hint}><span><label for=${id}>${label}</label> ${beside ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
 }
