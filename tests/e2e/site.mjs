@@ -92,15 +92,16 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
 
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
-/** What axe-core finds that keeps somebody out. */
-export async function barriers(/** @type {Page} */ page) {
+/** What axe-core finds that keeps somebody out; `rules`: by these rules alone, some of which it does not ask unless told to. */
+export async function barriers(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
   await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await /** @type {any} */ (globalThis).axe.run();
+  return page.evaluate(async (rules) => {
+    const options = rules.length > 0 ? { runOnly: { type: "rule", values: rules } } : {};
+    const { violations } = await /** @type {any} */ (globalThis).axe.run(options);
     return /** @type {import("axe-core").Result[]} */ (violations)
       .filter(({ impact }) => impact === "serious" || impact === "critical")
       .flatMap(({ id, nodes }) =>
         nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
       );
-  });
+  }, rules);
 }

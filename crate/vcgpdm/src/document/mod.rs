@@ -31,7 +31,7 @@ impl TrainedModel<Vcgpdm> {
     ///
     /// When it holds a number that is not finite.
     pub fn sha256(&self) -> Result<String, DocumentError> {
-        Ok(crate::motion::clip::sha256(self.to_json()?.as_bytes()))
+        Ok(crate::motion::sha256(self.to_json()?.as_bytes()))
     }
 
     /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.

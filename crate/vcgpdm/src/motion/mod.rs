@@ -37,6 +37,7 @@ pub mod stage;
 mod testing;
 
 pub use clip::{Clip, ClipError, MAX_VALUES};
+pub(crate) use clip::sha256;
 pub use recording::Recording;
 pub use same_body::BodyMismatch;
 pub use skeleton::Skeleton;
