@@ -5,7 +5,7 @@ import "../terms/term";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
-import { MODEL_TITLE, stageWords } from "./stage-words";
+import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
 
 /** What the page says about what is on the stage now. */
 export function wordsNow({ stage, clips, model, pointing, training }: App): StageWords {
@@ -53,11 +53,11 @@ export class CaptionView extends View {
     return html`
       <div class="stage-caption">
         <strong data-testid="stage-title">${title}</strong>
-        <span>${text}${
+        <span>${
           stage.shown?.kind === "model" && title === MODEL_TITLE
-            ? html`${text ? ", a " : "A "}<pg-term of="rollout" text="rollout"></pg-term>`
+            ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
-        }</span>
+        }${text}</span>
         ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`

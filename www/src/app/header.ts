@@ -61,7 +61,7 @@ export class HeaderView extends View {
       this.tell("show-couplings");
     };
     return html`${lead}
-      <a href="#couplings" @click=${show}>Drag a slider</a>: how much does each part count for the others?`;
+      <a href="#couplings" @click=${show}>Drag a slider</a> to change which part counts for which.`;
   }
 
   protected override render() {

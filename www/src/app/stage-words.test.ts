@@ -16,7 +16,7 @@ describe("the words about the stage", () => {
     expect(title).toBe("Made by the model");
     expect([text, lead].every((words) => words.includes("3 clips"))).toBe(true);
     expect(lead).toMatch(/never recorded/);
-    expect(stageWords({ ...walking, learnedFrom: ["mine.bvh"] }).text).toBe("Learned from mine");
+    expect(stageWords({ ...walking, learnedFrom: ["mine.bvh"] }).text).toBe("learned from mine");
   });
 
   it("never say of a clip that it was not recorded, or that the model made it", () => {

@@ -68,7 +68,7 @@ function modelWords({ point, altered, learning, learnedFrom }: OnStage): { title
 function namesOf(names: readonly string[]): string {
   if (names.length === 0) return "";
   const titles = names.map(clipTitle);
-  return `Learned from ${titles.length > NAMED ? clipCount(titles.length) : titles.join(" and ")}`;
+  return `learned from ${titles.length > NAMED ? clipCount(titles.length) : titles.join(" and ")}`;
 }
 
 function clipCount(count: number): string {

@@ -46,7 +46,7 @@ export class ComparisonChoices extends View {
 
   #number(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     const { settings, comparison } = this;
-    const beside = term && html`<pg-term of=${term} text=${symbol}></pg-term>`;
+    const beside = term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
     const field = { label, hint, testId: `compare-${name}`, disabled: comparison.busy };
     return settingField(settings, name, { ...field, ...(beside && { beside }) });
   }
@@ -63,7 +63,7 @@ export class ComparisonChoices extends View {
       input.value = settings.values[name].join(", ");
     };
     return html`
-      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?"></pg-term></span>
+      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about="${label}: what is that?"></pg-term></span>
         <input type="text" id="field-${name}" inputmode="numeric" data-testid="compare-${name}" .value=${settings.values[name].join(", ")}
           ?disabled=${comparison.busy} @change=${change} />
       </div>`;

@@ -68,7 +68,6 @@ export class LatentsView extends View {
             )}
           </div>
           <div class="marks" role="group" aria-label="Show inducing points">
-            <pg-term of="inducing-point" text="Inducing points"></pg-term>
             <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
             <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
@@ -80,6 +79,7 @@ export class LatentsView extends View {
                 <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>couplings</button>`
                 : ""
             }
+            <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
           </div>`
       }
     `;

@@ -13,7 +13,8 @@ const both = (base: string, below: string, above: string) => tag("msubsup", base
 const over = (above: string, below: string) => tag("mfrac", above + below);
 const bold = (name: string) => tag("mi", name, ' mathvariant="bold"');
 const sum = (index: string) => tag("munder", op("∑") + index);
-const call = (f: string, ...given: string[]) => row(f, op("("), given.join(op(",")), op(")"));
+const bracket = (sign: string) => tag("mo", sign, ' stretchy="false"');
+const call = (f: string, ...given: string[]) => row(f, bracket("("), given.join(op(",")), bracket(")"));
 const inverse = (matrix: string) => sup(matrix, row(op("−"), num("1")));
 
 const i = id("i");
@@ -33,6 +34,9 @@ const psi = (index: string) => sub(id("Ψ"), num(index));
 const A = id("A");
 const b = id("b");
 
+/** Between two equations in a line. */
+const apart = `${op(",")}<mspace width="1.2em"></mspace>`;
+
 const math = (...parts: string[]) => `<math display="block">${row(...parts)}</math>`;
 const inline = (...parts: string[]) => `<math>${row(...parts)}</math>`;
 
@@ -42,11 +46,11 @@ export const EQUATIONS = {
     alpha(i),
     op("="),
     over(one, row(sum(j), over(one, alpha(ji)))),
-    text(",  "),
+    apart,
     w,
     op("="),
     over(alpha(i), alpha(ji)),
-    text(",  "),
+    apart,
     sum(j),
     w,
     op("="),
@@ -61,7 +65,7 @@ export const EQUATIONS = {
     f,
     op("∼"),
     call(id("GP"), num("0"), id("k")),
-    text(",  "),
+    apart,
     call(id("k"), x, sup(x, op("′"))),
     op("="),
     id("exp"),
@@ -79,13 +83,14 @@ export const EQUATIONS = {
     both(id("y"), t, i),
     op("∼"),
     normal(call(sup(id("g"), i), both(x, t, i)), row(sup(id("β"), i), id("I"))),
-    text(",  "),
+    apart,
     sup(id("g"), i),
     op("∼"),
     call(id("GP"), num("0"), row(sup(id("σ"), num("2")), id("k"))),
   ),
   bound: math(
     id("log"),
+    op("⁡"),
     call(id("p"), id("Y")),
     op("≥"),
     sum(i),
@@ -126,7 +131,7 @@ export const EQUATIONS = {
     K,
     op("+"),
     over(psi("2"), n),
-    text(",  "),
+    apart,
     call(bold("E"), id("u")),
     op("="),
     over(row(K, inverse(A), b), n),

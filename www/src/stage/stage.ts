@@ -15,7 +15,7 @@ import type { Marks, Shown, StageStore } from "./stage-store";
 const NEAR = 4.7;
 const NEAR_HIGH = 5.6;
 /** In a low picture the words above the figure need more of it: the figure stands lower by this share of the height. */
-const LOW_PICTURE = 340;
+const LOW_PICTURE = 400;
 const LOWER = 0.06;
 
 /** Pixels of the figure's shadow, each way. */

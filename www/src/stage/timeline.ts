@@ -57,8 +57,8 @@ export class TimelineView extends View {
       <div class="timeline" role="group" aria-label="Time">
         <button class="round primary" data-testid="play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
-        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
+        <button class="round step" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
+        <button class="round step" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
           <input type="range" aria-label="Frame" data-testid="scrub" min="0" max=${lastFrame} step="1" .value=${String(frame)}

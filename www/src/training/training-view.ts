@@ -30,7 +30,7 @@ export class TrainingView extends View {
   private count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
     const disabled = this.training.busy && name === "framesPerSecond";
-    const beside = term && html`<pg-term of=${term} text=${symbol}></pg-term>`;
+    const beside = term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
     return settingField(this.settings, name, {
       label,
       hint,
@@ -140,7 +140,7 @@ export class TrainingView extends View {
         <summary>Advanced</summary>
         <div class="fields">
           <div class="field seed">
-            <span><label for="seed-input">Seed</label> <pg-term of="seed" text="?"></pg-term></span>
+            <span><label for="seed-input">Seed</label> <pg-term of="seed" text="?" about="Seed: what is that?"></pg-term></span>
             ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
             <button class="round" aria-label="New seed" title="New seed" ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
           </div>
