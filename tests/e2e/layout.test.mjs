@@ -48,7 +48,6 @@ describe("embedded", () => {
     it(`has its clock in view at ${width}x${height}, and no text over another`, async () => {
       const { page, leave } = await site.visit({ viewport: { width, height } });
       await page.goto(page.url().replace("/#", "/?embed#"));
-      await ready(page).catch(() => {});
       await page.waitForSelector("html[data-engine=ready]");
       const play = await page.getByTestId("play").boundingBox();
       assert.ok(play && play.y + play.height <= height, `play at ${play?.y}`);

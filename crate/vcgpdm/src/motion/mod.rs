@@ -36,8 +36,8 @@ pub mod stage;
 #[cfg(test)]
 mod testing;
 
-pub use clip::{Clip, ClipError, MAX_VALUES};
 pub(crate) use clip::sha256;
+pub use clip::{Clip, ClipError, MAX_VALUES};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;
 pub use skeleton::Skeleton;
