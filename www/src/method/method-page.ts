@@ -1,6 +1,7 @@
 // The method: the model in equations, where each symbol is to be seen, the two readings of a coupling, and what to cite.
 import { html, LitElement, nothing } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import "../terms/term";
 import { download } from "../ui/download";
 import { EQUATIONS, SYMBOLS } from "./equations";
 import "./method.css";
@@ -23,15 +24,15 @@ export class MethodPage extends LitElement {
     return html`
       <section class="panel">
         <h2>The model</h2>
-        <p>A body is split into parts. Each frame of part i is a latent, a point in a space of Q dimensions. Where the latent goes next is
-          predicted by every part j from its own last frames, and the predictions are combined as a product of experts:</p>
+        <p>A body is split into parts. Each frame of part i is a <pg-term of="latent" text="latent"></pg-term>, a point in a space of Q dimensions. Where the latent goes next is
+          predicted by every part j from its own last frames, and the predictions are combined as a <pg-term of="product-of-experts" text="product of experts"></pg-term>:</p>
         ${equation("dynamics")}
         ${equation("weights")}
         ${equation("history")}
         <p>The smaller a coupling variance, the larger the weight of that expert. Only ratios of the variances into one part change the mean.
           Each expert is a Gaussian process. Its signal variance is 1: otherwise its scale could be traded for its weight.</p>
         ${equation("kernel")}
-        <p>A pose map, a Gaussian process too, turns the latent into the pose of the part:</p>
+        <p>A <pg-term of="pose-map" text="pose map"></pg-term>, a Gaussian process too, turns the latent into the pose of the part:</p>
         ${equation("pose")}
       </section>
       <section class="panel">

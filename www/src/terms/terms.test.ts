@@ -21,3 +21,19 @@ it("says it in two sentences", () => {
   const others = Object.values(TERMS).filter(({ words }) => sentences(words) !== 2);
   expect(others.map(({ title }) => title)).toEqual([]);
 });
+
+it("has no term that nobody can ask about", () => {
+  const sources: Record<string, string> = import.meta.glob("../**/*.ts", {
+    query: "?raw",
+    import: "default",
+    eager: true,
+  });
+  const views = Object.entries(sources).filter(([file]) => !/terms\/terms|\.test\.ts$/.test(file));
+  expect(views.length).toBeGreaterThan(50);
+  const isAsked = (name: string) =>
+    views.some(
+      ([, text]) =>
+        text.includes(`of="${name}"`) || (text.includes("<pg-term of=${term}") && text.includes(`"${name}"`)),
+    );
+  expect(Object.keys(TERMS).filter((name) => !isAsked(name))).toEqual([]);
+});
