@@ -35,13 +35,13 @@ export class TrimView extends View {
     const seconds = (frame: number) => `${(frame * frameTime).toFixed(1)} s`;
     const share = (frame: number) => `${((100 * frame) / frames).toFixed(2)}%`;
     return html`
-      <div class="trim" role="group" aria-label="Frames of ${title} to use">
+      <div class="trim" role="group" aria-label="Trim ${title}">
         <span>Keep</span>
         <div class="handles" style="--from:${share(first)};--to:${share(end)}">
-          <input type="range" data-testid="trim-first" aria-label="First frame of ${title}" min="0" max=${frames} .value=${String(first)}
+          <input type="range" data-testid="trim-first" aria-label="Trim the start of ${title}" min="0" max=${frames} .value=${String(first)}
             aria-valuetext="frame ${first + 1}, ${seconds(first)}" ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.cut(key, { first: value(event) })} />
-          <input type="range" data-testid="trim-end" aria-label="Last frame of ${title}" min="0" max=${frames} .value=${String(end)}
+          <input type="range" data-testid="trim-end" aria-label="Trim the end of ${title}" min="0" max=${frames} .value=${String(end)}
             aria-valuetext="frame ${end}, ${seconds(end)}" ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.cut(key, { end: value(event) })} />
         </div>
