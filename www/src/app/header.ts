@@ -61,7 +61,7 @@ export class HeaderView extends View {
       this.tell("show-couplings");
     };
     return html`${lead}
-      <a href="#couplings" @click=${show}>Drag a slider</a> to change which part counts for which.`;
+      <a href="#couplings" @click=${show}>Drag a slider</a> to change who leads.`;
   }
 
   protected override render() {

@@ -61,11 +61,8 @@ export const EQUATIONS = {
     op("="),
     call("", both(x, row(t, op("−"), id("p")), j), op("…"), both(x, row(t, op("−"), one), j)),
   ),
+  expert: math(f, op("∼"), call(id("GP"), num("0"), id("k"))),
   kernel: math(
-    f,
-    op("∼"),
-    call(id("GP"), num("0"), id("k")),
-    apart,
     call(id("k"), x, sup(x, op("′"))),
     op("="),
     id("exp"),

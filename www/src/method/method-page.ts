@@ -31,6 +31,7 @@ export class MethodPage extends LitElement {
         ${equation("history")}
         <p>The smaller a coupling variance, the larger the weight of that expert. Only ratios of the variances into one part change the mean.
           Each expert is a Gaussian process. Its signal variance is 1: otherwise its scale could be traded for its weight.</p>
+        ${equation("expert")}
         ${equation("kernel")}
         <p>A <pg-term of="pose-map" text="pose map"></pg-term>, a Gaussian process too, turns the latent into the pose of the part:</p>
         ${equation("pose")}
