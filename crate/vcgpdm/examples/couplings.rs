@@ -34,6 +34,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
             alpha: Some(alpha),
             // The experts stay as learned; Reading::ReInferred infers them again from the same data under the new couplings.
             reading: Reading::AsLearned,
+            ..RolloutRequest::default()
         };
         let rollout = trained.rollout(&request)?;
         println!(

@@ -12,7 +12,9 @@ mod convert;
 mod error;
 #[cfg(feature = "comparison")]
 mod evaluation;
+mod live;
 mod model;
+mod predictions;
 #[cfg(feature = "comparison")]
 mod results;
 mod rollout;

@@ -3,6 +3,8 @@
 use crate::body::BodyInfo;
 use crate::convert::{flat, from_js, rows, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "comparison")]
+use crate::predictions::Moments;
 use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
 use serde::Serialize;
@@ -164,9 +166,31 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Rollout, VcgpdmError> {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
-        let rollout = self.model.rollout(&request)?;
-        let positions = self.model.positions(&rollout)?;
-        Ok(Rollout { rollout, positions, model: Rc::clone(&self.model) })
+        Rollout::new(&self.model, self.model.rollout(&request)?, &request)
+    }
+
+    /// Sampled rollouts, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from what the experts predict.
+    #[wasm_bindgen(js_name = sampledRollouts)]
+    pub fn sampled_rollouts(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+        count: u32,
+        seed: u32,
+    ) -> Result<Vec<Rollout>, VcgpdmError> {
+        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
+        let rollouts = self.model.sampled_rollouts(&request, seeds)?;
+        rollouts.into_iter().map(|rollout| Rollout::new(&self.model, rollout, &request)).collect()
+    }
+
+    /// What is known of the latents in every frame of a rollout, by moment matching.
+    #[cfg(feature = "comparison")]
+    pub fn moments(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+    ) -> Result<Moments, VcgpdmError> {
+        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        Ok(Moments(self.model.moments(&request)?))
     }
 
     /// Pose inducing inputs r of a part [L x Q].

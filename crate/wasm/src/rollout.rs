@@ -2,10 +2,11 @@
 
 use crate::convert::{flat, rows, to_js};
 use crate::error::VcgpdmError;
+use crate::predictions::Predictions;
 use std::rc::Rc;
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Rollout as MotionRollout, TrainedModel};
+use vcgpdm::models::{Rollout as MotionRollout, RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
 use wasm_bindgen::prelude::*;
 
@@ -33,6 +34,18 @@ pub struct Rollout {
     pub(crate) rollout: MotionRollout,
     pub(crate) positions: Vec<f32>,
     pub(crate) model: Rc<TrainedModel<Vcgpdm>>,
+    pub(crate) request: RolloutRequest,
+}
+
+impl Rollout {
+    pub(crate) fn new(
+        model: &Rc<TrainedModel<Vcgpdm>>,
+        rollout: MotionRollout,
+        request: &RolloutRequest,
+    ) -> Result<Self, VcgpdmError> {
+        let positions = model.positions(&rollout)?;
+        Ok(Self { rollout, positions, model: Rc::clone(model), request: request.clone() })
+    }
 }
 
 #[wasm_bindgen]
@@ -58,6 +71,11 @@ impl Rollout {
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Vec<f32> {
         self.positions.clone()
+    }
+
+    /// What every expert predicts, with its uncertainty, about each of its frames.
+    pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
+        Predictions::new(self)
     }
 
     /// The motion as the text of a BVH file.

@@ -11,6 +11,7 @@ pub(crate) mod kernel;
 mod kernel_sum;
 pub(crate) mod lanes;
 pub(crate) mod linalg;
+pub mod moments;
 pub mod psi;
 pub(crate) mod tall;
 

@@ -2,6 +2,7 @@
 //! Velychko et al. 2018, figure 3F).
 
 use crate::gp::KernelSum;
+use crate::models::latent_paths::LatentPaths;
 use crate::models::rollout::RolloutError;
 use nalgebra::DMatrix;
 
@@ -29,37 +30,24 @@ impl LatentDynamics {
     ///
     /// When the start latents are not p x Q_i numbers for each part.
     pub fn path(&self, start: &[DMatrix<f64>], frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        let p = self.order;
-        for (part, &columns) in self.latent.iter().enumerate() {
-            let (found_rows, found_columns) = start.get(part).map_or((0, 0), |s| s.shape());
-            if (found_rows, found_columns) != (p, columns) {
-                return Err(RolloutError::Start { part, rows: p, columns, found_rows, found_columns });
-            }
-        }
-        // One row after the other, so that a history is a slice.
-        let mut paths: Vec<Vec<f64>> = Vec::new();
-        for (start, q) in start.iter().zip(&self.latent) {
-            let mut path = vec![0.0; frames.max(p) * q];
-            for (k, value) in path[..p * q].iter_mut().enumerate() {
-                *value = start[(k / q, k % q)];
-            }
-            paths.push(path);
-        }
+        let mut paths = LatentPaths::new(start, self.order, &self.latent)?;
+        self.extend(&mut paths, frames);
+        Ok(paths.matrices(0..frames))
+    }
+
+    /// Goes on with paths of these parts until they have so many frames.
+    pub(crate) fn extend(&self, paths: &mut LatentPaths, frames: usize) {
         let widest = self.latent.iter().max().copied().unwrap_or(0);
-        let mut scratch = vec![0.0; p * widest];
-        let mut next = vec![0.0; widest];
-        for t in p..frames {
-            for (i, &q) in self.latent.iter().enumerate() {
-                let next = &mut next[..q];
+        let mut scratch = vec![0.0; self.order * widest];
+        let mut next: Vec<Vec<f64>> = self.latent.iter().map(|&q| vec![0.0; q]).collect();
+        while paths.frames() < frames {
+            for (next, experts) in next.iter_mut().zip(&self.experts) {
                 next.fill(0.0);
-                for (j, expert) in self.experts[i].iter().enumerate() {
-                    let qj = self.latent[j];
-                    expert.add_to(&paths[j][(t - p) * qj..t * qj], &mut scratch, next);
+                for (j, expert) in experts.iter().enumerate() {
+                    expert.add_to(paths.history(j), &mut scratch, next);
                 }
-                paths[i][t * q..(t + 1) * q].copy_from_slice(next);
             }
+            paths.append(&next);
         }
-        let shapes = paths.iter().zip(&self.latent);
-        Ok(shapes.map(|(path, &q)| DMatrix::from_row_slice(frames, q, &path[..frames * q])).collect())
     }
 }

@@ -25,6 +25,39 @@ pub struct RolloutRequest {
     /// What changed couplings do to the experts.
     #[serde(default)]
     pub reading: Reading,
+    /// Couplings that are cut for a while. JavaScript has live rollouts for that.
+    #[serde(skip)]
+    pub cuts: Vec<Cut>,
+    /// Pushes that parts get on their way.
+    #[serde(skip)]
+    pub pushes: Vec<Push>,
+}
+
+/// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not listen to the source.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cut {
+    /// The source part, counted from 0.
+    pub source: usize,
+    /// The target part, counted from 0.
+    pub target: usize,
+    /// The first frame that is predicted without it.
+    pub from: usize,
+    /// The first frame that is predicted with it again.
+    pub to: usize,
+}
+
+/// A push that a part gets: its last p latent states are moved together before the frame is predicted, so that its place changes
+/// and its speed does not.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Push {
+    /// The part, counted from 0.
+    pub part: usize,
+    /// The first frame that feels it.
+    pub frame: usize,
+    /// By how much, in each latent dimension `[Q_i]`; empty: not at all.
+    pub by: Vec<f64>,
+    /// And so many of its last steps ahead on its own path; negative: back.
+    pub ahead: f64,
 }
 
 /// A rolled-out motion of a model with couplings.
@@ -53,6 +86,45 @@ pub enum RolloutError {
         /// The one asked for.
         found: usize,
     },
+    /// There is no such part.
+    #[error("expected a part from 0 to {}, found {found}", count - 1)]
+    Part {
+        /// How many there are, at least one.
+        count: usize,
+        /// The one asked for.
+        found: usize,
+    },
+    /// The figure has no such node.
+    #[error("expected a node of the figure from 0 to {}, found {found}", count - 1)]
+    Node {
+        /// How many there are, at least one.
+        count: usize,
+        /// The one asked for.
+        found: usize,
+    },
+    /// A part would listen to nothing.
+    #[error(
+        "expected one coupling into part {target} that is not cut, found none: nothing would say where it goes"
+    )]
+    CutOff {
+        /// The part, counted from 0.
+        target: usize,
+    },
+    /// A push does not fit its part.
+    #[error(
+        "expected a push of part {part} by {expected} finite numbers, one for each latent dimension, found {found}"
+    )]
+    Push {
+        /// The part, counted from 0.
+        part: usize,
+        /// The latent dimensions Q of the part.
+        expected: usize,
+        /// How many numbers there are.
+        found: usize,
+    },
+    /// Uncertain rollouts know no cuts and pushes.
+    #[error("expected no cuts and pushes in a rollout with variances")]
+    Disturbed,
     /// Too many frames, or none.
     #[error("expected from 1 to {most} frames, found {found}")]
     Frames {
@@ -76,6 +148,14 @@ pub enum RolloutError {
         found_rows: usize,
         /// Columns found.
         found_columns: usize,
+    },
+    /// There is no history to predict from.
+    #[error("expected at least {least} frames before the predicted one, found {found}")]
+    History {
+        /// The order p of the dynamics.
+        least: usize,
+        /// Frames found.
+        found: usize,
     },
     /// The columns cannot be turned into poses.
     #[error(transparent)]

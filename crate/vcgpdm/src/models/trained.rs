@@ -10,7 +10,7 @@ use crate::models::model::Model;
 use crate::models::provenance::{ENGINE, Provenance};
 use crate::models::rollout::{Rollout, RolloutError, RolloutRequest};
 use crate::models::settings::{ModelSettings, VariationalSettings};
-use crate::models::variational::{Trainer, Vcgpdm};
+use crate::models::variational::{LatentMoments, PredictiveDynamics, Trainer, Vcgpdm};
 use crate::motion::Clip;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
@@ -150,11 +150,54 @@ impl TrainedModel<Vcgpdm> {
     /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or too large.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
         self.body.check_frames(request.frames, latent_columns(&self.model))?;
-        let alpha = request.alpha.as_ref().unwrap_or(&self.model.alpha);
-        let dynamics = self.model.dynamics(alpha, request.reading)?;
-        let latents = dynamics.path(self.model.start(request.sequence)?, request.frames)?;
+        Ok(self.rollout_along(self.model.path(request)?, request))
+    }
+
+    /// Sampled rollouts, one for each of `seeds`: every frame is drawn from what the experts predict, with their variances. The
+    /// poses are the mean poses at the sampled latents. Cuts and pushes are for mean rollouts alone.
+    ///
+    /// # Errors
+    ///
+    /// As [`TrainedModel::rollout`].
+    pub fn sampled_rollouts(
+        &self,
+        request: &RolloutRequest,
+        seeds: impl IntoIterator<Item = u64>,
+    ) -> Result<Vec<Rollout>, RolloutError> {
+        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        let dynamics = self.predictive_dynamics(request)?;
+        let start = self.model.start(request.sequence)?;
+        let future = |seed| Ok(self.rollout_along(dynamics.sample(start, request.frames, seed)?, request));
+        seeds.into_iter().map(future).collect()
+    }
+
+    /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes are for mean rollouts
+    /// alone.
+    ///
+    /// # Errors
+    ///
+    /// As [`TrainedModel::rollout`], and when a covariance cannot be factorised.
+    pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
+        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        self.predictive_dynamics(request)?.moments(self.model.start(request.sequence)?, request.frames)
+    }
+
+    /// The dynamics with their variances under the couplings that a request asks for.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, the request has cuts or pushes, or a covariance cannot be factorised.
+    pub fn predictive_dynamics(&self, request: &RolloutRequest) -> Result<PredictiveDynamics, RolloutError> {
+        if !request.cuts.is_empty() || !request.pushes.is_empty() {
+            return Err(RolloutError::Disturbed);
+        }
+        self.model.predictive_dynamics(request.alpha.as_ref().unwrap_or(&self.model.alpha), request.reading)
+    }
+
+    fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
         let y = self.body.columns(&self.model.observations(&latents));
-        Ok(Rollout { latents, y, weights: coupling_weight_matrix(alpha) })
+        let alpha = request.alpha.as_ref().unwrap_or(&self.model.alpha);
+        Rollout { latents, y, weights: coupling_weight_matrix(alpha) }
     }
 
     /// The rollout as a clip, starting at the origin.

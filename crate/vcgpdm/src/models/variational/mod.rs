@@ -1,10 +1,15 @@
 //! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted model.
 
+mod cycle;
+mod disturbances;
 pub(crate) mod elbo;
+mod futures;
 pub(crate) mod inducing;
 pub(crate) mod learner;
 pub(crate) mod model;
+mod moments;
 pub(crate) mod params;
+pub(crate) mod predictive;
 pub(crate) mod start;
 #[cfg(test)]
 pub mod testing;
@@ -12,10 +17,13 @@ pub(crate) mod trainer;
 
 pub use crate::gp::bound::InducingPosterior;
 pub use crate::models::flat::LARGEST_COUPLING;
+pub use cycle::{Cycle, CyclePlace};
 pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, Workspace};
 pub use inducing::InducingError;
 pub use learner::VariationalLearner;
 pub use model::{FittedExpert, PoseMap, Vcgpdm};
+pub use moments::LatentMoments;
 pub use params::{Expert, Params, PartParams};
+pub use predictive::{PartPredictions, Prediction, PredictiveDynamics};
 pub use start::starting_point;
 pub use trainer::{Trainer, TrainingProgress, schedule};

@@ -120,6 +120,21 @@ impl FittedExpert {
     pub fn mean(&self) -> &DMatrix<f64> {
         &self.mean
     }
+
+    /// K_zz [K x K].
+    pub(super) fn k(&self) -> &DMatrix<f64> {
+        &self.k
+    }
+}
+
+/// The posterior of the inducing outputs u of all experts about one target, stacked.
+pub(super) struct Inferred {
+    /// A = K + Psi2 / n.
+    pub(super) factor: Factor,
+    /// K^-1 `E[u]` = A^-1 b / n [sum K x Q_i].
+    pub(super) coefficients: DMatrix<f64>,
+    /// Where each source begins in the stack; last its height.
+    pub(super) offsets: Vec<usize>,
 }
 
 /// A fitted vCGPDM (or, of one part, vGPDM), without the data it was trained on.
@@ -239,23 +254,35 @@ impl Vcgpdm {
 
     /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise variance alpha^i.
     fn re_inferred(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Vec<KernelSum>, NumericsError> {
-        // The mean of (A36), Velychko et al. 2018: K^-1 E[u] = A^-1 b / n with A = K + Psi2 / n, all sources stacked.
-        let experts: Vec<&FittedExpert> = self.experts.iter().map(|row| &row[i]).collect();
-        let offsets = stack_offsets(experts.iter().map(|expert| expert.k.nrows()));
-        let (psi2, b) = self.sums[i].weighted(weights, &offsets);
-        let mut a = psi2 / noise;
-        for (expert, offset) in experts.iter().zip(&offsets) {
-            let mut block = a.view_mut((*offset, *offset), expert.k.shape());
-            block += &expert.k;
-        }
-        let stacked =
-            Factor::new(&a, "covariance of the data at the dynamics inducing points")?.solve(&b) / noise;
-        let sources = experts.iter().zip(weights).zip(&offsets);
-        let sums = sources.map(|((expert, w), offset)| {
-            let coefficients = stacked.rows(*offset, expert.k.nrows()) * *w;
+        let inferred = self.infer(i, noise, weights)?;
+        let sources = self.experts.iter().zip(weights).zip(&inferred.offsets);
+        let sums = sources.map(|((row, w), offset)| {
+            let expert = &row[i];
+            let coefficients = inferred.coefficients.rows(*offset, expert.k.nrows()) * *w;
             KernelSum::new(&expert.z, &expert.kernel, &coefficients)
         });
         Ok(sums.collect())
+    }
+
+    /// Where each source's block begins in what is stacked over the sources into the target i, and last the height of the stack.
+    pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
+        stack_offsets(self.experts.iter().map(|row| row[i].k.nrows()))
+    }
+
+    /// The inducing outputs of all experts about the target i, inferred again under weights w and noise variance alpha^i: the mean
+    /// of (A36), Velychko et al. 2018.
+    pub(super) fn infer(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Inferred, NumericsError> {
+        let offsets = self.offsets(i);
+        let (psi2, b) = self.sums[i].weighted(weights, &offsets);
+        let mut a = psi2 / noise;
+        for (row, offset) in self.experts.iter().zip(&offsets) {
+            let k = &row[i].k;
+            let mut block = a.view_mut((*offset, *offset), k.shape());
+            block += k;
+        }
+        let factor = Factor::new(&a, "covariance of the data at the dynamics inducing points")?;
+        let coefficients = factor.solve(&b) / noise;
+        Ok(Inferred { factor, coefficients, offsets })
     }
 
     /// Centred columns of each part [frames x D_i] at the latents of each part [frames x Q_i].

@@ -2,8 +2,7 @@
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS};
-use crate::motion::pose::root;
-use crate::motion::pose::root::{RootPose, RootStart};
+use crate::motion::pose::root::{RootPose, RootStart, RootTrack};
 use crate::motion::rotation;
 use crate::motion::skeleton::WorldPose;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
@@ -22,14 +21,15 @@ impl PoseMapping {
     /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`] for numbers that
     /// are not finite or too large.
     pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
-        self.check(y, start)?;
+        self.check_start(start)?;
+        self.check(y)?;
         let mut values = DMatrix::zeros(y.nrows(), self.skeleton.channel_count());
         let to_file = self.stage.up.to_y_up().inverse();
         let axes: Vec<Vec<usize>> =
             self.skeleton.joints.iter().map(|joint| joint.rotation_axes().collect()).collect();
         let mut previous = vec![[0.0; 3]; self.skeleton.joints.len()];
         let mut positions = self.local_positions();
-        self.each_frame(y, start, |t, root, rotations| {
+        self.each_frame(y, &mut self.track(start), |t, root, rotations| {
             rotations[0] = to_file * rotations[0];
             positions[0] = to_file * (root.place * self.leg());
             let mut column = 0;
@@ -57,12 +57,33 @@ impl PoseMapping {
     ///
     /// As [`PoseMapping::decode`].
     pub fn decode_positions(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<Vec<f32>, PoseError> {
-        self.check(y, start)?;
+        self.check_start(start)?;
+        self.decode_positions_on(y, &mut self.track(start))
+    }
+
+    /// Where a motion that begins at `start` stands before its first row.
+    pub fn track(&self, start: &RootStart) -> RootTrack {
+        let place = self.stage.up.to_y_up() * Vector3::from(start.position) / self.leg();
+        RootTrack::new(RootPose { place, angles: [start.yaw, 0.0, 0.0] })
+    }
+
+    /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion, which stands at `track` and afterwards
+    /// stands behind them.
+    ///
+    /// # Errors
+    ///
+    /// As [`PoseMapping::decode`].
+    pub fn decode_positions_on(
+        &self,
+        y: &DMatrix<f64>,
+        track: &mut RootTrack,
+    ) -> Result<Vec<f32>, PoseError> {
+        self.check(y)?;
         let nodes = self.skeleton.figure().len();
         let mut places = Vec::with_capacity(y.nrows() * nodes * 3);
         let mut positions = self.local_positions();
         let mut pose = WorldPose::default();
-        self.each_frame(y, start, |_, root, rotations| {
+        self.each_frame(y, track, |_, root, rotations| {
             positions[0] = root.place * self.leg();
             self.skeleton.forward_kinematics_into(rotations, &positions, &mut pose);
             places.extend(pose.positions.iter().flat_map(|place| self.stage.place(place)));
@@ -74,19 +95,14 @@ impl PoseMapping {
     fn each_frame(
         &self,
         y: &DMatrix<f64>,
-        start: &RootStart,
+        track: &mut RootTrack,
         mut frame: impl FnMut(usize, &RootPose, &mut [UnitQuaternion<f64>]),
     ) {
-        let (turn, upright) = (self.stage.up.to_y_up(), self.upright());
-        let begin = RootPose {
-            place: turn * Vector3::from(start.position) / self.leg(),
-            angles: [start.yaw, 0.0, 0.0],
-        };
+        let upright = self.upright();
         let mut rotations = vec![UnitQuaternion::identity(); self.skeleton.joints.len()];
-        let mut before: Option<RootPose> = None;
         for t in 0..y.nrows() {
             let row: [f64; 6] = std::array::from_fn(|column| y[(t, column)]);
-            let root = root::integrate(&row, before.as_ref(), &begin);
+            let root = track.follow(&row);
             rotations[0] = root.orientation() * upright;
             for (joint, rotation) in rotations.iter_mut().enumerate().skip(1) {
                 let column = ROOT_COLUMNS.len() + 3 * (joint - 1);
@@ -94,11 +110,10 @@ impl PoseMapping {
                     rotation::exp(&Vector3::new(y[(t, column)], y[(t, column + 1)], y[(t, column + 2)]));
             }
             frame(t, &root, &mut rotations);
-            before = Some(root);
         }
     }
 
-    fn check(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<(), PoseError> {
+    fn check(&self, y: &DMatrix<f64>) -> Result<(), PoseError> {
         if y.ncols() != self.column_count() {
             return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
         }
@@ -107,6 +122,10 @@ impl PoseMapping {
                 return Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found });
             }
         }
+        Ok(())
+    }
+
+    fn check_start(&self, start: &RootStart) -> Result<(), PoseError> {
         if !start.position.iter().chain([&start.yaw]).all(|x| (-1e12..1e12).contains(x)) {
             return Err(PoseError::Field { field: "start", expected: "finite numbers".to_owned() });
         }

@@ -11,7 +11,7 @@ mod stored;
 
 pub use encode::Encoded;
 pub use mapping::{Column, ColumnKind, PoseError, PoseMapping};
-pub use root::RootStart;
+pub use root::{RootStart, RootTrack};
 
 #[cfg(test)]
 mod tests;

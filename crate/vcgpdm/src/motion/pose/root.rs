@@ -27,6 +27,26 @@ pub(super) struct RootPose {
     pub(super) angles: [f64; 3],
 }
 
+/// Where a motion stands while its rows come in piece by piece: what the next row goes on from.
+#[derive(Clone, Debug)]
+pub struct RootTrack {
+    begin: RootPose,
+    before: Option<RootPose>,
+}
+
+impl RootTrack {
+    pub(super) fn new(begin: RootPose) -> Self {
+        Self { begin, before: None }
+    }
+
+    /// Goes on by the row: the pose that it makes.
+    pub(super) fn follow(&mut self, row: &[f64; 6]) -> RootPose {
+        let pose = integrate(row, self.before.as_ref(), &self.begin);
+        self.before = Some(pose);
+        pose
+    }
+}
+
 impl RootPose {
     /// `R_y(yaw) R_x(pitch) R_z(roll)`.
     pub(super) fn orientation(&self) -> UnitQuaternion<f64> {
@@ -80,7 +100,7 @@ pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
 }
 
 /// The inverse of [`rows`]: the pose that follows `before`. The rates of the first row are not used.
-pub(super) fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> RootPose {
+fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> RootPose {
     let [yaw_rate, forward, sideways, height, pitch, roll] = *row;
     let (yaw, mut place) = match before {
         None => (start.angles[0], start.place),

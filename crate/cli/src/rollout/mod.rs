@@ -1,0 +1,185 @@
+//! `vcgpdm rollout`: a new motion from a trained model.
+
+mod latents;
+mod words;
+
+use crate::files;
+use nalgebra::DMatrix;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::{Model, Reading, Rollout, RolloutRequest, TrainedModel};
+use vcgpdm::motion::{Clip, bvh};
+
+/// Roll a model out and write the motion as BVH.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A trained model of any kind.
+    #[arg(value_name = "MODEL.json")]
+    model: PathBuf,
+    /// Frames in all, the start included.
+    #[arg(long, value_name = "N")]
+    frames: usize,
+    /// Start where this training sequence starts, counted from 0 in the order given to training.
+    #[arg(long, value_name = "SEQUENCE", default_value_t = 0)]
+    from: usize,
+    /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or number, from 0.
+    #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
+    alpha: Vec<String>,
+    /// What changed couplings do to the experts: they stay as learned, or they are inferred again from the same data.
+    #[arg(long, default_value = "as-learned")]
+    reading: ReadingOption,
+    /// Cut a coupling from frame FROM up to, not including, frame TO.
+    #[arg(long, value_name = "SOURCE:TARGET@FROM-TO", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
+    cut: Vec<String>,
+    /// Push a part before frame FRAME is predicted: AMOUNT is a number for each of its latent dimensions, separated by commas, or one
+    /// number with an f behind it, that many of its own steps ahead (-3f: three back).
+    #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
+    push: Vec<String>,
+    /// Write so many sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
+    #[arg(long, value_name = "N", requires = "seed", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    samples: Option<u32>,
+    /// The seed of the first sampled rollout; the next ones count on from it.
+    #[arg(long, value_name = "S", requires = "samples")]
+    seed: Option<u32>,
+    /// Write means and variances of the latents in every frame, by moment matching, to this file.
+    #[arg(long, value_name = "OUT.csv")]
+    variance: Option<PathBuf>,
+    /// Write the motion to this file.
+    #[arg(long, value_name = "OUT.bvh")]
+    out: PathBuf,
+    /// Write the latent path to this file, with a header row.
+    #[arg(long, value_name = "OUT.csv")]
+    latents: Option<PathBuf>,
+}
+
+/// A reading as a word of the command line.
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+enum ReadingOption {
+    AsLearned,
+    ReInferred,
+}
+
+impl From<ReadingOption> for Reading {
+    fn from(option: ReadingOption) -> Self {
+        match option {
+            ReadingOption::AsLearned => Reading::AsLearned,
+            ReadingOption::ReInferred => Reading::ReInferred,
+        }
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let model = read_model(&arguments.model)?;
+    for path in [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()] {
+        path.map_or(Ok(()), |path| files::check_writable(path))?;
+    }
+    match model.into_vcgpdm() {
+        Ok(model) => coupled(arguments, &model),
+        Err(model) => {
+            if let Some(option) = arguments.about_couplings() {
+                let kind = model.kind().id();
+                return Err(
+                    format!("{option}: expected a vcgpdm or vgpdm model, found a {kind} model").into()
+                );
+            }
+            let y = model.rollout(arguments.from, arguments.frames)?;
+            write_motion(&model.body.clip(&y, &name_of(&arguments.out))?, &arguments.out)
+        }
+    }
+}
+
+impl Arguments {
+    /// The first option given that only a model with couplings knows.
+    fn about_couplings(&self) -> Option<&'static str> {
+        let options = [
+            ("--alpha", !self.alpha.is_empty()),
+            ("--latents", self.latents.is_some()),
+            ("--reading", self.reading != ReadingOption::AsLearned),
+            ("--cut", !self.cut.is_empty()),
+            ("--push", !self.push.is_empty()),
+            ("--samples", self.samples.is_some()),
+            ("--variance", self.variance.is_some()),
+        ];
+        options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, String> {
+        let mut alpha = alpha.clone();
+        for coupling in &self.alpha {
+            let (source, target, value) = words::coupling(coupling, parts)?;
+            alpha[(source, target)] = value;
+        }
+        Ok(RolloutRequest {
+            frames: self.frames,
+            sequence: self.from,
+            alpha: Some(alpha),
+            reading: self.reading.into(),
+            cuts: self.cut.iter().map(|cut| words::cut(cut, parts)).collect::<Result<_, _>>()?,
+            pushes: self.push.iter().map(|push| words::push(push, parts)).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+/// The rollouts of a model whose couplings may be changed, and its latents into files of their own.
+fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Box<dyn Error>> {
+    let parts: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
+    let request = arguments.request(&parts, &model.model.alpha)?;
+    let rollout = model.rollout(&request)?;
+    let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
+        let out = numbered(&arguments.out, number);
+        write_motion(&model.clip(rollout, &name_of(&out))?, &out)?;
+        if let Some(path) = &arguments.latents {
+            let text = latents::csv(&parts, &rollout.latents, model.body.frame_time);
+            files::write_text(&numbered(path, number), &text)?;
+        }
+        Ok(())
+    };
+    write(&rollout, None)?;
+    if let (Some(count), Some(seed)) = (arguments.samples, arguments.seed) {
+        let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
+        for (k, seed) in seeds.enumerate() {
+            for rollout in model.sampled_rollouts(&request, [seed])? {
+                write(&rollout, Some(k + 1))?;
+            }
+        }
+    }
+    if let Some(path) = &arguments.variance {
+        let moments = model.moments(&request)?;
+        files::write_text(path, &latents::moments_csv(&parts, &moments, model.body.frame_time))?;
+    }
+    Ok(())
+}
+
+fn write_motion(clip: &Clip, path: &Path) -> Result<(), Box<dyn Error>> {
+    files::write_text(path, &bvh::write(clip))
+}
+
+/// `walk.bvh` as `walk-3.bvh`.
+fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
+    let Some(number) = number else { return path.to_owned() };
+    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let extension = path.extension().map_or_else(String::new, |e| format!(".{}", e.to_string_lossy()));
+    path.with_file_name(format!("{stem}-{number}{extension}"))
+}
+
+/// Reads a model document of any kind.
+pub fn read_model(path: &Path) -> Result<TrainedModel, Box<dyn Error>> {
+    TrainedModel::<Model>::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sampled_files_are_numbered_before_their_ending() {
+        let named = |path: &str| numbered(Path::new(path), Some(3)).to_string_lossy().into_owned();
+        assert_eq!(named("out/walk.bvh"), "out/walk-3.bvh");
+        assert_eq!(named("walk"), "walk-3");
+    }
+}

@@ -1,0 +1,152 @@
+//! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on the way.
+
+use crate::models::latent_dynamics::LatentDynamics;
+use crate::models::latent_paths::LatentPaths;
+use crate::models::rollout::{Push, Rollout, RolloutError};
+use crate::models::trained::TrainedModel;
+use crate::models::variational::{Cycle, CyclePlace, Vcgpdm};
+use crate::motion::pose::{RootStart, RootTrack};
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+/// Step of the differences that say how a joint moves with the latents.
+const DIFFERENCE: f64 = 1e-4;
+/// How small a movement of a joint, for a latent step of 1, is not worth a push: metres squared.
+const STIFFNESS: f64 = 1e-4;
+
+/// A rollout under way.
+#[derive(Clone, Debug)]
+pub struct LiveRollout {
+    paths: LatentPaths,
+    latent: Vec<usize>,
+    track: RootTrack,
+    cycle: Option<Cycle>,
+}
+
+/// The next frames of a live rollout.
+#[derive(Clone, Debug)]
+pub struct LiveFrames {
+    /// The latent path of each part [frames x Q_i].
+    pub latents: Vec<DMatrix<f64>>,
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub positions: Vec<f32>,
+    /// Where each part stands on the learned cycle, all parts of the first frame, then of the next [frames x M]; empty where the
+    /// learned rollout does not repeat itself.
+    pub places: Vec<CyclePlace>,
+}
+
+impl LiveRollout {
+    /// Goes on behind `frame` of a rollout of the model, counted from 0; from its first frames on where it has no history yet.
+    /// The learned cycle is that of the training sequence `sequence`.
+    ///
+    /// # Errors
+    ///
+    /// When the rollout is another model's, or has no such frame.
+    pub fn behind(
+        model: &TrainedModel<Vcgpdm>,
+        rollout: &Rollout,
+        frame: usize,
+        sequence: usize,
+    ) -> Result<Self, RolloutError> {
+        let order = model.model.order;
+        let newest = frame.max(order - 1);
+        let latent: Vec<usize> = model.model.parts.iter().map(|part| part.r().ncols()).collect();
+        if newest >= rollout.y.nrows() {
+            return Err(RolloutError::Frames { most: rollout.y.nrows(), found: newest + 1 });
+        }
+        let history = |x: &DMatrix<f64>| x.rows(newest + 1 - order, order).into_owned();
+        let start: Vec<_> = rollout.latents.iter().map(history).collect();
+        let mut track = model.body.mapping.track(&RootStart::default());
+        model.body.mapping.decode_positions_on(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
+        let paths = LatentPaths::new(&start, order, &latent)?;
+        Ok(Self { paths, latent, track, cycle: model.model.cycle(sequence)? })
+    }
+
+    /// The next `frames` frames under these dynamics, which must be the model's.
+    ///
+    /// # Errors
+    ///
+    /// When the poses are no longer finite.
+    pub fn advance(
+        &mut self,
+        model: &TrainedModel<Vcgpdm>,
+        dynamics: &LatentDynamics,
+        frames: usize,
+    ) -> Result<LiveFrames, RolloutError> {
+        self.paths.forget();
+        let before = self.paths.frames();
+        dynamics.extend(&mut self.paths, before + frames);
+        let latents = self.paths.matrices(before..before + frames);
+        let y = model.body.columns(&model.model.observations(&latents));
+        let positions = model.body.mapping.decode_positions_on(&y, &mut self.track)?;
+        let parts = 0..self.latent.len();
+        let places =
+            (before + 1..=before + frames).flat_map(|end| parts.clone().map(move |part| (end, part)));
+        let place = |(end, part)| self.cycle.as_ref()?.place(part, self.paths.history_until(part, end));
+        let places = places.filter_map(place).collect();
+        Ok(LiveFrames { latents, positions, places })
+    }
+
+    /// The last p latent states of a part, oldest first `[p Q_i]`; absent for a part that it does not have.
+    pub fn history(&self, part: usize) -> Option<&[f64]> {
+        (part < self.latent.len()).then(|| self.paths.history(part))
+    }
+
+    /// Pushes a part; its `frame` is the next one, whatever it says.
+    ///
+    /// # Errors
+    ///
+    /// When the push does not fit the part.
+    pub fn push(&mut self, push: &Push) -> Result<(), RolloutError> {
+        push.check(&self.latent)?;
+        self.paths.push(push);
+        Ok(())
+    }
+
+    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres, as far as the part of its
+    /// joint can: the smallest latent displacement d with J d = `by`, where J says how the node moves with the part's latents.
+    /// Where the figure stands and which way it faces does not count.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such node, or the poses are no longer finite.
+    pub fn pull(
+        &self,
+        model: &TrainedModel<Vcgpdm>,
+        node: usize,
+        by: [f64; 3],
+    ) -> Result<Push, RolloutError> {
+        let figure = model.body.mapping.skeleton().figure();
+        let found = figure.get(node).and_then(|node| {
+            model.body.layout.parts().iter().position(|part| part.joints.contains(&node.joint))
+        });
+        let part = found.ok_or(RolloutError::Node { count: figure.len(), found: node })?;
+        let newest: Vec<DMatrix<f64>> = (self.latent.iter().enumerate())
+            .map(|(i, &q)| {
+                let history = self.paths.history(i);
+                DMatrix::from_row_slice(1, q, &history[history.len() - q..])
+            })
+            .collect();
+        // As the part's column of a table of poses: two for each latent dimension, one on either side.
+        let q = self.latent[part];
+        let place = |latents: &[DMatrix<f64>]| -> Result<Vector3<f64>, RolloutError> {
+            let y = model.body.columns(&model.model.observations(latents));
+            let positions = model.body.mapping.decode_positions_on(&y, &mut self.track.clone())?;
+            Ok(Vector3::from_fn(|axis, _| f64::from(positions[3 * node + axis])))
+        };
+        let mut slopes: Vec<Vector3<f64>> = Vec::with_capacity(q);
+        for k in 0..q {
+            let (mut up, mut down) = (newest.clone(), newest.clone());
+            up[part][(0, k)] += DIFFERENCE;
+            down[part][(0, k)] -= DIFFERENCE;
+            slopes.push((place(&up)? - place(&down)?) / (2.0 * DIFFERENCE));
+        }
+        // d = J^T (J J^T + s I)^-1 by.
+        let mut squares = Matrix3::identity() * STIFFNESS;
+        for slope in &slopes {
+            squares += slope * slope.transpose();
+        }
+        let solved = squares.try_inverse().unwrap_or_else(Matrix3::zeros) * Vector3::from(by);
+        let by = slopes.iter().map(|slope| slope.dot(&solved)).collect();
+        Ok(Push { part, by, ..Push::default() })
+    }
+}

@@ -1,0 +1,166 @@
+//! Rollouts that are disturbed on their way: couplings that are cut for a while, parts that are pushed.
+
+use crate::models::couplings::{Reading, check_couplings};
+use crate::models::latent_dynamics::LatentDynamics;
+use crate::models::latent_paths::LatentPaths;
+use crate::models::rollout::{Push, RolloutError, RolloutRequest};
+use crate::models::variational::model::Vcgpdm;
+use nalgebra::DMatrix;
+
+/// The coupling variance of a source that says nothing, far from where 1 / alpha overflows.
+const SILENT: f64 = 1e90;
+
+impl Vcgpdm {
+    /// The mean dynamics with these couplings `(source, target)` cut, the others as in `alpha` [M x M]: what they still listen to
+    /// shares the weight of what was cut.
+    ///
+    /// # Errors
+    ///
+    /// As [`Vcgpdm::dynamics`], and when a part is missing or would listen to nothing at all.
+    pub fn dynamics_without(
+        &self,
+        cuts: &[(usize, usize)],
+        alpha: &DMatrix<f64>,
+        reading: Reading,
+    ) -> Result<LatentDynamics, RolloutError> {
+        check_couplings(alpha, self.part_count())?;
+        self.check_parts(cuts)?;
+        let mut alpha = alpha.clone();
+        for &cut in cuts {
+            alpha[cut] = SILENT;
+        }
+        let deaf = |target: &usize| alpha.column(*target).iter().all(|alpha| *alpha == SILENT);
+        if let Some(target) = (0..alpha.ncols()).find(deaf) {
+            return Err(RolloutError::CutOff { target });
+        }
+        self.dynamics(&alpha, reading)
+    }
+
+    fn check_parts(&self, cuts: &[(usize, usize)]) -> Result<(), RolloutError> {
+        let count = self.part_count();
+        let missing = cuts.iter().map(|(source, target)| *source.max(target)).find(|part| *part >= count);
+        missing.map_or(Ok(()), |found| Err(RolloutError::Part { count, found }))
+    }
+
+    /// The latent path [frames x Q_i] of each part that a request asks for, with its cuts and pushes.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings, cuts or pushes do not fit the model, or there is no such sequence.
+    pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let alpha = request.alpha.as_ref().unwrap_or(&self.alpha);
+        let frames = request.frames.max(self.order);
+        let latent: Vec<usize> = self.parts.iter().map(|part| part.r().ncols()).collect();
+        for push in &request.pushes {
+            push.check(&latent)?;
+        }
+        for cut in &request.cuts {
+            self.check_parts(&[(cut.source, cut.target)])?;
+        }
+        let mut paths = LatentPaths::new(self.start(request.sequence)?, self.order, &latent)?;
+        let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
+        let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
+        let mut seen = paths.clone();
+        while seen.frames() < frames {
+            // Up to the next change nothing but the dynamics acts.
+            let from = seen.frames();
+            let to = changes.iter().copied().filter(|frame| *frame > from).fold(frames, usize::min);
+            for push in request.pushes.iter().filter(|push| push.frame == from) {
+                paths.push(push);
+            }
+            let active = request.cuts.iter().filter(|cut| (cut.from..cut.to).contains(&from));
+            let active: Vec<_> = active.map(|cut| (cut.source, cut.target)).collect();
+            self.dynamics_without(&active, alpha, request.reading)?.extend(&mut paths, to);
+            // A push moves the history as the dynamics see it, not what has been seen.
+            seen.follow(&paths);
+        }
+        Ok(seen.matrices(0..request.frames))
+    }
+}
+
+impl Push {
+    /// Checks that it fits parts of these `latent` dimensions.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, the displacement has other dimensions, or a number is not finite.
+    pub fn check(&self, latent: &[usize]) -> Result<(), RolloutError> {
+        let &expected =
+            latent.get(self.part).ok_or(RolloutError::Part { count: latent.len(), found: self.part })?;
+        let fits = self.by.is_empty() || self.by.len() == expected;
+        if fits && self.by.iter().chain([&self.ahead]).all(|x| x.is_finite()) {
+            return Ok(());
+        }
+        Err(RolloutError::Push { part: self.part, expected, found: self.by.len() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::rollout::Cut;
+    use crate::models::variational::testing::fitted;
+
+    fn request(frames: usize) -> RolloutRequest {
+        RolloutRequest { frames, ..RolloutRequest::default() }
+    }
+
+    #[test]
+    fn without_disturbances_it_is_the_path_of_the_dynamics() {
+        let model = fitted(3);
+        let expected =
+            model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(model.start(0).unwrap(), 15);
+        assert_eq!(model.path(&request(15)), expected);
+        assert_eq!(model.path(&request(1)).unwrap()[0], model.start(0).unwrap()[0].rows(0, 1));
+    }
+
+    #[test]
+    fn a_cut_acts_from_its_first_frame_until_its_end() {
+        let model = fitted(1);
+        let cut = Cut { source: 0, target: 1, from: 5, to: 8 };
+        let path = model.path(&RolloutRequest { cuts: vec![cut], ..request(12) }).unwrap();
+        let learned = model.path(&request(12)).unwrap();
+        assert_eq!(path[1].rows(0, 5), learned[1].rows(0, 5));
+        assert_ne!(path[1].row(5), learned[1].row(5));
+        // The frames in between follow the dynamics of those that are left, those after it the learned ones again.
+        let go_on = |dynamics: &LatentDynamics, from: usize, to: usize| {
+            let start: Vec<_> = path.iter().map(|x| x.rows(from - 2, 2).into_owned()).collect();
+            dynamics.path(&start, to - from + 2).unwrap()[1].rows(2, to - from).into_owned()
+        };
+        let without = model.dynamics_without(&[(0, 1)], &model.alpha, Reading::AsLearned).unwrap();
+        let with = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        assert_eq!(go_on(&without, 5, 8), path[1].rows(5, 3));
+        assert_eq!(go_on(&with, 8, 12), path[1].rows(8, 4));
+    }
+
+    #[test]
+    fn a_push_is_felt_from_its_frame_on() {
+        let model = fitted(1);
+        let push = Push { part: 0, frame: 4, by: vec![0.5, -0.25], ahead: 1.0 };
+        let path = model.path(&RolloutRequest { pushes: vec![push], ..request(8) }).unwrap();
+        let learned = model.path(&request(8)).unwrap();
+        assert_eq!(path[0].rows(0, 4), learned[0].rows(0, 4));
+        assert_ne!(path[0].row(4), learned[0].row(4));
+        assert_ne!(path[1].row(4), learned[1].row(4));
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_in_words() {
+        let model = fitted(1);
+        let refused = |request: RolloutRequest| model.path(&request).unwrap_err().to_string();
+        let cut = |source, target| Cut { source, target, from: 3, to: 4 };
+        assert_eq!(
+            refused(RolloutRequest { cuts: vec![cut(0, 7)], ..request(9) }),
+            "expected a part from 0 to 1, found 7"
+        );
+        assert_eq!(
+            refused(RolloutRequest { cuts: vec![cut(0, 1), cut(1, 1)], ..request(9) }),
+            "expected one coupling into part 1 that is not cut, found none: nothing would say where it goes"
+        );
+        let push = Push { part: 0, frame: 3, by: vec![1.0], ahead: 0.0 };
+        assert_eq!(
+            refused(RolloutRequest { pushes: vec![push], ..request(9) }),
+            "expected a push of part 0 by 2 finite numbers, one for each latent dimension, found 1"
+        );
+    }
+}

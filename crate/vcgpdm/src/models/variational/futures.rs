@@ -1,0 +1,62 @@
+//! Sampled rollouts: at every frame the next latents are drawn from what the experts predict, with their variances.
+
+use crate::models::latent_paths::LatentPaths;
+use crate::models::rollout::RolloutError;
+use crate::models::variational::predictive::PredictiveDynamics;
+use nalgebra::DMatrix;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+impl PredictiveDynamics {
+    /// A latent path of every part [frames x Q_i] that begins with the `start` [p x Q_i] of each part and then draws
+    /// x^i_t ~ N(mean, variance) of the product of experts, all parts advancing together. The functions are drawn anew at every
+    /// frame. The same `seed` gives the same path.
+    ///
+    /// # Errors
+    ///
+    /// When the start latents are not p x Q_i numbers for each part.
+    pub fn sample(
+        &self,
+        start: &[DMatrix<f64>],
+        frames: usize,
+        seed: u64,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut paths = LatentPaths::new(start, self.order, &self.latent)?;
+        while paths.frames() < frames {
+            let mut next = Vec::with_capacity(self.targets.len());
+            for said in self.next(&paths) {
+                let deviation = said.product.variance.sqrt();
+                let mut x = said.product.mean;
+                for x in &mut x {
+                    let noise: f64 = StandardNormal.sample(&mut rng);
+                    *x += deviation * noise;
+                }
+                next.push(x);
+            }
+            paths.append(&next);
+        }
+        Ok(paths.matrices(0..frames))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::models::Reading;
+    use crate::models::variational::testing::fitted;
+
+    #[test]
+    fn a_seed_says_which_future() {
+        let model = fitted(1);
+        let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        let start = model.start(0).unwrap();
+        let future = |seed| dynamics.sample(start, 20, seed).unwrap();
+        assert_eq!(future(4), future(4));
+        let (one, other) = (future(4), future(5));
+        for part in 0..2 {
+            assert_eq!(one[part].rows(0, 2), start[part]);
+            assert!((&one[part] - &other[part]).rows(2, 18).iter().all(|d| *d != 0.0));
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Moment matching: what is known of the latents in every frame of a rollout, as a Gaussian with a full covariance over all
+//! parts (Velychko et al. 2018, appendix B).
+
+use crate::gp::NumericsError;
+use crate::gp::moments::{Basis, expected_kernels, expected_products};
+use crate::models::latent_paths::LatentPaths;
+use crate::models::rollout::RolloutError;
+use crate::models::variational::predictive::{ExpertFunction, PredictiveDynamics};
+use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+
+/// Means and covariances of the latents of all parts over time.
+#[derive(Clone, Debug)]
+pub struct LatentMoments {
+    /// Means [frames x Q_i] of each part.
+    pub means: Vec<DMatrix<f64>>,
+    /// Covariances [Q_i x Q_i] of each part, frame by frame: `covariances[part][frame]`.
+    pub covariances: Vec<Vec<DMatrix<f64>>>,
+}
+
+/// A Gaussian about the histories of all parts, part by part, oldest frame first.
+struct Belief {
+    mean: DVector<f64>,
+    covariance: DMatrix<f64>,
+}
+
+impl PredictiveDynamics {
+    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. Every step is exact for a Gaussian history;
+    /// what comes out of it is taken as a Gaussian with the same mean and covariance. Cost per frame: all pairs of dynamics
+    /// inducing points of all experts.
+    ///
+    /// # Errors
+    ///
+    /// When the start latents are not p x Q_i numbers for each part, or a covariance cannot be factorised.
+    pub fn moments(&self, start: &[DMatrix<f64>], frames: usize) -> Result<LatentMoments, RolloutError> {
+        let paths = LatentPaths::new(start, self.order, &self.latent)?;
+        let mut means: Vec<Vec<f64>> = Vec::new();
+        let mut covariances: Vec<Vec<DMatrix<f64>>> = Vec::new();
+        let given = frames.min(self.order);
+        for (part, &q) in self.latent.iter().enumerate() {
+            means.push(paths.history(part)[..given * q].to_vec());
+            covariances.push(vec![DMatrix::zeros(q, q); given]);
+        }
+        let history: Vec<f64> =
+            (0..self.latent.len()).flat_map(|part| paths.history(part).to_vec()).collect();
+        let size = history.len();
+        let mut belief = Belief { mean: DVector::from_vec(history), covariance: DMatrix::zeros(size, size) };
+        for _ in self.order..frames {
+            belief = self.step(&belief)?;
+            for (part, &q) in self.latent.iter().enumerate() {
+                let newest = self.inputs(part).end - q;
+                means[part].extend(belief.mean.rows(newest, q).iter());
+                covariances[part].push(belief.covariance.view((newest, newest), (q, q)).into_owned());
+            }
+        }
+        let means = means.iter().zip(&self.latent);
+        let means = means.map(|(mean, &q)| DMatrix::from_row_slice(mean.len() / q.max(1), q, mean)).collect();
+        Ok(LatentMoments { means, covariances })
+    }
+
+    /// One frame on: the Gaussian about the history of the next frame.
+    fn step(&self, belief: &Belief) -> Result<Belief, NumericsError> {
+        let (m, width) = (self.latent.len(), self.latent.iter().sum::<usize>());
+        let size = belief.mean.len();
+        // The history and behind it the next latents of all parts.
+        let mut mean = belief.mean.clone().resize_vertically(size + width, 0.0);
+        let mut covariance = belief.covariance.clone().resize(size + width, size + width, 0.0);
+        let next: Vec<usize> = (0..m).map(|i| size + self.latent[..i].iter().sum::<usize>()).collect();
+        for (i, target) in self.targets.iter().enumerate() {
+            for (j, expert) in target.experts.iter().enumerate() {
+                let inputs = self.inputs(j);
+                let spread = picked(&belief.covariance, &inputs.clone().collect::<Vec<_>>());
+                let input = belief.mean.rows(inputs.start, inputs.len()).into_owned();
+                let expected = expected_kernels(expert.basis(), &input, &spread)?;
+                for q in 0..self.latent[i] {
+                    // psi1 times K^-1 E[u]; along the pulls this is the slope of the expert.
+                    let mut said = expert.coefficients.column(q).component_mul(&expected.psi1);
+                    said *= target.weights[j];
+                    let column = next[i] + q;
+                    mean[column] += said.sum();
+                    for (slope, row) in expected.pulls.row_iter().zip(inputs.clone()) {
+                        let slope: f64 = slope.iter().zip(said.iter()).map(|(a, b)| a * b).sum();
+                        for h in 0..size {
+                            covariance[(h, column)] += belief.covariance[(h, row)] * slope;
+                        }
+                    }
+                }
+            }
+        }
+        for i in 0..m {
+            for other in i..m {
+                let second = self.second_moment(belief, i, other)?;
+                for (q, r) in (0..self.latent[i]).flat_map(|q| (0..self.latent[other]).map(move |r| (q, r))) {
+                    let (row, column) = (next[i] + q, next[other] + r);
+                    covariance[(row, column)] = second[(q, r)] - mean[row] * mean[column];
+                }
+            }
+        }
+        covariance.fill_lower_triangle_with_upper_triangle();
+        // Rounding can leave a variance just below zero.
+        for k in size..size + width {
+            covariance[(k, k)] = covariance[(k, k)].max(0.0);
+        }
+        // The oldest frame of each part leaves, the next one joins.
+        let mut kept = Vec::with_capacity(size);
+        for (i, &q) in self.latent.iter().enumerate() {
+            let inputs = self.inputs(i);
+            kept.extend(inputs.start + q..inputs.end);
+            kept.extend(next[i]..next[i] + q);
+        }
+        let mean = DVector::from_fn(size, |k, _| mean[kept[k]]);
+        Ok(Belief { mean, covariance: picked(&covariance, &kept) })
+    }
+
+    /// `E[x x'^T]` [Q_i x Q_i'] of the next latents of the parts i and i'.
+    fn second_moment(&self, belief: &Belief, i: usize, other: usize) -> Result<DMatrix<f64>, NumericsError> {
+        let (one, two) = (&self.targets[i], &self.targets[other]);
+        let mut second = DMatrix::zeros(self.latent[i], self.latent[other]);
+        // The variance of the functions, and of the noise around them, is the part's own.
+        let mut variance = one.noise + one.weights.iter().map(|w| w * w).sum::<f64>();
+        for (j, a) in one.experts.iter().enumerate() {
+            for (l, b) in two.experts.iter().enumerate() {
+                let places: Vec<usize> = self.inputs(j).chain(self.inputs(l)).collect();
+                let mean =
+                    |part| belief.mean.rows(self.inputs(part).start, self.inputs(part).len()).into_owned();
+                let (first, last) = ((a.basis(), &mean(j)), (b.basis(), &mean(l)));
+                let mut products = expected_products(first, last, &picked(&belief.covariance, &places))?;
+                products *= one.weights[j] * two.weights[l];
+                for (q, r) in (0..self.latent[i]).flat_map(|q| (0..self.latent[other]).map(move |r| (q, r))) {
+                    let (says, too) = (a.coefficients.column(q), b.coefficients.column(r));
+                    let columns = products.column_iter().zip(too.iter());
+                    second[(q, r)] += columns.map(|(column, b)| b * column.dot(&says)).sum::<f64>();
+                }
+                if i == other {
+                    let place = (one.offsets[j], one.offsets[l]);
+                    variance -= one.certainty.view(place, products.shape()).dot(&products);
+                }
+            }
+        }
+        if i == other {
+            for q in 0..self.latent[i] {
+                second[(q, q)] += variance.max(0.0);
+            }
+        }
+        Ok(second)
+    }
+
+    /// Where the history of a part lies among those of all parts.
+    fn inputs(&self, part: usize) -> Range<usize> {
+        let begin = self.latent[..part].iter().sum::<usize>() * self.order;
+        begin..begin + self.latent[part] * self.order
+    }
+}
+
+/// The rows and columns of a symmetric matrix at these places.
+fn picked(matrix: &DMatrix<f64>, places: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])])
+}
+
+impl ExpertFunction {
+    fn basis(&self) -> Basis<'_> {
+        Basis { z: &self.z, kernel: &self.kernel }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::Reading;
+    use crate::models::variational::testing::fitted;
+    use approx::assert_relative_eq;
+
+    /// Means and variances of many sampled futures, and whether those of the moments lie within what chance allows.
+    #[test]
+    fn two_steps_on_they_are_those_of_many_futures() {
+        for seed in [1, 2, 3] {
+            let model = fitted(seed);
+            let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
+            let start = model.start(0).unwrap();
+            let frames = model.order + 2;
+            let moments = dynamics.moments(start, frames).unwrap();
+            let draws = 20_000;
+            let futures: Vec<_> =
+                (0..draws).map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();
+            let count = draws as f64;
+            for (part, means) in moments.means.iter().enumerate() {
+                for t in model.order..frames {
+                    for q in 0..means.ncols() {
+                        let values: Vec<f64> = futures.iter().map(|future| future[part][(t, q)]).collect();
+                        let mean = values.iter().sum::<f64>() / count;
+                        let variance = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count;
+                        let known = moments.covariances[part][t][(q, q)];
+                        // Four standard errors of a mean and of a variance.
+                        assert!((mean - means[(t, q)]).abs() < 4.0 * (known / count).sqrt());
+                        assert!((variance - known).abs() < 4.0 * known * (2.0 / count).sqrt());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_step_on_they_are_the_prediction() {
+        let model = fitted(3);
+        let dynamics = model.predictive_dynamics(&model.alpha, Reading::ReInferred).unwrap();
+        let start = model.start(1).unwrap();
+        let t = model.order;
+        let moments = dynamics.moments(start, t + 1).unwrap();
+        for (part, said) in dynamics.predict(start, t).unwrap().iter().enumerate() {
+            let mean = DVector::from_row_slice(&said.product.mean);
+            assert_relative_eq!(moments.means[part].row(t).transpose(), mean, epsilon = 1e-9);
+            for q in 0..mean.len() {
+                let variance = moments.covariances[part][t][(q, q)];
+                assert_relative_eq!(variance, said.product.variance, epsilon = 1e-8);
+            }
+            assert!(moments.covariances[part][t - 1].iter().all(|v| *v == 0.0));
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! A rollout that never ends.
+
+use crate::convert::flat;
+use crate::error::VcgpdmError;
+use crate::rollout::Rollout;
+use nalgebra::DMatrix;
+use std::rc::Rc;
+use vcgpdm::models::variational::{CyclePlace, InducingError, Vcgpdm};
+use vcgpdm::models::{LatentDynamics, LiveFrames as MotionFrames, Push, Reading, TrainedModel};
+use wasm_bindgen::prelude::*;
+
+/// A rollout under way: a few frames at a time, with couplings that change and parts that are pushed.
+#[wasm_bindgen]
+pub struct LiveRollout {
+    live: vcgpdm::models::LiveRollout,
+    alpha: DMatrix<f64>,
+    reading: Reading,
+    cuts: Vec<(usize, usize)>,
+    dynamics: LatentDynamics,
+    model: Rc<TrainedModel<Vcgpdm>>,
+}
+
+#[wasm_bindgen]
+impl LiveRollout {
+    /// Goes on behind a frame of a rollout, under the same couplings.
+    #[wasm_bindgen(constructor)]
+    pub fn new(rollout: &Rollout, frame: usize) -> Result<LiveRollout, VcgpdmError> {
+        let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
+        let live = vcgpdm::models::LiveRollout::behind(&model, &rollout.rollout, frame, request.sequence)?;
+        let (alpha, reading) =
+            (request.alpha.as_ref().unwrap_or(&model.model.alpha).clone(), request.reading);
+        let dynamics = model.model.dynamics_without(&[], &alpha, reading)?;
+        Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })
+    }
+
+    /// Other couplings, from the next frame on: the variances [parts x parts], row the source, and whether the experts are inferred
+    /// again under them. When they do not fit, all stays as it was.
+    #[wasm_bindgen(js_name = setCouplings)]
+    pub fn set_couplings(&mut self, alpha: &[f64], re_inferred: bool) -> Result<(), VcgpdmError> {
+        let parts = self.model.model.part_count();
+        let alpha = DMatrix::from_fn(parts, alpha.len().div_ceil(parts), |source, target| {
+            alpha.get(source * parts + target).copied().unwrap_or(f64::NAN)
+        });
+        let reading = if re_inferred { Reading::ReInferred } else { Reading::AsLearned };
+        self.dynamics = self.model.model.dynamics_without(&self.cuts, &alpha, reading)?;
+        (self.alpha, self.reading) = (alpha, reading);
+        Ok(())
+    }
+
+    /// Cuts a coupling from the next frame on, or lets it act again. A part's last coupling cannot be cut.
+    pub fn cut(&mut self, source: usize, target: usize, cut: bool) -> Result<(), VcgpdmError> {
+        let mut cuts = self.cuts.clone();
+        cuts.retain(|other| *other != (source, target));
+        if cut {
+            cuts.push((source, target));
+        }
+        self.dynamics = self.model.model.dynamics_without(&cuts, &self.alpha, self.reading)?;
+        self.cuts = cuts;
+        Ok(())
+    }
+
+    /// The next frames.
+    pub fn advance(&mut self, frames: usize) -> Result<LiveFrames, VcgpdmError> {
+        Ok(LiveFrames(self.live.advance(&self.model, &self.dynamics, frames)?))
+    }
+
+    /// Pushes a part by so much in each latent dimension [Q], felt by the next frame.
+    pub fn push(&mut self, part: usize, by: Vec<f64>) -> Result<(), VcgpdmError> {
+        Ok(self.live.push(&Push { part, by, ..Push::default() })?)
+    }
+
+    /// Pushes the part to which a node of the figure belongs, so that the node moves by about so much [x, y, z], metres.
+    pub fn pull(&mut self, node: usize, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
+        let push = self.live.pull(&self.model, node, [x, y, z])?;
+        Ok(self.live.push(&push)?)
+    }
+}
+
+/// The next frames of a live rollout.
+#[wasm_bindgen]
+pub struct LiveFrames(MotionFrames);
+
+#[wasm_bindgen]
+impl LiveFrames {
+    /// The latent path of a part [frames x Q].
+    pub fn latents(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+        let paths = &self.0.latents;
+        Ok(flat(paths.get(part).ok_or(InducingError::Part { count: paths.len(), found: part })?))
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub fn positions(&self) -> Vec<f32> {
+        self.0.positions.clone()
+    }
+
+    /// Where on the learned cycle each part stands, in turns from 0 to 1 [frames x parts]: parts in step have the same phase.
+    /// Empty where the learned rollout does not repeat itself.
+    pub fn phases(&self) -> Vec<f64> {
+        self.0.places.iter().map(|place: &CyclePlace| place.phase).collect()
+    }
+
+    /// How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as `phases`.
+    pub fn distances(&self) -> Vec<f64> {
+        self.0.places.iter().map(|place: &CyclePlace| place.distance).collect()
+    }
+}

@@ -1,0 +1,94 @@
+//! What the experts predict with their uncertainty, and what is known of a rollout's latents.
+
+#[cfg(feature = "comparison")]
+use crate::convert::flat;
+use crate::error::VcgpdmError;
+use crate::rollout::Rollout;
+#[cfg(feature = "comparison")]
+use vcgpdm::models::variational::LatentMoments;
+use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
+use wasm_bindgen::prelude::*;
+
+/// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with the same variance in
+/// all latent dimensions.
+#[wasm_bindgen]
+pub struct Predictions {
+    /// Frames, and in each the parts.
+    frames: Vec<Vec<PartPredictions>>,
+    order: usize,
+}
+
+impl Predictions {
+    pub(crate) fn new(rollout: &Rollout) -> Result<Self, VcgpdmError> {
+        let dynamics = rollout.model.predictive_dynamics(&rollout.request)?;
+        let (order, path) = (rollout.model.model.order, &rollout.rollout.latents);
+        let frames = order..rollout.rollout.y.nrows();
+        let frames = frames.map(|t| dynamics.predict(path, t)).collect::<Result<_, _>>()?;
+        Ok(Self { frames, order })
+    }
+
+    fn each<'a>(&'a self, target: usize, source: Option<usize>) -> Result<Vec<&'a Prediction>, VcgpdmError> {
+        let prediction = |parts: &'a Vec<PartPredictions>| -> Result<&'a Prediction, VcgpdmError> {
+            let missing = |found| InducingError::Part { count: parts.len(), found };
+            let part = parts.get(target).ok_or_else(|| missing(target))?;
+            match source {
+                None => Ok(&part.product),
+                Some(source) => Ok(part.experts.get(source).ok_or_else(|| missing(source))?),
+            }
+        };
+        self.frames.iter().map(prediction).collect()
+    }
+}
+
+#[wasm_bindgen]
+impl Predictions {
+    /// The first frame that is predicted: the order p of the dynamics. The rows of all arrays begin with it.
+    #[wasm_bindgen(getter, js_name = firstFrame)]
+    pub fn first_frame(&self) -> usize {
+        self.order
+    }
+
+    /// Means of the product of all experts about a part [predicted frames x Q].
+    pub fn means(&self, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.each(target, None)?.iter().flat_map(|said| said.mean.iter().copied()).collect())
+    }
+
+    /// Variances of the product of all experts about a part [predicted frames].
+    pub fn variances(&self, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.each(target, None)?.iter().map(|said| said.variance).collect())
+    }
+
+    /// Means of what the source alone says about the target [predicted frames x Q of the target].
+    #[wasm_bindgen(js_name = expertMeans)]
+    pub fn expert_means(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.each(target, Some(source))?.iter().flat_map(|said| said.mean.iter().copied()).collect())
+    }
+
+    /// Variances of what the source alone says about the target [predicted frames]: alpha and the expert's own.
+    #[wasm_bindgen(js_name = expertVariances)]
+    pub fn expert_variances(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(self.each(target, Some(source))?.iter().map(|said| said.variance).collect())
+    }
+}
+
+/// What is known of the latents in every frame of a rollout: a Gaussian each.
+#[cfg(feature = "comparison")]
+#[wasm_bindgen]
+pub struct Moments(pub(crate) LatentMoments);
+
+#[cfg(feature = "comparison")]
+#[wasm_bindgen]
+impl Moments {
+    /// Means of a part's latents [frames x Q].
+    pub fn means(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+        let means = &self.0.means;
+        Ok(flat(means.get(part).ok_or(InducingError::Part { count: means.len(), found: part })?))
+    }
+
+    /// Covariances of a part's latents [frames x Q x Q].
+    pub fn covariances(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+        let all = &self.0.covariances;
+        let frames = all.get(part).ok_or(InducingError::Part { count: all.len(), found: part })?;
+        Ok(frames.iter().flat_map(|covariance| covariance.iter().copied()).collect())
+    }
+}
