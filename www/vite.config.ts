@@ -5,16 +5,23 @@ import { defineConfig } from "vite";
 const wasmPackage = (folder: string) =>
   fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
-/** The whole program and the views that need it are loaded when they are opened; scripts/site.mjs counts them by their folder. */
-const isLater = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file.replaceAll("\\", "/"));
-const folder = (later: boolean) => (later ? "assets/on-demand" : "assets");
+/** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
+const LATER: [folder: string, of: RegExp][] = [
+  // The whole program and the views that need it, when they are opened.
+  ["assets/on-demand", /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/],
+  // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training.
+  ["assets/when-asked", /\/src\/(terms\/(card|terms)|method\/.*|app\/stage-files)\.(ts|css)$|\/uplot\//],
+];
+const folderOf = (files: readonly string[]) => {
+  const plain = files.map((file) => file.replaceAll("\\", "/"));
+  return LATER.find(([, of]) => plain.some((file) => of.test(file)))?.[0] ?? "assets";
+};
 const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
-    `${folder(isLater(facadeModuleId ?? ""))}/[name]-[hash].js`,
-  chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folder(moduleIds.some(isLater))}/[name]-[hash].js`,
+    `${folderOf([facadeModuleId ?? ""])}/[name]-[hash].js`,
+  chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folderOf(moduleIds)}/[name]-[hash].js`,
   assetFileNames: ({ originalFileNames }: { originalFileNames: string[] }) =>
-    `${folder(originalFileNames.some((file) => isLater(`/${file}`)))}/[name]-[hash][extname]`,
+    `${folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
 export default defineConfig({

@@ -212,7 +212,7 @@ describe("several trainings", () => {
     );
     const weight = page.getByTestId("weight-0-1");
     const before = await weight.textContent();
-    await page.getByTestId("coupling-0-1").fill("-2.5");
+    await page.getByTestId("coupling-0-1").fill("2.5");
     await page.waitForFunction(
       (before) => document.querySelector("[data-testid=weight-0-1]")?.textContent !== before,
       before,

@@ -71,8 +71,9 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
   return false;
 }
 
-/** What a button saves to disk. */
+/** What a button saves to disk; those of the menu of the page's head are opened first. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
+  if (await page.locator(`#save-menu [data-testid=${button}]`).count()) await page.getByTestId("save").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }
@@ -91,15 +92,16 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
 
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
-/** What axe-core finds that keeps somebody out. */
-export async function barriers(/** @type {Page} */ page) {
+/** What axe-core finds that keeps somebody out; `rules`: by these rules alone, some of which it does not ask unless told to. */
+export async function barriers(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
   await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await /** @type {any} */ (globalThis).axe.run();
+  return page.evaluate(async (rules) => {
+    const options = rules.length > 0 ? { runOnly: { type: "rule", values: rules } } : {};
+    const { violations } = await /** @type {any} */ (globalThis).axe.run(options);
     return /** @type {import("axe-core").Result[]} */ (violations)
       .filter(({ impact }) => impact === "serious" || impact === "critical")
       .flatMap(({ id, nodes }) =>
         nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
       );
-  });
+  }, rules);
 }

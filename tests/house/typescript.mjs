@@ -28,14 +28,17 @@ export function importsOf(/** @type {string} */ from, /** @type {string} */ text
  * @param {Set<string>} files
  */
 export function usesOf(imports, files) {
-  return imports
-    .filter(({ source }) => source.startsWith("."))
-    .map(({ from, source }) => {
-      const path = posix.join(posix.dirname(from), source.replace(/\?.*$/, ""));
-      const to = [path, `${path}.ts`, `${path}.js`].find((file) => files.has(file));
-      if (!to) throw new Error(`${from} imports ${source}, which is not there`);
-      return { from, to };
-    });
+  return (
+    imports
+      // What is imported as text is no code of the page.
+      .filter(({ source }) => source.startsWith(".") && !source.endsWith("?raw"))
+      .map(({ from, source }) => {
+        const path = posix.join(posix.dirname(from), source.replace(/\?.*$/, ""));
+        const to = [path, `${path}.ts`, `${path}.js`].find((file) => files.has(file));
+        if (!to) throw new Error(`${from} imports ${source}, which is not there`);
+        return { from, to };
+      })
+  );
 }
 
 /**

@@ -21,7 +21,9 @@ const showState = () => {
 };
 showState();
 app.engine.on(showState);
-root.toggleAttribute("data-large", app.embedded);
+const showType = () => root.toggleAttribute("data-large", app.embedded || app.settings.values.large);
+showType();
+app.settings.on(showType);
 if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.playback.play();
 
 document.querySelector("#boot")?.remove();
@@ -33,7 +35,7 @@ listenToKeys({
   step: (direction) => page?.clock?.step(direction),
   resetCouplings: () => app.isPlayView && app.model.resetCouplings(),
   help: () => page?.openHelp(),
-  projector: () => root.toggleAttribute("data-large"),
+  projector: () => app.settings.change({ large: !app.settings.values.large }),
 });
 listenToDrops((files, at) => void openFiles(app, files, at));
 addEventListener("hashchange", () => app.followAddress());

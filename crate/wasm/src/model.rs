@@ -145,6 +145,11 @@ impl Model {
         Ok(self.model.to_json()?)
     }
 
+    /// SHA-256 of that document, hexadecimal.
+    pub fn sha256(&self) -> Result<String, VcgpdmError> {
+        Ok(self.model.sha256()?)
+    }
+
     /// What there is to know of it.
     #[wasm_bindgen(unchecked_return_type = "ModelInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {

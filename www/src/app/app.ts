@@ -60,7 +60,7 @@ export class App {
     text.catch(() => {});
     await this.engine.start(startEngine, async () => {
       const first = await text;
-      if (first !== null) await this.model.open(first, { couplings: true, clip: false });
+      if (first !== null) await this.model.open(first, { couplings: "link", clip: false });
     });
     if (this.engine.state !== "ready") return;
     try {

@@ -1,15 +1,14 @@
 // The head of the page: what this is, its views, and the files to save and open.
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { ModelStore } from "../couplings/model-store";
-import type { EngineStore } from "../engine/engine-store";
 import { type Settings, writeSettings } from "../settings/settings";
-import type { SettingsStore } from "../settings/settings-store";
+import "../terms/term";
 import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
-import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
-import { saveModel, saveMotion } from "./saving";
+import type { App } from "./app";
+import { wordStores, wordsNow } from "./caption";
+import "./save-menu";
 
 const VIEWS: [Settings["view"], string][] = [
   ["play", "Play"],
@@ -20,16 +19,15 @@ const VIEWS: [Settings["view"], string][] = [
 const LEADS = {
   compare: "Which model foresees a walk best, and what does it cost?",
   synthetic: "Two made-up systems of which the truth is known: does training find it?",
+  method: "The model in equations, and where each symbol is to be seen.",
 };
 
 export class HeaderView extends View {
-  declare engine: EngineStore;
-  declare model: ModelStore;
-  declare settings: SettingsStore;
-  declare notices: NoticesStore;
+  declare app: App;
 
   protected override stores() {
-    return [this.engine, this.model, this.settings, this.settings.address];
+    const { engine, settings } = this.app;
+    return [...wordStores(this.app), engine, settings, settings.address];
   }
 
   private tell(type: string, detail?: unknown): void {
@@ -38,7 +36,7 @@ export class HeaderView extends View {
 
   /** Links, so that they can be opened elsewhere and shared; written when the address is, not at each move of a slider. */
   private views() {
-    const { settings } = this;
+    const { settings } = this.app;
     return html`
       <nav class="segments" aria-label="Views">
         ${VIEWS.map(
@@ -55,22 +53,22 @@ export class HeaderView extends View {
   }
 
   private lead() {
-    const { view } = this.settings.values;
+    const { view } = this.app.settings.values;
     if (view !== "play") return LEADS[view];
+    const { lead } = wordsNow(this.app);
     const show = (event: Event) => {
       event.preventDefault();
       this.tell("show-couplings");
     };
-    return html`This walk was never recorded: a small model learned it.
-      <a href="#couplings" @click=${show}>Drag a slider</a> and watch its parts fall out of step.`;
+    return html`${lead}
+      <a href="#couplings" @click=${show}>Drag a slider</a> to change who leads.`;
   }
 
   protected override render() {
-    const nothingToSave = !this.model.model || !this.engine.engine;
     return html`
       <div class="title">
-        <h1>Coupled movement primitives</h1>
-        <p class="lead">${this.lead()}</p>
+        <h1>Coupled <pg-term of="movement-primitive" text="movement primitives"></pg-term></h1>
+        <p class="lead" data-testid="lead">${this.lead()}</p>
       </div>
       ${this.views()}
       <div class="actions" role="group" aria-label="Files">
@@ -83,8 +81,7 @@ export class HeaderView extends View {
           disabled: false,
           chosen: (files) => this.tell("open-files", files),
         })}
-        <button class="small" data-testid="save-model" ?disabled=${nothingToSave} title="The trained model, as JSON" @click=${() => void saveModel(this)}>${icon("save")} Save model</button>
-        <button class="small" data-testid="save-motion" ?disabled=${nothingToSave} title="The motion on the stage, as BVH" @click=${() => void saveMotion(this)}>${icon("save")} Save motion</button>
+        <pg-save-menu .app=${this.app}></pg-save-menu>
         <button class="round" aria-label="Help and keys" title="Help and keys (?)" data-testid="help" @click=${() => this.tell("show-help")}>${icon("help")}</button>
       </div>`;
   }

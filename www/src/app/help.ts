@@ -34,6 +34,11 @@ export class HelpView extends View {
     if (dialog && !dialog.open) dialog.showModal();
   }
 
+  private showMethod(): void {
+    this.querySelector("dialog")?.close();
+    this.dispatchEvent(new CustomEvent("show-method", { bubbles: true }));
+  }
+
   private provenance() {
     const { model } = this.model;
     const { version } = this.engine;
@@ -57,6 +62,7 @@ export class HelpView extends View {
           <p>Inducing points are the few examples that the model keeps in place of the data: poses (diamonds), and short pieces of movement (arrows).
             Point at one to see its pose, and the frames it speaks for on the time line.</p>
           <p>Training climbs the evidence lower bound: how well the model explains the clips, less what it takes to say so.</p>
+          <p><button class="small" @click=${this.showMethod}>The method: equations, symbols, references</button></p>
           <h3>Keys</h3>
           <dl class="keys">${KEYS.map(([key, does]) => html`<dt><kbd>${key}</kbd></dt><dd>${does}</dd>`)}</dl>
           <h3>About</h3>

@@ -1,6 +1,7 @@
 // The page: where each view goes. On narrow screens the panels beside the stage become tabs.
 import { html, nothing, type TemplateResult } from "lit";
 import "../clips/clips-view";
+import "../clips/trim-view";
 import "../couplings/couplings-view";
 import "../latents/latents-view";
 import "../stage/stage-view";
@@ -38,7 +39,27 @@ const ON_DEMAND = {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
+  async method() {
+    await import("../method/method-page");
+    return () => html`<pg-method></pg-method>`;
+  },
 };
+
+/** Where on the page something is to be seen or changed: the tab that it is in, and what takes the focus. */
+const PLACES = {
+  couplings: { tab: "couplings", focus: "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input" },
+  reading: { tab: "couplings", focus: ".readings button" },
+  latents: { tab: "latents", focus: "pg-latent-plot [tabindex='0'], pg-latents button" },
+  points: { tab: "latents", focus: ".marks .chip" },
+  parts: { tab: "training", focus: "[data-testid=setting-parts]" },
+  "latent dimensions": { tab: "training", focus: "[data-testid=setting-latent]" },
+  "dynamics points": { tab: "training", focus: "[data-testid=setting-dynamicsIps]" },
+  "pose points": { tab: "training", focus: "[data-testid=setting-poseIps]" },
+  order: { tab: "training", focus: "[data-testid=setting-order]" },
+  train: { tab: "training", focus: "[data-testid=train], [data-testid=cancel]" },
+  stage: { tab: null, focus: "[data-testid=stage]" },
+  length: { tab: null, focus: "[data-testid=length], [data-testid=scrub]" },
+} as const satisfies Record<string, { tab: Tab | null; focus: string }>;
 
 export class PageView extends View {
   static override properties = { tab: { state: true } };
@@ -52,7 +73,15 @@ export class PageView extends View {
   }
 
   protected override stores() {
-    return [this.app.engine, this.app.settings];
+    const { engine, settings, model, stage } = this.app;
+    return [engine, settings, model, stage];
+  }
+
+  protected override arrived(): void {
+    // What could not be loaded may be there now.
+    this.listen(window, "online", () => {
+      for (const [view, state] of this.#loaded) if (state === "failed") this.load(view);
+    });
   }
 
   /** What the keys for play and step work on. */
@@ -64,10 +93,21 @@ export class PageView extends View {
     this.querySelector<HelpView>("pg-help")?.open();
   }
 
-  private showCouplings(): void {
-    this.tab = "couplings";
-    const first = "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input";
-    void this.updateComplete.then(() => this.querySelector<HTMLElement>(first)?.focus());
+  private async showPlace(name: string): Promise<void> {
+    if (!(name in PLACES)) return;
+    const { tab, focus } = PLACES[name as keyof typeof PLACES];
+    if (this.app.settings.values.view !== "play") this.app.settings.change({ view: "play" });
+    if (tab) this.tab = tab;
+    await this.updateComplete;
+    const control = this.querySelector<HTMLElement>(focus);
+    const folded = control?.closest("details");
+    if (folded) folded.open = true;
+    control?.focus();
+    control?.scrollIntoView({ block: "nearest" });
+  }
+
+  private showMethod(): void {
+    this.app.settings.change({ view: "method" });
   }
 
   private onDemand(view: keyof typeof ON_DEMAND) {
@@ -105,12 +145,13 @@ export class PageView extends View {
   }
 
   private stageArea() {
-    const { stage, playback, settings, clips, model, pointing, training, isPlayView } = this.app;
+    const { stage, playback, settings, clips, model, isPlayView } = this.app;
     return html`
       <section class="stage-area" aria-label="Stage">
         <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
-        <pg-caption .stage=${stage} .clips=${clips} .model=${model} .pointing=${pointing} .training=${training}></pg-caption>
-        <pg-timeline .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
+        <pg-caption .app=${this.app}></pg-caption>
+        ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
+        <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
       </section>`;
   }
 
@@ -142,14 +183,19 @@ export class PageView extends View {
   protected override render() {
     const { app } = this;
     const { engine, settings, model, notices, embedded, isPlayView } = app;
+    const { foreign } = model;
     const { view } = settings.values;
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-couplings=${this.showCouplings}
+      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod}
+        @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
+        ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${
-          embedded
+          foreign === null
             ? nothing
-            : html`<pg-header .engine=${engine} .model=${model} .settings=${settings} .notices=${notices} role="banner"></pg-header>`
+            : html`<p class="banner" role="alert" data-testid="foreign-link">This link’s couplings belong to another model (${foreign}), not to the one on
+              the stage (${model.id}). They are applied when that model is opened.
+              <button class="small" @click=${() => model.forgetForeign()}>Forget them</button></p>`
         }
         ${
           engine.state === "failed"

@@ -49,6 +49,16 @@ describe("the clips that come with the page", () => {
     expect(stage.clip).toBe("own-4");
   });
 
+  it("are ticked again as before when the last of the visitor's own is removed", async () => {
+    await clips.tick("made-walk-2", false);
+    await clips.open(file("mine.bvh"), true);
+    await clips.open(file("other.bvh"), false);
+    await clips.remove("own-4");
+    expect(tickedKeys()).toEqual(["own-5"]);
+    await clips.remove("own-5");
+    expect(tickedKeys()).toEqual(["made-walk-1"]);
+  });
+
   it("stay as they are where a file cannot be read", async () => {
     await expect(clips.open(file("empty.bvh", ""), true)).rejects.toThrow("the file is empty");
     expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);

@@ -36,6 +36,8 @@ export class ClipsStore extends Store {
   #clash = "";
   #locked = false;
   #checks = 0;
+  /** The made clips that were ticked when the visitor's own took their place. */
+  #steppedBack = new Set<string>();
 
   constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore) {
     super();
@@ -104,7 +106,10 @@ export class ClipsStore extends Store {
     const title = clipTitle(file.name);
     const loaded = await engine.readClip(title, bytes);
     // Own clips are what the visitor wants to train on now: the made ones step back.
-    if (first) this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
+    if (first) {
+      for (const { key, origin, ticked } of this.#clips) if (origin === "made" && ticked) this.#steppedBack.add(key);
+      this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
+    }
     const key = `own-${loaded.id}`;
     this.#add({ key, title, origin: "own", source: { name: title, file: new Blob([bytes]) }, loaded, ticked: true });
     if (first) this.show(key);
@@ -162,6 +167,7 @@ export class ClipsStore extends Store {
     const clip = this.#find(key);
     if (!clip) return;
     this.#clips = this.#clips.filter((other) => other !== clip);
+    this.#bringBack();
     if (this.#stage.clip === key) this.#stage.endClip();
     this.changed();
     await this.#engine.engine?.dropClip(clip.loaded.id);
@@ -183,6 +189,13 @@ export class ClipsStore extends Store {
     if (check !== this.#checks) return;
     this.#clash = clash;
     this.changed();
+  }
+
+  /** Without any clip of the visitor's own, and none ticked, the made ones are ticked again that were before. */
+  #bringBack(): void {
+    if (this.#clips.some(({ origin, ticked }) => origin === "own" || ticked)) return;
+    this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: this.#steppedBack.has(clip.key) }));
+    this.#steppedBack.clear();
   }
 
   #find(key: string): ClipEntry | undefined {

@@ -102,7 +102,8 @@ export class ClipsView extends View {
       ${
         made.length > 0
           ? html`<details class="made" ?open=${this.unfolded}>
-            <summary>Made by this project: a procedural walker <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked</small></summary>
+            <summary>Samples, made by a procedural walker
+              <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked, to train a new model on</small></summary>
             <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
           : this.engine.state === "loading"
             ? html`<p class="empty">Getting the sample clips ready</p>`

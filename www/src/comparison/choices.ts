@@ -4,6 +4,8 @@ import type { ClipsStore } from "../clips/clips-store";
 import { type NumberName, settingField } from "../settings/setting-field";
 import { BY_HAND, MODELS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
+import "../terms/term";
+import type { TermName } from "../terms/terms";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "./model-style";
@@ -42,12 +44,14 @@ export class ComparisonChoices extends View {
     this.unfolded = false;
   }
 
-  #number(name: NumberName, label: string, hint: string) {
+  #number(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     const { settings, comparison } = this;
-    return settingField(settings, name, { label, hint, testId: `compare-${name}`, disabled: comparison.busy });
+    const beside = term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
+    const field = { label, hint, testId: `compare-${name}`, disabled: comparison.busy };
+    return settingField(settings, name, { ...field, ...(beside && { beside }) });
   }
 
-  #numbers(name: "ips" | "bases", label: string, hint: string) {
+  #numbers(name: "ips" | "bases", label: string, hint: string, term: TermName) {
     const { settings, comparison } = this;
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement;
@@ -59,10 +63,10 @@ export class ComparisonChoices extends View {
       input.value = settings.values[name].join(", ");
     };
     return html`
-      <label class="field" title=${hint}><span>${label}</span>
-        <input type="text" inputmode="numeric" data-testid="compare-${name}" .value=${settings.values[name].join(", ")}
+      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about="${label}: what is that?"></pg-term></span>
+        <input type="text" id="field-${name}" inputmode="numeric" data-testid="compare-${name}" .value=${settings.values[name].join(", ")}
           ?disabled=${comparison.busy} @change=${change} />
-      </label>`;
+      </div>`;
   }
 
   #flag(name: "balanced" | "growth", label: string, hint: string) {
@@ -81,7 +85,8 @@ export class ComparisonChoices extends View {
       settings.change({ models: MODELS.filter((other) => (other === kind ? on : models.includes(other))) });
     return html`
       <fieldset class="models">
-        <legend>Models</legend>
+        <legend>Models <small>What is <pg-term of="map" text="MAP"></pg-term>, <pg-term of="tmp" text="TMP"></pg-term>,
+          <pg-term of="dmp" text="DMP"></pg-term>?</small></legend>
         ${MODELS.map(
           (kind) => html`
           <label class="check">
@@ -143,20 +148,20 @@ export class ComparisonChoices extends View {
         ${this.#trials()}
         <div class="fields">
           ${this.#parts()}
-          ${this.#numbers("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare")}
-          ${this.#numbers("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare")}
-          ${this.#number("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one")}
-          ${this.#number("heldOut", "Only trial (0: each)", "The trial held out, counted from 1; 0: each in turn")}
+          ${this.#numbers("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare", "inducing-point")}
+          ${this.#numbers("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare", "bases")}
+          ${this.#number("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one", "iterations")}
+          ${this.#number("heldOut", "Only trial (0: each)", "The trial held out, counted from 1; 0: each in turn", "fold")}
         </div>
         ${this.#flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
         <p class="hint">${this.#growthWords()}</p>
         <details class="advanced">
           <summary>Advanced</summary>
           <div class="fields">
-            ${this.#number("seed", "First seed", "Of everything random")}
+            ${this.#number("seed", "First seed", "Of everything random", "seed")}
             ${this.#number("seeds", "Seeds", "How many, from the first on")}
-            ${this.#number("latent", "Latent dimensions", "Q of every part")}
-            ${this.#number("order", "Frames of history", "The order p of the dynamics")}
+            ${this.#number("latent", "Latent dimensions", "Of every part", "latent-space", "Q")}
+            ${this.#number("order", "Frames of history", "The order of the dynamics", "order", "p")}
             ${this.#number("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
           </div>
           ${this.#flag("balanced", "Balanced MAP models", "Their dynamics weigh as much as their many columns (Urtasun, Fleet and Fua 2006)")}

@@ -10,6 +10,7 @@ import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
+import "../terms/term";
 import "./choices";
 import type { ComparisonChoices } from "./choices";
 import "./comparison.css";
@@ -52,6 +53,10 @@ export class ComparisonPage extends View {
 
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());
+    this.listen(window, "online", () => {
+      this.#problem = "";
+      this.comparison.reconnected();
+    });
   }
 
   /** Beside the button: what would happen, what is happening, or how it ended. */
@@ -144,7 +149,7 @@ export class ComparisonPage extends View {
       <progress max="1" .value=${busy ? share(comparison.shown?.jobs ?? []) : 0} aria-label="Comparing" class=${busy ? "" : "resting"}
         aria-hidden=${busy ? "false" : "true"}></progress>
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
-      <p class="hint">Each trial is held out in turn. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
+      <p class="hint">Each trial is <pg-term of="fold" text="held out in turn"></pg-term>. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
       <pg-comparison-choices .comparison=${comparison} .settings=${settings} .clips=${clips}></pg-comparison-choices>
       ${this.#files()}`;
   }

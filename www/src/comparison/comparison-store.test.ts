@@ -233,6 +233,18 @@ describe("the outlook", () => {
     await settled();
     expect([comparison.whyNot, comparison.outlook]).toEqual(["", null]);
   });
+
+  it("forgets that the program could not be loaded when the machine is online again", async () => {
+    program.unreachable = "offline";
+    comparison.follow();
+    await comparison.begin();
+    expect([comparison.failed, comparison.ending]).toEqual([true, "offline"]);
+    program.unreachable = "";
+    comparison.reconnected();
+    await settled();
+    expect([comparison.failed, comparison.ending]).toEqual([false, ""]);
+    expect(comparison.outlook?.asked).toBeGreaterThan(0);
+  });
 });
 
 describe("opened results", () => {

@@ -199,6 +199,13 @@ export class ComparisonStore extends Store {
     this.#askAnew();
   }
 
+  /** The machine is online again: what failed for want of the program may work now, and is no longer true. */
+  reconnected(): void {
+    if (this.busy) return;
+    if (this.#failed) [this.#ending, this.#failed] = ["", false];
+    if (!this.#planned) this.#askAnew();
+  }
+
   /** Stops; finished folds are kept. */
   cancel(): void {
     if (this.#status !== "running" && this.#status !== "starting") return;

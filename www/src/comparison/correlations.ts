@@ -1,10 +1,10 @@
 // Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model that has a bound.
-import { html, svg } from "lit";
+import { html, nothing, svg } from "lit";
 import { axes, ticksAcross, ticksUp, widthOf } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { correlationFinding, rankWords } from "./findings";
-import { beside, withoutCommonEnd } from "../figures/labels";
+import { beside, inShort } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "./model-style";
 import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
@@ -54,7 +54,8 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     );
     const up = ticksUp(y, bottom - top, type);
     const left = widthOf(up, type);
-    const { short, end } = withoutCommonEnd(points.map(({ label }) => label));
+    const { short, units, all } = inShort(points.map(({ label }) => label));
+    const note = [units && `Labels: ${units}.`, all && `All with ${all}.`].filter(Boolean).join(" ");
     const widths = short.map((label) => textWidth(label, type));
     // The outermost points have their labels beside them, too, unless these are long.
     const x = linearScale(
@@ -77,9 +78,9 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
         <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
           ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
           ${places.map((place) => modelMark(model, place.x, place.y, MARK_SIZE * type))}
-          ${boxes.map((box, i) => svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>`)}
+          ${boxes.map((box, i) => (box ? svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>` : nothing))}
         </svg>
-        ${end === "" ? "" : html`<small class="panel-note">Labels: ${end}.</small>`}
+        ${note ? html`<small class="panel-note">${note}</small>` : nothing}
       </div>`;
   }
 

@@ -1,6 +1,7 @@
 // Error, bound, time and size of each model: figure 4 of Velychko et al. 2018 as a table, with a dot and its error bar for each
 // number.
 import { html, nothing, svg } from "lit";
+import "../terms/term";
 import { errorBar } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
@@ -157,7 +158,8 @@ export class ModelsTable extends FigureElement<Comparison> {
         </table>
       </div>
       <figcaption>
-        ${foldWords(models)} The error is the mean squared error after dynamic time warping. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
+        ${foldWords(models)} The error is the <pg-term of="dtw" text="mean squared error after dynamic time warping"></pg-term>; the
+        <pg-term of="bound" text="bound"></pg-term> is in <pg-term of="nats" text="nats"></pg-term>. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
       </figcaption>`;
   }
 }

@@ -2,24 +2,16 @@
 import { html, nothing } from "lit";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
-import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { clipTitle, short, weight } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
+import "../terms/term";
 import { swatchStyle, View } from "../ui/view";
 import "./body-map";
 import "./couplings.css";
 import type { ModelStore } from "./model-store";
-
-const LOG_MIN = Math.log10(ALPHA_MIN);
-const LOG_MAX = Math.log10(ALPHA_MAX);
-
-/** Where on its slider a value lies: 0 at the left, weak end, 1 at the right, strong end. */
-function strength(alpha: number): number {
-  const log = Math.min(LOG_MAX, Math.max(LOG_MIN, Math.log10(alpha)));
-  return (LOG_MAX - log) / (LOG_MAX - LOG_MIN);
-}
+import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -49,13 +41,13 @@ export class CouplingsView extends View {
     return html`
       <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
         <div class="slider">
-          <span class="fill" style="--at:${strength(alpha).toFixed(4)}"></span>
-          <span class="tick" style="--at:${strength(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
-          <input type="range" dir="rtl" min=${LOG_MIN} max=${LOG_MAX} step="0.01" .value=${Math.log10(alpha).toFixed(2)}
+          <span class="fill" style="--at:${placeOf(alpha).toFixed(4)}"></span>
+          <span class="tick" style="--at:${placeOf(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
+          <input type="range" min=${WEAKEST} max=${STRONGEST} step="0.01" .value=${strengthOf(alpha).toFixed(2)}
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
             title="${label}: drag to change, double click to reset"
-            @input=${(event: Event) => model.setCoupling(source, target, 10 ** (event.target as HTMLInputElement).valueAsNumber)}
+            @input=${(event: Event) => model.setCoupling(source, target, alphaOf((event.target as HTMLInputElement).valueAsNumber))}
             @keydown=${this.keys(source, target)}
             @dblclick=${() => model.resetCoupling(source, target)} />
         </div>
@@ -95,7 +87,7 @@ export class CouplingsView extends View {
     const inferred = this.settings.values.reading === "re-inferred";
     return html`
       <fieldset class="readings">
-        <legend>When a slider moves</legend>
+        <legend>When a slider moves, <pg-term of="expert" text="experts"></pg-term> <pg-term of="reading" text="stay or are re-inferred"></pg-term></legend>
         <div class="segments">
           <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"
             @click=${() => model.setReading("as learned")}>experts as learned</button>
@@ -127,8 +119,9 @@ export class CouplingsView extends View {
     const info = this.model.model?.info;
     return html`
       <header class="panel-head">
-        <h2>Couplings</h2>
-        <p class="hint">Which part predicts which. Right is strong.</p>
+        <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
+        <p class="hint">Which <pg-term of="part" text="part"></pg-term> predicts which. Right is strong: small
+          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
         ${info ? this.starts(info) : nothing}
       </header>
       ${

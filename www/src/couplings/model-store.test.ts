@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { FakeEngine, modelHash, modelText, settled, started } from "../engine/engine.fake";
 import { EngineStore } from "../engine/engine-store";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
@@ -23,7 +23,7 @@ async function begin(fragment = "", sequences = 1): Promise<void> {
   model = new ModelStore(store, settings, stage, notices);
   await store.start(
     () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1, sequences), { couplings: true, clip: false }),
+    () => model.open(modelText(1, sequences), { couplings: "link", clip: false }),
   );
   await settled();
 }
@@ -128,7 +128,7 @@ describe("another model", () => {
   it("keeps the couplings and the clip in front when it is asked to", async () => {
     model.setCoupling(0, 1, 8);
     stage.showClip(clip());
-    await model.open(modelText(2), { couplings: true, clip: true });
+    await model.open(modelText(2), { couplings: "visitor", clip: true });
     await settled();
     expect([model.alpha(0, 1), model.weight(0, 1), stage.clip]).toEqual([8, 8, "a"]);
     expect(model.learned?.request.alpha).toBeNull();
@@ -207,7 +207,7 @@ it("begins anew with couplings from the address", async () => {
   model = new ModelStore(store, settings, stage, notices);
   await store.start(
     () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1), { couplings: true, clip: false }),
+    () => model.open(modelText(1), { couplings: "link", clip: false }),
   );
   await settled();
   expect(model.weight(0, 1)).toBe(50);
@@ -220,4 +220,66 @@ it("begins anew with couplings from the address", async () => {
   settings.readAddress();
   model.restart();
   expect(settings.values.alpha).toEqual({});
+});
+
+describe("a link", () => {
+  const id = (seed: number) => modelHash(seed).slice(0, 8);
+
+  it("names the model whose couplings or start it carries, and no model otherwise", async () => {
+    await begin("", 3);
+    expect(settings.values.model).toBe("");
+    model.setCoupling(0, 1, 8);
+    expect(settings.values.model).toBe(id(1));
+    model.resetCouplings();
+    expect(settings.values.model).toBe("");
+    model.setStart(1);
+    expect(settings.values.model).toBe(id(1));
+  });
+
+  it("to another model changes nothing but says so, until that model is opened", async () => {
+    await begin(`model=${id(2)}&alpha=0.1:8&start=1`, 3);
+    expect([model.altered, settings.values.start, model.foreign]).toEqual([false, 0, id(2)]);
+    await model.open(modelText(3, 3));
+    expect([model.altered, model.foreign]).toEqual([false, id(2)]);
+    await model.open(modelText(2, 3));
+    await settled();
+    expect([model.alpha(0, 1), model.foreign, model.rollout?.request.sequence]).toEqual([8, null, 1]);
+    expect(settings.values.model).toBe(id(2));
+  });
+
+  it("is no longer waited for when the visitor moves a slider or says so", async () => {
+    await begin(`model=${id(2)}&alpha=0.1:8`);
+    model.setCoupling(1, 0, 9);
+    expect(model.foreign).toBeNull();
+    await begin(`model=${id(2)}&alpha=0.1:8`);
+    model.forgetForeign();
+    await model.open(modelText(2));
+    expect(model.altered).toBe(false);
+  });
+
+  it("to this model, or from before links named models, brings its couplings", async () => {
+    await begin(`model=${id(1)}&alpha=0.1:8`);
+    expect([model.weight(0, 1), model.foreign]).toEqual([8, null]);
+    await begin("alpha=0.1:8");
+    expect([model.weight(0, 1), settings.values.model]).toEqual([8, id(1)]);
+  });
+
+  it("follows the visitor's couplings from one model of a training to the next", async () => {
+    model.setCoupling(0, 1, 8);
+    await model.open(modelText(2), { couplings: "visitor", clip: false });
+    await settled();
+    expect([model.alpha(0, 1), settings.values.model]).toEqual([8, id(2)]);
+  });
+});
+
+describe("the length", () => {
+  it("is set in seconds within the limits, for the ghost too", async () => {
+    model.setCoupling(0, 1, 8);
+    model.setSeconds(5);
+    await settled();
+    expect([model.rollout?.request.frames, model.learned?.request.frames]).toEqual([150, 150]);
+    model.setSeconds(1e6);
+    await settled();
+    expect(model.rollout?.motion.frames).toBe(1200);
+  });
 });

@@ -1,8 +1,16 @@
 // The model, its couplings, and its rollouts: as learned and under the couplings now.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { Engine, ModelView, OpenedModel, Reading, RolloutRequest, RolloutResult } from "../engine/protocol";
-import type { ChangedCouplings } from "../settings/settings";
+import type {
+  Engine,
+  ModelInfo,
+  ModelView,
+  OpenedModel,
+  Reading,
+  RolloutRequest,
+  RolloutResult,
+} from "../engine/protocol";
+import type { ChangedCouplings, Settings } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
@@ -12,18 +20,29 @@ import { Store } from "../ui/store";
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
 
+/** So many digits of a hash tell the models of a class apart. */
+const ID_DIGITS = 8;
+
 /** A coupling within half a percent of the learned one is back at it. */
 const BACK = 0.005;
 
 /** What stays as it is when another model is taken up. */
 export interface Keep {
-  /** The visitor's couplings, if they fit the model. */
-  couplings: boolean;
+  /**
+   * "none"; "visitor": those that the visitor set meanwhile, if they fit the model; "link": those of the address, if they belong
+   * to the model.
+   */
+  couplings: "none" | "visitor" | "link";
   /** A clip that is looked at. */
   clip: boolean;
 }
 
-const KEEP_NOTHING: Keep = { couplings: false, clip: false };
+const KEEP_NOTHING: Keep = { couplings: "none", clip: false };
+
+/** Couplings and start of a link that names another model than the one that was there. */
+interface Foreign extends Pick<Settings, "alpha" | "start"> {
+  model: string;
+}
 
 export class ModelStore extends Store {
   readonly #engine: EngineStore;
@@ -33,6 +52,7 @@ export class ModelStore extends Store {
   #model: ModelView | null = null;
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
+  #foreign: Foreign | null = null;
   /** When the visitor changed a coupling whose rollout is not there yet. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
@@ -69,6 +89,16 @@ export class ModelStore extends Store {
   /** The rollout under the couplings now. */
   get rollout(): RolloutResult | null {
     return this.#rollout;
+  }
+
+  /** What a link names the model by: the first digits of the hash of its document. Empty without a model. */
+  get id(): string {
+    return this.#model?.sha256.slice(0, ID_DIGITS) ?? "";
+  }
+
+  /** The model that a link's couplings belong to, where it is another one; they are kept until it is opened. */
+  get foreign(): string | null {
+    return this.#foreign?.model ?? null;
   }
 
   /** Whether a coupling differs from the learned one. */
@@ -114,25 +144,26 @@ export class ModelStore extends Store {
   /** Begins anew with the model as it was learned, under settings that came from the address. */
   restart(): void {
     if (!this.#model || !this.#learned) return;
-    this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: true, clip: false });
+    this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: "link", clip: false });
   }
 
   setCoupling(source: number, target: number, alpha: number): void {
     if (!this.#model) return;
     this.#changedAt = performance.now();
     const isBack = Math.abs(Math.log(alpha / this.learnedAlpha(source, target))) < BACK;
-    this.#settings.change({ alpha: isBack ? this.#without(source, target) : this.#with(source, target, alpha) });
+    this.#foreign = null;
+    this.#change({ alpha: isBack ? this.#without(source, target) : this.#with(source, target, alpha) });
     this.#stage.endClip();
     this.#rollOut();
   }
 
   resetCoupling(source: number, target: number): void {
-    this.#settings.change({ alpha: this.#without(source, target) });
+    this.#change({ alpha: this.#without(source, target) });
     this.#rollOut();
   }
 
   resetCouplings(): void {
-    this.#settings.change({ alpha: {} });
+    this.#change({ alpha: {} });
     this.#rollOut();
   }
 
@@ -143,8 +174,20 @@ export class ModelStore extends Store {
 
   /** Starts the rollouts as another training sequence does; the ghost starts there too. */
   setStart(start: number): void {
-    this.#settings.change({ start });
-    if (this.#model) this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
+    this.#change({ start });
+    this.#rollOutBoth();
+  }
+
+  /** Rolls so many seconds out, within the limits. */
+  setSeconds(seconds: number): void {
+    if (!this.#model) return;
+    this.#change({ frames: Math.round(seconds / this.#model.info.frameTime) });
+    this.#rollOutBoth();
+  }
+
+  /** The couplings of a link that belong to another model are not waited for any more. */
+  forgetForeign(): void {
+    this.#foreign = null;
     this.changed();
   }
 
@@ -154,6 +197,13 @@ export class ModelStore extends Store {
     return engine;
   }
 
+  /** Changes settings. A link that says something about the model also says which model it is. */
+  #change(change: Partial<Settings>): void {
+    const { alpha, start } = { ...this.#settings.values, ...change };
+    const aboutModel = start > 0 || Object.keys(alpha).length > 0;
+    this.#settings.change({ ...change, model: aboutModel ? this.id : "" });
+  }
+
   #with(source: number, target: number, alpha: number): ChangedCouplings {
     return { ...this.#settings.values.alpha, [pair(source, target)]: alpha };
   }
@@ -161,6 +211,12 @@ export class ModelStore extends Store {
   #without(source: number, target: number): ChangedCouplings {
     const { [pair(source, target)]: _, ...others } = this.#settings.values.alpha;
     return others;
+  }
+
+  /** Asks for the rollout as learned, and then for the one under the couplings now. */
+  #rollOutBoth(): void {
+    if (this.#model) this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
+    this.changed();
   }
 
   /** Asks for the rollout under the settings now; older requests that still wait are dropped. */
@@ -195,17 +251,34 @@ export class ModelStore extends Store {
     this.#model = model;
     this.#learned = rollout;
     this.#rollout = rollout;
-    if (this.altered && !(keep.couplings && this.#couplingsFit(model))) this.#settings.change({ alpha: {} });
-    if (this.#settings.values.start >= model.info.sequences.length) this.#settings.change({ start: 0 });
+    this.#settleCouplings(model, keep);
     // First whoever knows the model before it, then the stage.
     this.changed();
     this.#show();
     if (!keep.clip) this.#stage.endClip();
-    const { start } = this.#settings.values;
-    if (this.altered || start > 0) this.setStart(start);
+    const { start, frames } = this.#settings.values;
+    const { request } = rollout;
+    if (this.altered || request.sequence !== start || request.frames !== frames) this.#rollOutBoth();
   }
 
-  #couplingsFit({ info }: ModelView): boolean {
+  /** Which couplings, and which start, hold for a model that is taken up. */
+  #settleCouplings({ info }: ModelView, keep: Keep): void {
+    const { alpha, start, model } = this.#settings.values;
+    const isForeign = keep.couplings === "link" && model !== "" && model !== this.id;
+    if (isForeign) this.#foreign = { model, alpha, start };
+    if (isForeign || keep.couplings === "none" || !this.#couplingsFit(info)) this.#change({ alpha: {} });
+    if (isForeign || start >= info.sequences.length) this.#change({ start: 0 });
+    // The link was followed before its model was there.
+    if (this.#foreign?.model === this.id) {
+      const { alpha, start } = this.#foreign;
+      this.#foreign = null;
+      this.#change({ alpha, start });
+    } else {
+      this.#change({});
+    }
+  }
+
+  #couplingsFit(info: ModelInfo): boolean {
     const parts = Object.keys(this.#settings.values.alpha).flatMap((key) => key.split(".").map(Number));
     return parts.every((part) => part < info.parts.length);
   }

@@ -70,8 +70,15 @@ function infoOf(text: string): ModelInfo {
   };
 }
 
+/** Stands for the hash of a model's document: another one for each seed. */
+export function modelHash(seed: number): string {
+  return seed.toString(16).padStart(8, "0").padEnd(64, "f");
+}
+
 function viewOf(text: string, revision: number): ModelView {
-  return { revision, info: infoOf(text), poseInducing: [], dynamicsInducing: [], trainingLatents: null };
+  const info = infoOf(text);
+  const sha256 = modelHash(info.provenance.settings.seed);
+  return { revision, sha256, info, poseInducing: [], dynamicsInducing: [], trainingLatents: null };
 }
 
 function loadedClip(id: number, frames = 60): LoadedClip {
@@ -183,6 +190,10 @@ export class FakeEngine implements Engine {
 
   rolloutBvh(request: RolloutRequest): Promise<string> {
     return this.#answer("rolloutBvh", [request], "HIERARCHY");
+  }
+
+  clipBvh(id: number, first: number, end: number): Promise<string> {
+    return this.#answer("clipBvh", [id, first, end], `HIERARCHY of clip ${id}, ${first} to ${end}`);
   }
 }
 

@@ -18,12 +18,16 @@ export async function compile(place: URL): Promise<WebAssembly.Module> {
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
+/** What is wrong with a worker that reports an error: only a program that runs reports what and where. */
+export function workerTrouble(event: Pick<ErrorEvent, "message" | "lineno">): string {
+  if (event.message || event.lineno) return `the worker that computed it stopped (${event.message})`;
+  return "its program could not be loaded. Is this machine offline? Try again when it is online";
+}
+
 /** A worker, with a promise that fails when it dies. */
 export function watched(worker: Worker) {
   const broken = new Promise<never>((_, fail) => {
-    worker.addEventListener("error", (event) => {
-      fail(new Error(`the worker that computed it stopped${event.message ? ` (${event.message})` : ""}`));
-    });
+    worker.addEventListener("error", (event) => fail(new Error(workerTrouble(event))));
   });
   return { worker, broken };
 }

@@ -52,6 +52,8 @@ export interface DynamicsInducing {
 export interface ModelView {
   /** Grows with every model the worker takes up; results of an older model are dropped. */
   revision: number;
+  /** SHA-256 of its document, as it is saved; hexadecimal. */
+  sha256: string;
   info: ModelInfo;
   /** Pose inducing inputs of each part [L x Q]. */
   poseInducing: Float64Array[];
@@ -164,6 +166,8 @@ export interface Workbench {
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
+  /** The frames of a clip from first (counted from 0) up to, not including, end. */
+  clipBvh(id: number, first: number, end: number): string;
 }
 
 /** What the page asks of the worker that shows, once it has started. */

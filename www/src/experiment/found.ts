@@ -1,5 +1,6 @@
 // What training found: the couplings as a table, and how well the model explains the data.
 import { html, nothing } from "lit";
+import "../terms/term";
 import { grouped, short, weight } from "../ui/format";
 import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
@@ -28,7 +29,7 @@ export function alphaTable(findings: SyntheticFindings | null) {
   return html`
     <table class="alphas">
       <caption class="visually-hidden">The learned couplings: rows predict columns</caption>
-      <thead><tr><td></td>${PARTS.map((target) => html`<th scope="col"><small>predicts</small> ${partName(target)}</th>`)}</tr></thead>
+      <thead><tr><td><pg-term of="alpha" text="α"></pg-term>, <pg-term of="weight" text="w"></pg-term></td>${PARTS.map((target) => html`<th scope="col"><small>predicts</small> ${partName(target)}</th>`)}</tr></thead>
       <tbody>${PARTS.map(
         (source) => html`
         <tr><th scope="row">${partName(source)}</th>${PARTS.map((target) => cell(source, target))}</tr>`,
@@ -46,9 +47,9 @@ export function fitTable(run: ExperimentRun | null) {
       <caption class="visually-hidden">How well the model explains the data</caption>
       <thead><tr><td></td><th scope="col">Start</th><th scope="col">${end}</th></tr></thead>
       <tbody>
-        <tr><th scope="row" title="The evidence lower bound, in nats: the higher, the better">Bound</th>
+        <tr><th scope="row" title="The evidence lower bound, in nats: the higher, the better"><pg-term of="bound" text="Bound"></pg-term></th>
           <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="experiment-bound">${now ? grouped(now.bound) : "–"}</td></tr>
-        <tr><th scope="row" title="Mean squared error of a rollout of all frames, after dynamic time warping of each part">MSE</th>
+        <tr><th scope="row" title="Mean squared error of a rollout of all frames, after dynamic time warping of each part"><pg-term of="dtw" text="MSE"></pg-term></th>
           <td>${start ? short(start.mse) : "–"}</td><td data-testid="experiment-mse">${now ? short(now.mse) : "–"}</td></tr>
       </tbody>
     </table>`;

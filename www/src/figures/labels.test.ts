@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { beside, spread, withoutCommonEnd } from "./labels";
+import { type Box, beside, inShort, spread } from "./labels";
 
 describe("labels beside the ends of lines", () => {
   it("stay where they are wanted when there is room", () =>
@@ -54,10 +54,12 @@ describe("labels of points", () => {
       { x: 40, y: 50 },
     ];
     const boxes = beside(points, [36, 36, 36, 36], 12, 4, within);
-    const apart = (a: (typeof boxes)[0], b: (typeof boxes)[0]) =>
+    const apart = (a: Box, b: Box) =>
       a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
-    boxes.forEach((box, i) => {
-      boxes.forEach((other, j) => {
+    const placed = boxes.filter((box) => box !== null);
+    expect(placed).toHaveLength(points.length);
+    placed.forEach((box, i) => {
+      placed.forEach((other, j) => {
         expect(i === j || apart(box, other), `labels ${i}, ${j}`).toBe(true);
       });
       points.forEach(({ x, y }, j) => {
@@ -67,20 +69,47 @@ describe("labels of points", () => {
   });
 });
 
-it("takes off the words that all labels share", () => {
-  expect(withoutCommonEnd(["4 + 4 inducing points", "12 + 12 inducing points"])).toEqual({
-    short: ["4 + 4", "12 + 12"],
-    end: "inducing points",
+it("leaves a label out rather than lay it over another one", () => {
+  const crowd = Array.from({ length: 12 }, (_, i) => ({ x: 50 + i, y: 50 }));
+  const boxes = beside(crowd, new Array(12).fill(60), 14, 4, { x: 0, y: 0, width: 140, height: 100 });
+  const placed = boxes.filter((box) => box !== null);
+  expect(placed.length).toBeGreaterThan(0);
+  expect(placed.length).toBeLessThan(12);
+  for (const [i, a] of placed.entries())
+    for (const b of placed.slice(i + 1))
+      expect(a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y).toBe(true);
+});
+
+describe("labels in short", () => {
+  it("keep what differs, and say what it counts and what holds for all", () => {
+    expect(inShort(["4 + 4 inducing points", "12 + 12 inducing points"])).toEqual({
+      short: ["4 + 4", "12 + 12"],
+      units: "inducing points",
+      all: "",
+    });
+    expect(inShort(["4 + 8 inducing points", "8 + 8 inducing points"]).short).toEqual(["4 + 8", "8 + 8"]);
+    expect(inShort(["12 + 12 inducing points, 800 iterations", "12 + 12 inducing points, 150 iterations"])).toEqual({
+      short: ["800", "150"],
+      units: "iterations",
+      all: "12 + 12 inducing points",
+    });
+    expect(
+      inShort(["8 + 8 inducing points, Q = 3, 800 iterations", "4 + 4 inducing points, Q = 2, 800 iterations"]),
+    ).toEqual({
+      short: ["8 + 8, Q = 3", "4 + 4, Q = 2"],
+      units: "inducing points",
+      all: "800 iterations",
+    });
   });
-  expect(withoutCommonEnd(["4 + 8 inducing points", "8 + 8 inducing points"])).toEqual({
-    short: ["4 + 8", "8 + 8"],
-    end: "inducing points",
+
+  it("stay as they are where they are not alike", () => {
+    for (const labels of [
+      ["primitives by the bound", "3 primitives"],
+      ["8 + 8 inducing points"],
+      ["same", "same"],
+      ["8 + 8 inducing points", "8 + 8 inducing points, 800 iterations"],
+      [],
+    ])
+      expect(inShort(labels)).toEqual({ short: labels, units: "", all: "" });
   });
-  expect(withoutCommonEnd(["primitives by the bound", "3 primitives"])).toEqual({
-    short: ["primitives by the bound", "3 primitives"],
-    end: "",
-  });
-  expect(withoutCommonEnd(["8 + 8 inducing points"])).toEqual({ short: ["8 + 8 inducing points"], end: "" });
-  expect(withoutCommonEnd(["same", "same"])).toEqual({ short: ["same", "same"], end: "" });
-  expect(withoutCommonEnd([])).toEqual({ short: [], end: "" });
 });

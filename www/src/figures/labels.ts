@@ -51,14 +51,17 @@ const ROUNDS = 4;
 /** How near a label comes to the mark of another point before it could be taken for its label. */
 const CLEAR = 4;
 
-/** A box for the label of each point, beside it where nothing else is; `reach` is a mark's half width. */
+/** A label may lie so many square pixels over something else, by rounding. */
+const TOUCH = 2;
+
+/** A box for the label of each point, beside it where nothing else is; null where there is no such place. `reach` is a mark's half width. */
 export function beside(
   points: readonly Point[],
   widths: readonly number[],
   height: number,
   reach: number,
   within: Box,
-): Box[] {
+): (Box | null)[] {
   const around = reach + CLEAR;
   const marks = points.map(({ x, y }) => ({ x: x - around, y: y - around, width: 2 * around, height: 2 * around }));
   const choices = points.map(({ x, y }, i) => {
@@ -88,23 +91,61 @@ export function beside(
       placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) - 1 ? box : best));
     });
   }
-  return placed;
+  return withoutCollisions(placed, marks, within);
 }
 
-/** The labels without the words that all of them end in: "4 + 4 inducing points" becomes "4 + 4". */
-export function withoutCommonEnd(labels: readonly string[]): { short: string[]; end: string } {
-  const texts = labels.map((label) => label.split(" "));
-  const [first = []] = texts;
-  const most = Math.min(...texts.map(({ length }) => length)) - 1;
-  let common = 0;
-  while (labels.length > 1 && common < most && texts.every((words) => words.at(-1 - common) === first.at(-1 - common)))
-    common++;
-  // "4 + 8" and "8 + 8" end in the same number, which says something.
-  const end = first.slice(first.length - common);
-  const lastNumber = end.findLastIndex((word) => !/^\p{L}/u.test(word));
-  common -= lastNumber + 1;
+/** Of labels that lie on each other, on the mark of another point or beyond the room only the first stays. */
+function withoutCollisions(placed: readonly Box[], marks: readonly Box[], within: Box): (Box | null)[] {
+  const kept: (Box | null)[] = [];
+  placed.forEach((box, i) => {
+    const others = [...kept, ...marks.filter((_, other) => other !== i)];
+    const isFree = others.every((other) => other === null || overlap(box, other) <= TOUCH);
+    kept.push(isFree && box.width * box.height - overlap(box, within) <= TOUCH ? box : null);
+  });
+  return kept;
+}
+
+/** Labels in short, and what was taken off them because it does not tell them apart. */
+export interface ShortLabels {
+  short: string[];
+  /** What the numbers that are left count: "inducing points". */
+  units: string;
+  /** What holds for all: "order 2". */
+  all: string;
+}
+
+/**
+ * Labels are clauses: "4 + 4 inducing points, 800 iterations". A clause that all have says nothing, and of one in which they differ
+ * the words that all end in are its unit: "4 + 4" is left.
+ */
+export function inShort(labels: readonly string[]): ShortLabels {
+  const clauses = labels.map((label) => label.split(", "));
+  const [first = []] = clauses;
+  const unchanged = { short: [...labels], units: "", all: "" };
+  if (new Set(labels).size < 2 || clauses.some(({ length }) => length !== first.length)) return unchanged;
+  const columns = first.map((_, place) => clauses.map((label) => label[place] ?? ""));
+  const varying = columns.filter((column) => new Set(column).size > 1).map(withoutUnit);
+  const same = columns.filter((column) => new Set(column).size === 1);
   return {
-    short: texts.map((words) => words.slice(0, words.length - common).join(" ")),
-    end: end.slice(lastNumber + 1).join(" "),
+    short: labels.map((_, i) => varying.map(({ short }) => short[i]).join(", ")),
+    units: varying
+      .map(({ unit }) => unit)
+      .filter(Boolean)
+      .join(", "),
+    all: same.map(([clause]) => clause).join(", "),
+  };
+}
+
+/** Takes off the words without digits that all end in. */
+function withoutUnit(clauses: readonly string[]): { short: string[]; unit: string } {
+  const words = clauses.map((clause) => clause.split(" "));
+  const [first = []] = words;
+  const most = Math.min(...words.map(({ length }) => length)) - 1;
+  let common = 0;
+  const isShared = (word: string) => /^\p{L}/u.test(word) && words.every((own) => own.at(-1 - common) === word);
+  while (common < most && isShared(first.at(-1 - common) ?? "")) common++;
+  return {
+    short: words.map((own) => own.slice(0, own.length - common).join(" ")),
+    unit: first.slice(first.length - common).join(" "),
   };
 }

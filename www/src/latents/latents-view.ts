@@ -5,6 +5,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
+import "../terms/term";
 import { View } from "../ui/view";
 import type { Layers } from "./latent-plot";
 import "./latent-plot";
@@ -42,7 +43,7 @@ export class LatentsView extends View {
     const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
       <header class="panel-head">
-        <h2>Latent spaces</h2>
+        <h2><pg-term of="latent-space" text="Latent spaces"></pg-term></h2>
         <div class="segments" role="group" aria-label="Plot">
           ${(["2d", "3d"] as const).map(
             (plot) => html`
@@ -78,6 +79,7 @@ export class LatentsView extends View {
                 <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>couplings</button>`
                 : ""
             }
+            <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
           </div>`
       }
     `;

@@ -67,6 +67,25 @@ describe("the shape of a figure", () => {
     }
   });
 
+  it("draws nothing between a root on the ground and the hips, but all of a body that stands on its root's feet", () => {
+    const grounded = body([
+      ["Root", null, [0, 0, 0]],
+      ["Hips", 0, [0, 1, 0]],
+      ["LeftFoot", 1, [0.1, -0.98, 0]],
+      ["Spine", 1, [0, 0.2, 0]],
+    ]);
+    const { capsules } = shapeOf(grounded.figure, grounded.joints, grounded.pose);
+    expect(capsules.map(({ from, to }) => [from, to])).toEqual([
+      [1, 2],
+      [1, 3],
+    ]);
+    const seated = body([
+      ["Hips", null, [0, 0.1, 0]],
+      ["Spine", 0, [0, 0.2, 0]],
+    ]);
+    expect(shapeOf(seated.figure, seated.joints, seated.pose).capsules).toHaveLength(1);
+  });
+
   it("takes names that say nothing", () => {
     const plain = body([
       ["a", null, [0, 1, 0]],

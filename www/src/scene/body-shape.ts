@@ -50,6 +50,10 @@ const TRUNK = /^(?!.*(left|right)).*(hips$|pelvis|root|spine|chest|torso|back|ab
 const RIGHT = /[Rr]ight|RIGHT|(^|[_:. ])[Rr](?=[A-Z_. ]|$)/;
 const LEFT = /[Ll]eft|LEFT|(^|[_:. ])[Ll](?=[A-Z_. ]|$)/;
 
+/** Metres: how near the ground a root is no hip, and how long a bone from it is no bone of a seated body. */
+const NEAR_GROUND = 0.15;
+const LONGEST_HIP = 0.35;
+
 /** The first right and left node of a kind, by their names. */
 function pairOf(figure: Figure, joints: readonly string[], kind: RegExp): [number, number] | null {
   const side = (pattern: RegExp) =>
@@ -76,11 +80,15 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
     Math.hypot(pose[3 * a]! - pose[3 * b]!, pose[3 * a + 1]! - pose[3 * b + 1]!, pose[3 * a + 2]! - pose[3 * b + 2]!);
   const hips = pairOf(figure, joints, /up_?leg|upper_?leg|thigh|hip/i);
   const shoulders = pairOf(figure, joints, /arm|shoulder|collar/i);
+  const lowest = figure.nodes.reduce((low, _, node) => Math.min(low, pose[3 * node + 1]!), Infinity);
+  // Some skeletons have their root on the ground below the body: no flesh is between the two.
+  const isOnGround = (node: number) =>
+    figure.nodes[node]!.parent === null && pose[3 * node + 1]! < lowest + NEAR_GROUND;
   figure.nodes.forEach(({ parent }, node) => {
     if (parent === null) return;
     const joint = figure.nodes[parent]!.joint;
     const long = length(node, parent);
-    if (long < 1e-3) return;
+    if (long < 1e-3 || (long > LONGEST_HIP && isOnGround(parent))) return;
     const name = joints[joint] ?? "";
     let [r0, r1] = radii(name, long);
     // No thicker than long, or short bones become balls; the trunk may.

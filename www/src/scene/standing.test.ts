@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { headingOf } from "./standing";
+import { distanceFor, headingOf } from "./standing";
 
 /** A single node that moves by this much a frame. */
 const walk = (dx: number, dz: number) => ({
@@ -17,4 +17,19 @@ it("finds the direction of a walk", () => {
 
 it("finds none in a figure that stays in its place", () => {
   expect(headingOf(walk(0.001, 0.001))).toBe(0);
+});
+
+it("finds a distance from which a camera sees all of a motion", () => {
+  // A root that walks along x, and a foot that swings over it.
+  const swing = (height: number, aside: number) => {
+    const positions = new Float32Array([0, 1, 0, 0, 0, 0, 5, 1, 0, 5, height, aside]);
+    return { positions, frames: 2, nodes: 2, frameTime: 1 / 30 };
+  };
+  const slope = Math.tan((15 * Math.PI) / 180);
+  for (const aspect of [0.6, 1.6]) {
+    const away = distanceFor(swing(2.2, 1), 0, slope, aspect);
+    expect((2.2 - 0.88) / (away - 1)).toBeLessThan(slope);
+    expect(1 / away).toBeLessThan(slope * aspect);
+    expect(distanceFor(swing(0.2, 0.5), 0, slope, aspect)).toBeLessThan(away);
+  }
 });

@@ -5,6 +5,10 @@ import type { Motion } from "../engine/protocol";
 export const SOLE = 0.03;
 /** From the ground to the middle of a figure, which a camera looks at. */
 export const MIDDLE = 0.88;
+/** Of flesh around the joints, metres. */
+const FLESH = 0.1;
+/** The share of the picture that words and time line leave to the figure. */
+const FREE = 0.9;
 /** A walk has a direction when it leads so many metres away within its first frames. */
 const LEAST_WAY = 0.2;
 const FIRST_FRAMES = 60;
@@ -29,6 +33,29 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
     }
   }
   return [...lowest.keys()].filter((node) => lowest[node]! < floor + 0.12).slice(0, 8);
+}
+
+/**
+ * How far away a camera is that has the whole motion in its picture, from whichever side; it looks at the middle of the figure.
+ * `slope`: the tangent of half its vertical angle.
+ */
+export function distanceFor(
+  { positions, frames, nodes }: Motion,
+  floor: number,
+  slope: number,
+  aspect: number,
+): number {
+  let distance = 0;
+  for (let t = 0; t < frames; t++) {
+    const root = 3 * t * nodes;
+    for (let at = root; at < root + 3 * nodes; at += 3) {
+      const out = Math.hypot(positions[at]! - positions[root]!, positions[at + 2]! - positions[root + 2]!);
+      const up = Math.abs(positions[at + 1]! - floor - MIDDLE);
+      // Towards the camera it looks larger; to the side it needs the width.
+      distance = Math.max(distance, out + (up + FLESH) / (slope * FREE), (out + FLESH) / (slope * aspect * FREE));
+    }
+  }
+  return distance;
 }
 
 /** The direction in which the figure walks, seen from above, radians; 0 when it stays in its place. */

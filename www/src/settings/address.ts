@@ -52,10 +52,12 @@ export class Address extends Store {
     setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
   }
 
-  /** Begins another page; the one before keeps its address. */
-  push(): void {
+  /** Begins another page, with these settings at once: whoever presses Back soon leaves that page and no other. The one before keeps its address. */
+  push(settings: Settings): void {
     this.#write();
     this.bar.push();
+    this.#waiting = settings;
+    this.#write();
   }
 
   #write(): void {

@@ -40,6 +40,8 @@ it("makes another view another page, and leaves the page before with its own add
   const settings = new SettingsStore(bar);
   settings.change({ order: 3 });
   settings.change({ view: "compare" });
+  // At once: a visitor may press Back before the next write.
+  expect(bar.pages).toEqual(["latent=2&order=3", "view=compare&latent=2&order=3"]);
   vi.advanceTimersByTime(300);
   expect(bar.pages).toEqual(["latent=2&order=3", "view=compare&latent=2&order=3"]);
 });

@@ -20,9 +20,10 @@ export class SettingsStore extends Store {
   /** Changes settings, each within its limits; a value that is not valid leaves its setting as it was. */
   change(change: Partial<Settings>): void {
     const next = { ...this.#values, ...limited(change) };
-    if (next.view !== this.#values.view) this.address.push();
+    const isOtherView = next.view !== this.#values.view;
     this.#values = next;
-    this.address.writeSoon(next);
+    if (isOtherView) this.address.push(next);
+    else this.address.writeSoon(next);
     this.changed();
   }
 

@@ -25,11 +25,13 @@ describe("settings in the URL", () => {
       trainings: 5,
       frames: 600,
       start: 3,
+      model: "0123abcd",
       reading: "as learned" as const,
       alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const,
       speed: 0.25 as const,
       loop: false,
+      large: true,
       view: "compare" as const,
       models: ["vgpdm", "tmp"] as const,
       ips: [4, 20],
@@ -62,7 +64,8 @@ describe("settings in the URL", () => {
   });
 
   it("drops what is no value", () => {
-    const text = "#latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
+    const text =
+      "#model=../x&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
     expect(readSettings(text)).toEqual(initialSettings());
   });
 

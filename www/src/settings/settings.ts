@@ -157,6 +157,15 @@ const preset: Setting<string> = {
   limit: (value) => (/^[a-z0-9-]{1,40}$/.test(value) ? value : null),
 };
 
+/** The first digits of the SHA-256 of the document that the couplings and the start belong to; empty where a link does not say. */
+const model: Setting<string> = {
+  key: "model",
+  initial: "",
+  read: (text) => text,
+  write: (value) => value,
+  limit: (value) => (/^([0-9a-f]{8})?$/.test(value) ? value : null),
+};
+
 const reading: Setting<Reading> = {
   key: "reading",
   // In this reading parts that no longer hear each other fall out of step; as learned, they stop (docs/couplings.md).
@@ -207,8 +216,8 @@ function counts(
   };
 }
 
-/** What the page is about now: playing with one model, comparing several, or the synthetic experiment. */
-export const VIEWS = ["play", "compare", "synthetic"] as const;
+/** What the page is about now: playing with one model, comparing several, the synthetic experiment, or the method. */
+export const VIEWS = ["play", "compare", "synthetic", "method"] as const;
 
 /** All kinds of models, in the order of tables. */
 export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;
@@ -230,11 +239,14 @@ export const SETTINGS = {
   trainings: whole("trainings", 1, 1, 20),
   frames: whole("frames", 300, 60, 1200, 30),
   start: whole("start", 0, 0, 99),
+  model,
   reading,
   alpha: changedCouplings,
   plot: choice("plot", "2d", ["2d", "3d"] as const),
   speed: choice("speed", 1, [0.25, 0.5, 1, 2] as const),
   loop: flag("loop", true),
+  /** Large type, for a projector. */
+  large: flag("large", false),
   // Of a comparison
   models: several("models", ["vcgpdm", "vgpdm", "tmp", "dmp-rhythmic"], MODELS),
   ips: counts("ips", [8, 12, 16], 2, 40, 8),

@@ -6,10 +6,17 @@ import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
 import type { Fineness } from "../scene/pace";
-import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
+import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
 import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, Shown, StageStore } from "./stage-store";
+
+/** Metres from the camera to the figure, in a wide and in a high picture, if that shows all of the figure. */
+const NEAR = 4.7;
+const NEAR_HIGH = 5.6;
+/** In a low picture the words above the figure need more of it: the figure stands lower by this share of the height. */
+const LOW_PICTURE = 400;
+const LOWER = 0.06;
 
 /** Pixels of the figure's shadow, each way. */
 const SHADOW = 1024;
@@ -41,7 +48,10 @@ export class Stage {
   ) {
     this.viewport = new Viewport(canvas, {
       resized: (width, height) => {
-        this.viewport.camera.aspect = width / height;
+        const { camera } = this.viewport;
+        camera.aspect = width / height;
+        if (height < LOW_PICTURE) camera.setViewOffset(width, height, 0, -LOWER * height, width, height);
+        else camera.clearViewOffset();
       },
       recoloured: () => this.recolour(),
     });
@@ -112,6 +122,7 @@ export class Stage {
       this.ground.group.position.y = this.floor;
     }
     if (!this.placed || (before && before.motion.nodes !== shown.motion.nodes)) this.placeCamera(shown);
+    else if (before?.clip !== shown.clip) this.keepInPicture(shown);
   }
 
   private updateGhost(shown: Shown): void {
@@ -133,6 +144,22 @@ export class Stage {
     this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
   }
 
+  /** How far away the whole motion is in the picture. */
+  private distance(motion: Motion): number {
+    const { camera, controls } = this.viewport;
+    const slope = Math.tan((camera.fov * Math.PI) / 360);
+    const least = camera.aspect < 0.9 ? NEAR_HIGH : NEAR;
+    const needed = distanceFor(motion, this.floor, slope, camera.aspect);
+    return Math.min(controls.maxDistance, Math.max(least, needed));
+  }
+
+  /** Goes as far away from another clip as it needs, in the direction in which the visitor looks. */
+  private keepInPicture({ motion }: Shown): void {
+    const { camera, controls } = this.viewport;
+    const offset = camera.position.clone().sub(controls.target);
+    camera.position.copy(controls.target).add(offset.setLength(this.distance(motion)));
+  }
+
   /** Looks at the walk from the side and a little from the front. */
   private placeCamera({ motion }: Shown): void {
     const { pose } = this.playback;
@@ -140,7 +167,7 @@ export class Stage {
     this.focus.fromArray(pose).setY(this.floor + MIDDLE);
     this.root.copy(this.focus);
     const { camera, controls } = this.viewport;
-    const away = camera.aspect < 0.9 ? 5.6 : 4.7;
+    const away = this.distance(motion);
     const angle = headingOf(motion) + 0.95;
     controls.target.copy(this.focus);
     camera.position.set(

@@ -29,6 +29,23 @@ export class TimelineView extends View {
     drawMarks(canvas, marks);
   }
 
+  /** Where the motion is the model's its length can be chosen; a clip has its own. */
+  private length(frameTime: number, last: string) {
+    if (this.stage.shown?.kind !== "model") return html`<span> / ${last} s</span>`;
+    const { frames } = this.settings.values;
+    const { min, max } = SETTINGS.frames;
+    const seconds = (frames: number) => String(Number((frames * frameTime).toFixed(1)));
+    const change = (event: Event) => {
+      const input = event.target as HTMLInputElement;
+      const detail = input.valueAsNumber;
+      if (detail > 0) this.dispatchEvent(new CustomEvent("set-seconds", { detail, bubbles: true }));
+      input.value = seconds(this.settings.values.frames);
+    };
+    return html`<label title="How long the model goes on, ${seconds(min)} to ${seconds(max)} seconds"> /
+      <input type="number" data-testid="length" aria-label="Length of the motion in seconds" min=${seconds(min)} max=${seconds(max)}
+        step="1" .value=${seconds(frames)} @change=${change} /> s</label>`;
+  }
+
   protected override render() {
     const { playback, settings } = this;
     const { playing, lastFrame } = playback;
@@ -40,15 +57,15 @@ export class TimelineView extends View {
       <div class="timeline" role="group" aria-label="Time">
         <button class="round primary" data-testid="play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
-        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
+        <button class="round step" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
+        <button class="round step" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
           <input type="range" aria-label="Frame" data-testid="scrub" min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
-        <output class="clock" aria-hidden="true">${seconds(frame)}<span> / ${seconds(lastFrame)} s</span></output>
+        <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.length(frameTime, seconds(lastFrame))}</span>
         <button class="round toggle" aria-label="Loop" title="Loop" aria-pressed=${loop ? "true" : "false"}
           @click=${() => settings.change({ loop: !loop })}>${icon("loop")}</button>
         <label class="speed"><span class="hidden">Speed</span>

@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import type uPlot from "uplot";
 import type { TrainingProgress } from "../engine/protocol";
 import { grouped } from "../ui/format";
+import "../terms/term";
 import { onThemeChange, partColour, theme } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import { boundRange } from "./bound-range";
@@ -213,13 +214,13 @@ export class BoundChart extends View {
     const isEmpty = runs.every(({ steps }) => steps.length === 0);
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span>Evidence lower bound<small>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span><pg-term of="bound" text="Evidence lower bound"></pg-term><small>, in <pg-term of="nats" text="nats"></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label="The bound over the iterations"></div>
           ${isEmpty ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
         <pg-runs .training=${this.training}></pg-runs>
-        <figcaption ?hidden=${isEmpty}>Its terms</figcaption>
+        <figcaption ?hidden=${isEmpty}><pg-term of="bound-terms" text="Its terms"></pg-term></figcaption>
         <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations"></div>
         <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(

@@ -2,6 +2,7 @@
 import { html, nothing } from "lit";
 import { duration, grouped, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
+import "../terms/term";
 import { View } from "../ui/view";
 import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "./runs";
 import "./runs-table.css";
@@ -66,9 +67,9 @@ export class RunsView extends View {
       <div class="table-box" tabindex="0" role="region" aria-label="Trainings">
         <table data-testid="runs">
           <thead><tr>
-            <th scope="col">Seed</th>
-            ${columns.map(({ head, meaning }) => html`<th scope="col" title=${meaning} aria-label=${meaning}>${head}</th>`)}
-            <th scope="col">Bound</th><th scope="col" title="Iterations">It.</th><th scope="col">Time</th><td></td><td></td>
+            <th scope="col"><pg-term of="seed" text="Seed"></pg-term></th>
+            ${columns.map(({ head, meaning, term }) => html`<th scope="col" title=${meaning} aria-label=${meaning}>${term ? html`<pg-term of=${term} text=${head}></pg-term>` : head}</th>`)}
+            <th scope="col"><pg-term of="bound" text="Bound"></pg-term></th><th scope="col" title="Iterations"><pg-term of="iterations" text="It."></pg-term></th><th scope="col">Time</th><td></td><td></td>
           </tr></thead>
           <tbody>${runs.map((run) => this.row(run, columns, run === best))}</tbody>
         </table>

@@ -1,4 +1,5 @@
 // The trainings of this visit, side by side: how they compare, and how long they still take. No rendering, no worker.
+import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
 
 export interface RunClip {
@@ -52,14 +53,16 @@ export interface Column {
   head: string;
   /** What the head stands for. */
   meaning: string;
+  /** What can be asked about it. */
+  term?: TermName;
   text(run: Run): string;
   /** All there is to know, where the text is too short for it. */
   key(run: Run): string;
 }
 
-const count = (head: string, meaning: string, of: (settings: TrainingSettings) => number): Column => {
+const count = (head: string, meaning: string, of: (settings: TrainingSettings) => number, term?: TermName): Column => {
   const text = ({ settings }: Run) => String(of(settings));
-  return { head, meaning, text, key: text };
+  return { head, meaning, text, key: text, ...(term && { term }) };
 };
 
 const COLUMNS: Column[] = [
@@ -75,12 +78,12 @@ const COLUMNS: Column[] = [
     text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
     key: ({ settings }) => settings.parts.map(({ name, joints }) => `${name} (${joints.length} joints)`).join(", "),
   },
-  count("Q", "Latent dimensions", ({ latent }) => latent),
-  count("K", "Dynamics points", ({ dynamicsIps }) => dynamicsIps),
-  count("L", "Pose points", ({ poseIps }) => poseIps),
-  count("p", "Frames of history", ({ order }) => order),
+  count("Q", "Latent dimensions", ({ latent }) => latent, "latent-space"),
+  count("K", "Dynamics points", ({ dynamicsIps }) => dynamicsIps, "dynamics-points"),
+  count("L", "Pose points", ({ poseIps }) => poseIps, "pose-points"),
+  count("p", "Frames of history", ({ order }) => order, "order"),
   count("fps", "Frames a second", ({ framesPerSecond }) => framesPerSecond),
-  count("at most", "Iterations at most", ({ maxIterations }) => maxIterations),
+  count("at most", "Iterations at most", ({ maxIterations }) => maxIterations, "iterations"),
 ];
 
 /** The settings in which the runs differ, beside the seed. */

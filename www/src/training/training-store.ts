@@ -260,7 +260,7 @@ export class TrainingStore extends Store {
   #stage(run: Run, keep: boolean): Promise<void> {
     this.#session.staged = true;
     this.#look(run);
-    return this.#staging.stage(run, { couplings: keep, clip: keep });
+    return this.#staging.stage(run, { couplings: keep ? "visitor" : "none", clip: keep });
   }
 
   #look(run: Run | null): void {

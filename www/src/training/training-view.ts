@@ -10,6 +10,8 @@ import { sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
+import "../terms/term";
+import type { TermName } from "../terms/terms";
 import "./bound-chart";
 import { isOver, secondsLeft, share } from "./runs";
 import "./training.css";
@@ -25,10 +27,17 @@ export class TrainingView extends View {
     return [this.training, this.settings, this.clips, this.engine];
   }
 
-  private count(name: NumberName, label: string, hint: string) {
+  private count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
     const disabled = this.training.busy && name === "framesPerSecond";
-    return settingField(this.settings, name, { label, hint, testId: `setting-${name}`, disabled });
+    const beside = term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
+    return settingField(this.settings, name, {
+      label,
+      hint,
+      testId: `setting-${name}`,
+      disabled,
+      ...(beside && { beside }),
+    });
   }
 
   private partsField() {
@@ -43,13 +52,13 @@ export class TrainingView extends View {
       clips.setParts(value === BY_HAND ? { parts: BY_HAND, split: clips.parts } : { parts: value });
     };
     return html`
-      <label class="field wide">
-        <span>Parts</span>
+      <div class="field wide">
+        <span><pg-term of="part" text="Parts"></pg-term></span>
         <select data-testid="setting-parts" aria-label="Parts" ?disabled=${clips.locked || !clip} @change=${choose}>
           ${presets.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
           <option value=${BY_HAND} ?selected=${byHand}>By hand</option>
         </select>
-      </label>
+      </div>
       <ul class="part-row" aria-label="The parts to train">
         ${clips.parts.map(
           ({ name, joints }, part) => html`
@@ -78,10 +87,11 @@ export class TrainingView extends View {
     if (why) return sentence(why);
     if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
     if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
-    const ticked = this.clips.ticked.length;
+    const { ticked } = this.clips;
     const { trainings } = this.settings.values;
     const models = trainings === 1 ? "A new model" : `${trainings} new models`;
-    return `${models}, from ${ticked} ${ticked === 1 ? "clip" : "clips"}.`;
+    const sample = ticked.every(({ origin }) => origin === "made") ? "sample " : "";
+    return `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
@@ -121,22 +131,22 @@ export class TrainingView extends View {
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
       <div class="fields main-fields">
         ${this.partsField()}
-        ${this.count("latent", "Latent dimensions", "Q, the dimensions of each part's latent space")}
-        ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics")}
-        ${this.count("poseIps", "Pose points", "Inducing points of each part's pose map")}
+        ${this.count("latent", "Latent dimensions", "The dimensions of each part's latent space", "latent-space", "Q")}
+        ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics", "dynamics-points", "K")}
+        ${this.count("poseIps", "Pose points", "Inducing points of each part's pose map", "pose-points", "L")}
         ${this.count("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
       </div>
       <details class="advanced">
         <summary>Advanced</summary>
         <div class="fields">
           <div class="field seed">
-            <label for="seed-input">Seed</label>
+            <span><label for="seed-input">Seed</label> <pg-term of="seed" text="?" about="Seed: what is that?"></pg-term></span>
             ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
             <button class="round" aria-label="New seed" title="New seed" ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
           </div>
           ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores")}
-          ${this.count("order", "Frames of history", "The order p of the dynamics")}
-          ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest")}
+          ${this.count("order", "Frames of history", "The order of the dynamics", "order", "p")}
+          ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest", "iterations")}
         </div>
       </details>
       <pg-bound-chart .training=${training}></pg-bound-chart>`;

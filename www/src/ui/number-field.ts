@@ -1,5 +1,6 @@
-// A labelled field for a number.
+// A labelled field for a number. A value beyond the limits is not changed silently: the field says which limit it met.
 import { html, nothing, type TemplateResult } from "lit";
+import { grouped } from "./format";
 
 interface NumberInput {
   /** For a label elsewhere. */
@@ -14,8 +15,16 @@ interface NumberInput {
 
 export interface NumberField extends Omit<NumberInput, "id"> {
   label: string;
+  /** Beside the label: a term to ask about. */
+  beside?: TemplateResult;
   /** Shown when the mouse rests on it. */
   hint: string;
+}
+
+/** What to say of a value that became another one; empty where it was taken as it is. */
+export function limitWords(asked: number, { min, max }: NumberInput["limits"]): string {
+  if (asked > max) return `At most ${grouped(max)}.`;
+  return asked < min ? `At least ${grouped(min)}.` : "";
 }
 
 export function numberInput({ id, testId, limits, value, disabled, change }: NumberInput): TemplateResult {
@@ -23,10 +32,15 @@ export function numberInput({ id, testId, limits, value, disabled, change }: Num
     .value=${String(value)} ?disabled=${disabled}
     @change=${(event: Event) => {
       const input = event.target as HTMLInputElement;
-      input.value = String(change(input.valueAsNumber));
-    }} />`;
+      const asked = input.valueAsNumber;
+      input.value = String(change(asked));
+      const words = input.nextElementSibling;
+      if (words) words.textContent = limitWords(asked, limits);
+    }} /><small class="limit" role="status"></small>`;
 }
 
-export function numberField({ label, hint, ...input }: NumberField): TemplateResult {
-  return html`<label class="field" title=${hint}><span>${label}</span>${numberInput(input)}</label>`;
+/** The label is not around the field: a button beside its words would then be what it labels. */
+export function numberField({ label, beside, hint, ...input }: NumberField): TemplateResult {
+  const id = `field-${input.testId}`;
+  return html`<div class="field" title=${hint}><span><label for=${id}>${label}</label> ${beside ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
 }

@@ -29,13 +29,24 @@ export class OpenClips {
   checkTogether(ids: readonly number[]): void {
     const set = new TrainingSet();
     try {
-      for (const id of ids) {
-        const clip = this.#clips.get(id);
-        if (!clip) throw new Error(`Clip ${id} is no longer open.`);
-        set.add(clip);
-      }
+      for (const id of ids) set.add(this.#clip(id));
     } finally {
       set.free();
     }
+  }
+
+  toBvh(id: number, first: number, end: number): string {
+    const cut = this.#clip(id).cut(first, end);
+    try {
+      return cut.toBvh();
+    } finally {
+      cut.free();
+    }
+  }
+
+  #clip(id: number): Clip {
+    const clip = this.#clips.get(id);
+    if (!clip) throw new Error(`Clip ${id} is no longer open.`);
+    return clip;
   }
 }

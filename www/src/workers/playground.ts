@@ -24,6 +24,7 @@ const workbench: Workbench = {
   inducing: (point, request) => model.inducing(point, request),
   modelJson: () => model.toJson(),
   rolloutBvh: (request) => model.rolloutBvh(request),
+  clipBvh: (id, first, end) => clips.toBvh(id, first, end),
 };
 
 // One program for both: a worker of the pool is never asked for the rest.

@@ -104,6 +104,7 @@ function view({ model, info, revision }: Held): ModelView {
   });
   return {
     revision,
+    sha256: model.sha256(),
     info,
     poseInducing: parts.map((part) => model.poseIps(part)),
     dynamicsInducing: parts.map((source) => parts.map((target) => dynamics(source, target))),

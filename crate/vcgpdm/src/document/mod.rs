@@ -25,6 +25,15 @@ impl TrainedModel<Vcgpdm> {
         text(&write::vcgpdm_document(self))
     }
 
+    /// SHA-256 of that document, in lower-case hexadecimal: what a link or a saved motion names the model by.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
+    pub fn sha256(&self) -> Result<String, DocumentError> {
+        Ok(crate::motion::sha256(self.to_json()?.as_bytes()))
+    }
+
     /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.
     ///
     /// # Errors

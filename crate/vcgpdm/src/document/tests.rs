@@ -45,6 +45,18 @@ fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
 }
 
 #[test]
+fn its_hash_is_that_of_the_document_and_comes_back_with_it() {
+    let hash = trained().sha256().unwrap();
+    let text = trained().to_json().unwrap();
+    assert_eq!(hash, crate::motion::sha256(text.as_bytes()));
+    assert_eq!(TrainedModel::<Vcgpdm>::from_json(&text).unwrap().sha256().unwrap(), hash);
+    let mut other = document();
+    other["provenance"]["note"] = json!("another");
+    let other = TrainedModel::<Vcgpdm>::from_json(&other.to_string()).unwrap();
+    assert_ne!(other.sha256().unwrap(), hash);
+}
+
+#[test]
 fn it_holds_no_training_clip() {
     // 120 frames of 60 odd columns would be the largest thing in the file.
     let model = trained();

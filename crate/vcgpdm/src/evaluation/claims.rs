@@ -86,7 +86,7 @@ pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &La
         let others: Vec<&Row> = kinds.flat_map(|kind| settings(rows, kind, false)).collect();
         let folds = common_folds(&[&others[..], &[a.chosen]].concat());
         if let (Some(mse), Some((best, least))) = (a.chosen.mse(&folds), least(&others, &folds)) {
-            let (model, label) = (best.candidate.kind().id(), labels.label(best.candidate));
+            let (model, label) = (best.candidate.kind().title(), labels.label(best.candidate));
             say(
                 "The two-part vCGPDM predicts best of all models (2017, 2018)",
                 format!(
@@ -116,7 +116,7 @@ pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &La
         if let (Some(a), Some((_, least))) = (chosen.mse(&folds), least(settings, &folds))
             && least > 0.0
         {
-            let (ratio, kind, count) = (a / least, chosen.candidate.kind().id(), settings.len());
+            let (ratio, kind, count) = (a / least, chosen.candidate.kind().title(), settings.len());
             say(
                 "Where the bound is highest, the MSE is nearly the lowest: at most 1.1 times it (2017, 2018)",
                 format!("{kind} over {count} settings: {ratio:.2} times{}", over(folds.len())),
@@ -128,7 +128,7 @@ pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &La
         if let Some(c) = correlation(settings, String::new(), labels) {
             let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
             let found =
-                format!("{} over {} settings: {:.2}{}", c.model.id(), c.settings, c.rank, over(c.folds));
+                format!("{} over {} settings: {:.2}{}", c.model.title(), c.settings, c.rank, over(c.folds));
             say(claim, found, c.rank < -0.5);
         }
     }

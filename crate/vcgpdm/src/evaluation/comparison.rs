@@ -81,7 +81,7 @@ mod tests {
         // nearly 0.2; correlations of (1, 3, 2) with (0.5, 0.3, 0.2).
         assert_eq!(holds, [true, false, false, true, false, false, false, false], "{:?}", found.claims);
         assert!(found.claims[1].found.contains("0.30000"), "{:?}", found.claims);
-        assert!(found.claims[2].found.contains("0.20000: vgpdm, 16 + 16"), "{:?}", found.claims);
+        assert!(found.claims[2].found.contains("0.20000: vGPDM, 16 + 16"), "{:?}", found.claims);
         assert!(found.claims[4].found.contains("1.50 times"), "{:?}", found.claims);
         assert_relative_eq!(found.correlations[0].rank, -0.5);
     }
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!((correlation.settings, correlation.folds), (3, 1));
         assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
         // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
-        assert!(found.claims[0].found.starts_with("vgpdm over 3 settings: 1.00 times"), "{:?}", found.claims);
+        assert!(found.claims[0].found.starts_with("vGPDM over 3 settings: 1.00 times"), "{:?}", found.claims);
         // A setting that has only another trial: nothing to compare.
         jobs[0].job.held_out = 3;
         jobs.retain(|f| f.job.held_out != 2);
@@ -172,7 +172,7 @@ mod tests {
             ModelSettings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
         );
         let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
-        assert_eq!(said, ["vgpdm over 3 settings: 1.00 times", "vgpdm over 3 settings: -1.00"]);
+        assert_eq!(said, ["vGPDM over 3 settings: 1.00 times", "vGPDM over 3 settings: -1.00"]);
     }
 
     #[test]

@@ -47,6 +47,19 @@ impl ModelKind {
         }
     }
 
+    /// Its name for a person to read, as the papers write it.
+    pub fn title(self) -> &'static str {
+        match self {
+            ModelKind::Vcgpdm => "vCGPDM",
+            ModelKind::Vgpdm => "vGPDM",
+            ModelKind::MapGpdm => "MAP GPDM",
+            ModelKind::MapCgpdm => "MAP CGPDM",
+            ModelKind::Tmp => "TMP",
+            ModelKind::DmpDiscrete => "DMP (discrete)",
+            ModelKind::DmpRhythmic => "DMP (rhythmic)",
+        }
+    }
+
     /// The kind of that name.
     pub fn from_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.id() == id)

@@ -38,6 +38,7 @@ pub mod stage;
 #[cfg(test)]
 mod testing;
 
+pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError, MAX_VALUES};
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;

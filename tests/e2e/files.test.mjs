@@ -1,0 +1,148 @@
+// Files and links: what is saved is what is on the stage, and a link says which model it is about.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { openSite, ready, saved } from "./site.mjs";
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+const frames = (/** @type {string} */ bvh) => Number(/^Frames: (\d+)$/m.exec(bvh)?.[1]);
+
+describe("saved files", () => {
+  it("are of the clip on the stage, as it is trimmed, and of the model again when it is back", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const model = await saved(page, "save-motion");
+    assert.equal(frames(model.text), 300);
+    await page.locator(".made summary").click();
+    await page
+      .getByRole("button", { name: /^Show / })
+      .first()
+      .click();
+    const whole = await saved(page, "save-motion");
+    assert.notEqual(frames(whole.text), 300);
+    await page.getByTestId("trim-first").fill("20");
+    await page.getByTestId("trim-end").fill("60");
+    const cut = await saved(page, "save-motion");
+    assert.equal(frames(cut.text), 40);
+    assert.match(cut.name, /-21-60\.bvh$/);
+    await page.getByRole("button", { name: "Back to the model" }).click();
+    assert.deepEqual(await saved(page, "save-motion"), model);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("have names that tell variants apart, and an account and a table that belong to them", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const learned = await saved(page, "save-motion");
+    const document = await saved(page, "save-model");
+    await page.getByTestId("coupling-0-1").fill("-2.5");
+    const changed = await saved(page, "save-motion");
+    assert.notEqual(changed.name, learned.name);
+    const account = JSON.parse((await saved(page, "save-account")).text);
+    assert.equal(account.motion, changed.name);
+    const { createHash } = await import("node:crypto");
+    assert.equal(account.model.sha256, createHash("sha256").update(document.text).digest("hex"));
+    assert.ok(changed.name.includes(account.model.sha256.slice(0, 8)));
+    const table = (await saved(page, "save-latents")).text.trim().split("\r\n");
+    assert.equal(table.length, 301);
+    assert.match(table[0] ?? "", /^frame,time,lower_0,.*weight_upper_upper$/);
+    await leave();
+  });
+
+  it("are as long as the visitor says", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    await page.getByTestId("length").fill("5");
+    await page.getByTestId("length").press("Enter");
+    await page.waitForURL(/frames=150/);
+    assert.equal(frames((await saved(page, "save-motion")).text), 150);
+    await leave();
+  });
+});
+
+describe("a slider", () => {
+  it("is stronger to the right and up, weakest at Home and strongest at End", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const slider = page.getByTestId("coupling-1-1");
+    const alpha = async () => Number(await page.getByTestId("alpha-1-1").innerText());
+    await slider.focus();
+    for (const [key, holds] of /** @type {[string, (now: number, before: number) => boolean][]} */ ([
+      ["ArrowRight", (now, before) => now < before],
+      ["ArrowLeft", (now, before) => now > before],
+      ["ArrowUp", (now, before) => now < before],
+      ["ArrowDown", (now, before) => now > before],
+    ])) {
+      const was = await alpha();
+      for (let i = 0; i < 10; i++) await page.keyboard.press(key);
+      assert.ok(holds(await alpha(), was), `${key}: ${was} to ${await alpha()}`);
+    }
+    await page.keyboard.press("Home");
+    assert.equal(await alpha(), 1000);
+    await page.keyboard.press("End");
+    assert.equal(await alpha(), 0.001);
+    await leave();
+  });
+});
+
+describe("a link", () => {
+  it("to another model's couplings leaves this one as it is, and says so", async () => {
+    const { page, leave } = await site.visit({ settings: "model=00000000&alpha=0.1:50" });
+    await ready(page);
+    assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
+    assert.notEqual(Number(await page.getByTestId("alpha-0-1").innerText()), 50);
+    await page.getByRole("button", { name: "Forget them" }).click();
+    await page.getByTestId("foreign-link").waitFor({ state: "detached" });
+    await leave();
+  });
+
+  it("names the model of its couplings, and brings them back after a reload", async () => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("coupling-0-1").fill("-1.5");
+    await page.waitForURL(/model=[0-9a-f]{8}.*alpha=0\.1:/);
+    await page.reload();
+    await ready(page);
+    assert.equal(await page.getByTestId("foreign-link").count(), 0);
+    assert.ok(Math.abs(Number(await page.getByTestId("alpha-0-1").innerText()) - 10 ** 1.5) < 0.1);
+    await leave();
+  });
+});
+
+describe("without a network", () => {
+  it("Train says why it cannot, and Compare works when the network is back", async () => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    await page.context().setOffline(true);
+    await page.getByTestId("train").click();
+    await page
+      .getByTestId("progress")
+      .filter({ hasText: /could not be loaded.*offline/i })
+      .waitFor({ timeout: 60_000 });
+    await page.getByTestId("view-compare").click();
+    await page.getByRole("alert").filter({ hasText: "could not be loaded" }).waitFor();
+    await page.context().setOffline(false);
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 60_000 });
+    await leave();
+  });
+});
+
+describe("a number beyond its limit", () => {
+  it("becomes the limit, and the field says so", async () => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    await page.locator("pg-training .advanced summary").click();
+    const field = page.getByTestId("setting-maxIterations");
+    await field.fill("20000");
+    await field.press("Enter");
+    assert.equal(await field.inputValue(), "5000");
+    await page.getByText("At most 5,000.").waitFor();
+    await leave();
+  });
+});

@@ -1,0 +1,137 @@
+// Nothing is cut, lies over something else or scrolls into blank, in frames and rooms of all sizes.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+const size = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
+    return { scrollWidth, scrollHeight, clientWidth, clientHeight };
+  });
+
+/** Pairs of texts of the couplings' table that lie over each other. */
+const overprints = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const seen = [...document.querySelectorAll(".couplings th, .couplings .numbers > span")]
+      .map((element) => {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return { text: element.textContent?.trim() ?? "", box: range.getBoundingClientRect() };
+      })
+      .filter(({ box }) => box.width > 0);
+    return seen.flatMap((a, i) =>
+      seen
+        .slice(i + 1)
+        .filter(
+          (b) =>
+            Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left) > 1 &&
+            Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top) > 2,
+        )
+        .map((b) => `${a.text} / ${b.text}`),
+    );
+  });
+
+describe("embedded", () => {
+  for (const [width, height] of /** @type {[number, number][]} */ ([
+    [900, 600],
+    [390, 500],
+  ])) {
+    it(`has its clock in view at ${width}x${height}, and no text over another`, async () => {
+      const { page, leave } = await site.visit({ viewport: { width, height } });
+      await page.goto(page.url().replace("/#", "/?embed#"));
+      await page.waitForSelector("html[data-engine=ready]");
+      const play = await page.getByTestId("play").boundingBox();
+      assert.ok(play && play.y + play.height <= height, `play at ${play?.y}`);
+      assert.deepEqual(await overprints(page), []);
+      const { scrollWidth } = await size(page);
+      assert.ok(scrollWidth <= width, `${scrollWidth} pixels wide`);
+      const title = await page.getByTestId("stage-title").boundingBox();
+      const stage = await page.getByTestId("stage").boundingBox();
+      // The head of the figure begins a quarter below the top of the picture.
+      assert.ok(
+        title && stage && title.y + title.height < stage.y + 0.25 * stage.height,
+        "the title is above the head",
+      );
+      await leave();
+    });
+  }
+});
+
+describe("large type", () => {
+  it("keeps the words that say what the table means, and survives a reload", async () => {
+    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 } });
+    await ready(page);
+    await page.keyboard.press("p");
+    await page.waitForURL(/large=1/);
+    await page.reload();
+    await ready(page);
+    assert.ok(await page.locator("html").evaluate((root) => root.hasAttribute("data-large")));
+    assert.ok(await page.locator(".couplings thead small").first().isVisible());
+    assert.deepEqual(await overprints(page), []);
+    await leave();
+  });
+});
+
+describe("five parts by hand, trained several times", () => {
+  it("fit their panels, and nothing makes the document longer than the window", async () => {
+    const split = "hips:0;left leg:1-4;right leg:5-8;trunk:9-14;arms:15-99";
+    const settings = `parts=hand&split=${split}&iterations=10&fps=10&latent=1&dynamics=2&poses=2&trainings=3`;
+    const { page, problems, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, settings });
+    await ready(page);
+    await page.getByTestId("train").click();
+    await page.getByTestId("cancel").waitFor();
+    await page.getByTestId("train").waitFor({ timeout: 120_000 });
+    const { scrollHeight, scrollWidth } = await size(page);
+    assert.ok(scrollHeight <= 900 && scrollWidth <= 1440, `${scrollWidth}x${scrollHeight}`);
+    const [wide = Infinity, room = 0] = await page
+      .locator("#panel-couplings .table-box")
+      .evaluate((box) => [box.scrollWidth, box.clientWidth]);
+    assert.ok(wide <= room, `the table needs ${wide} of ${room} pixels`);
+    assert.equal(await page.locator(".couplings thead th").count(), 5);
+    assert.ok(await page.locator(".couplings thead small").first().isVisible(), "predicts");
+    const cut = await page.evaluate(() => {
+      const side = document.querySelector(".side");
+      const right = (side?.getBoundingClientRect().left ?? 0) + (side?.clientWidth ?? 0);
+      return ["[data-testid=clear-runs]", "[data-testid=bound]"].filter(
+        (name) => (document.querySelector(name)?.getBoundingClientRect().right ?? Infinity) > right,
+      );
+    });
+    assert.deepEqual(cut, []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a phone", () => {
+  it("says how long the motion is", async () => {
+    const { page, leave } = await site.visit({ viewport: { width: 390, height: 844 } });
+    await ready(page);
+    const length = page.getByTestId("length");
+    assert.equal(await length.inputValue(), "10");
+    const box = await length.boundingBox();
+    assert.ok(box && box.x + box.width <= 390);
+    await leave();
+  });
+});
+
+describe("targets", () => {
+  it("are 24 pixels or more, or have that much room", async () => {
+    for (const settings of ["", "view=compare", "view=synthetic", "view=method"]) {
+      const { page, leave } = await site.visit({ settings, reducedMotion: "reduce" });
+      if (settings === "") await ready(page);
+      else await page.locator("main.on-demand .panel, main.on-demand .card").first().waitFor();
+      const small = await barriers(page, ["target-size", "scrollable-region-focusable"]);
+      assert.deepEqual(small, [], settings);
+      await leave();
+    }
+  });
+});

@@ -1,0 +1,120 @@
+// The words of the page: what stands on the first screen, what a term means, and the method.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+describe("the first screen", () => {
+  it("speaks of what is on the stage: the model, a clip, the model again", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    const lead = page.getByTestId("lead");
+    const caption = page.locator(".stage-caption");
+    assert.match(await lead.innerText(), /never recorded.*from 5 clips/s);
+    assert.match(await caption.innerText(), /Made by the model\s+A rollout, learned from 5 clips/);
+    assert.match(await page.getByTestId("progress").innerText(), /ticked sample clips and their body/);
+    await page.locator(".made summary").click();
+    await page
+      .getByRole("button", { name: /^Show / })
+      .first()
+      .click();
+    assert.doesNotMatch(await lead.innerText(), /never recorded/);
+    assert.match(await caption.innerText(), /not the model/);
+    await page.getByRole("button", { name: "Back to the model" }).click();
+    assert.match(await lead.innerText(), /never recorded/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a term", () => {
+  it("says by keyboard what it means, and Escape gives the focus back", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    const alpha = page.locator("pg-couplings .term[data-term=alpha]");
+    await alpha.focus();
+    await page.keyboard.press("Enter");
+    const card = page.getByRole("dialog", { name: /coupling variance/ });
+    await card.waitFor();
+    assert.ok(await card.evaluate((element) => element === document.activeElement), "it is read out");
+    assert.match(await card.innerText(), /the smaller it is, the more that prediction counts/);
+    assert.deepEqual(await barriers(page), []);
+    await page.keyboard.press("Escape");
+    await card.waitFor({ state: "hidden" });
+    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-term")), "alpha");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("says it by touch on a phone, within the window, in the dark too", async () => {
+    const { page, leave } = await site.visit({ ...PHONE, colorScheme: "dark" });
+    await ready(page);
+    for (const tab of ["Latents", "Couplings", "Training"]) {
+      await page.getByRole("tab", { name: tab }).click();
+      const terms = page.locator(".panel.active .term:visible");
+      assert.ok((await terms.count()) > 0, tab);
+      for (const term of [terms.first(), terms.last()]) {
+        await term.tap();
+        const card = page.locator(".term-card");
+        await card.waitFor();
+        const box = await card.boundingBox();
+        assert.ok(box && box.x >= 0 && box.y >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844, tab);
+        await page.keyboard.press("Escape");
+      }
+    }
+    await leave();
+  });
+
+  it("is explained wherever it stands", async () => {
+    const { page, leave } = await site.visit({ settings: "view=compare" });
+    await page.getByTestId("compare").waitFor();
+    const names = await page
+      .locator(".term")
+      .evaluateAll((terms) => terms.map((term) => term.getAttribute("data-term")));
+    for (const wanted of ["map", "tmp", "dmp", "bases", "fold", "inducing-point"])
+      assert.ok(names.includes(wanted), wanted);
+    await leave();
+  });
+});
+
+describe("the method", () => {
+  it("has equations, leads to the control of each symbol, and says what to cite", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("help").click();
+    await page.getByRole("button", { name: /^The method/ }).click();
+    await page.locator("pg-method math").first().waitFor();
+    assert.match(page.url(), /view=method/);
+    assert.deepEqual(await barriers(page), []);
+    assert.match(await page.getByTestId("bibtex").innerText(), /10\.3390\/e20100724/);
+    const places = await page
+      .locator("[data-place]")
+      .evaluateAll((all) => all.map((one) => one.getAttribute("data-place")));
+    for (const place of new Set(places)) {
+      await page.locator(`[data-place="${place}"]`).first().click();
+      const focused = () => document.activeElement?.closest("main:not(.on-demand)") !== null;
+      assert.ok(await page.evaluate(focused), `${place} leads to a control`);
+      await page.goBack();
+      await page.locator("pg-method math").first().waitFor();
+    }
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("fits a phone", async () => {
+    const { page, leave } = await site.visit({ ...PHONE, settings: "view=method" });
+    await page.locator("pg-method math").first().waitFor();
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+    await leave();
+  });
+});

@@ -1,0 +1,61 @@
+// Names for files that leave the page. BVH has no place for comments that every reader skips, so the name itself tells a motion
+// apart: which model, what was changed, which start, how long.
+import type { ModelInfo, Reading } from "../engine/protocol";
+import type { ChangedCouplings } from "../settings/settings";
+import { clipTitle } from "../ui/format";
+
+/** So many changed couplings are named; of more the number is said. */
+const NAMED = 3;
+
+export interface RolledOut {
+  info: Pick<ModelInfo, "parts" | "sequences" | "frameTime">;
+  /** The first digits of the hash of the model's document. */
+  id: string;
+  alpha: ChangedCouplings;
+  reading: Reading;
+  /** The training sequence whose first frames begin the motion. */
+  sequence: number;
+  frames: number;
+}
+
+/** Letters, digits and single hyphens: a name on every system. */
+export function plain(text: string): string {
+  return text.replace(/[^\p{L}\p{N}_.]+/gu, "-").replace(/^[-.]+|[-.]+$/g, "");
+}
+
+/** "35_01-2-parts-1a2b3c4d" */
+export function modelName({ info, id }: Pick<RolledOut, "info" | "id">): string {
+  const clip = plain(clipTitle(info.sequences[0]?.name ?? "")) || "model";
+  const parts = info.parts.length === 1 ? "1-part" : `${info.parts.length}-parts`;
+  return `${clip}-${parts}-${id}`;
+}
+
+/** The same, and what tells this motion from others of the model: "...-lower-upper-5-as-35_02-10s". */
+export function motionName(motion: RolledOut): string {
+  const { info, sequence, frames } = motion;
+  const start = info.sequences[sequence];
+  const words = [modelName(motion), ...couplingWords(motion)];
+  if (sequence > 0 && start) words.push(`as-${plain(clipTitle(start.name)) || sequence + 1}`);
+  words.push(`${Number((frames * info.frameTime).toFixed(1))}s`);
+  return words.join("-");
+}
+
+function couplingWords({ info, alpha, reading }: RolledOut): string[] {
+  const changed = Object.entries(alpha);
+  if (changed.length === 0) return [];
+  const name = (part: string | undefined) => plain(info.parts[Number(part)]?.name ?? "") || String(part);
+  const words = changed.slice(0, NAMED).map(([pair, value]) => {
+    const [source, target] = pair.split(".");
+    return `${name(source)}-${name(target)}-${Number(value.toPrecision(4))}`;
+  });
+  // Two motions that differ only in couplings that are not named have different sums.
+  if (changed.length > NAMED) words.push(`and-${changed.length - NAMED}-more-${checksum(JSON.stringify(changed))}`);
+  return reading === "re-inferred" ? [...words, "re-inferred"] : words;
+}
+
+/** Four hexadecimal digits that nearly always differ where texts do (FNV-1a, folded). */
+function checksum(text: string): string {
+  let hash = 0x811c9dc5;
+  for (const character of text) hash = Math.imul(hash ^ character.charCodeAt(0), 0x01000193);
+  return ((hash ^ (hash >>> 16)) & 0xffff).toString(16).padStart(4, "0");
+}

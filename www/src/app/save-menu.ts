@@ -1,0 +1,56 @@
+// What can be saved, in a menu: the motion on the stage and what belongs to it, and the model.
+import { html } from "lit";
+import { icon } from "../ui/icons";
+import { View } from "../ui/view";
+import type { App } from "./app";
+import "./save-menu.css";
+import { clipOnStage, type Saved, save } from "./saving";
+
+/** The width of the menu, in the type's size; its style says the same. */
+const WIDTH = 17;
+
+export class SaveMenu extends View {
+  declare app: App;
+
+  protected override stores() {
+    const { engine, model, stage, clips } = this.app;
+    return [engine, model, stage, clips];
+  }
+
+  /** Before it is shown: below its button, within the window. */
+  private place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
+    const button = this.querySelector("button");
+    if (newState !== "open" || !button) return;
+    const { left, bottom } = button.getBoundingClientRect();
+    const width = WIDTH * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const { clientWidth } = document.documentElement;
+    currentTarget.style.left = `${Math.max(8, Math.min(left, clientWidth - width - 8))}px`;
+    currentTarget.style.top = `${bottom + 4}px`;
+  }
+
+  private item(what: Saved, title: string, kind: string, about: string, possible: boolean) {
+    const chosen = () => {
+      this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
+      void save(this.app, what);
+    };
+    return html`
+      <button data-testid="save-${what}" ?disabled=${!possible} @click=${chosen}>
+        <span>${title}<small>${about}</small></span><small>${kind}</small></button>`;
+  }
+
+  protected override render() {
+    const { engine, model } = this.app;
+    const clip = clipOnStage(this.app);
+    const hasModel = engine.engine !== null && model.rollout !== null;
+    const noRollout = clip ? "Go back to the model first" : "";
+    return html`
+      <button class="small" data-testid="save" popovertarget="save-menu" ?disabled=${!hasModel && !clip}>${icon("save")} Save</button>
+      <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.place}>
+        ${this.item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
+        ${this.item("latents", "Latents and weights", "CSV", noRollout || "A row a frame", hasModel && !clip)}
+        ${this.item("account", "How the motion was made", "JSON", noRollout || "Model, clips, seed, couplings, start", hasModel && !clip)}
+        ${this.item("model", "Model", "JSON", "Opens here and in the terminal", hasModel)}
+      </div>`;
+  }
+}
+customElements.define("pg-save-menu", SaveMenu);

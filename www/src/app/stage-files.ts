@@ -1,0 +1,60 @@
+// Tables and accounts of what is on the stage, for files. Loaded when the first is asked for.
+import type { ModelView, Reading, RolloutResult } from "../engine/protocol";
+import { csv } from "../figures/csv";
+
+/** A row a frame: frame, time in seconds, the latents of all parts, and the weights of all experts. */
+export function rolloutCsv({ info }: ModelView, { latents, weights, motion }: RolloutResult): string {
+  const { parts, frameTime } = info;
+  const widths = parts.map(({ latent }) => latent);
+  const names = parts.map(({ name }) => name);
+  const pairs = names.flatMap((_, source) => names.map((_, target) => [source, target] as const));
+  const header = [
+    "frame",
+    "time",
+    ...names.flatMap((name, part) => Array.from({ length: widths[part] ?? 0 }, (_, q) => `${name}_${q}`)),
+    ...pairs.map(([source, target]) => `weight_${names[source]}_${names[target]}`),
+  ];
+  const shares = pairs.map(([source, target]) => weights[source]?.[target] ?? null);
+  const rows = Array.from({ length: motion.frames }, (_, frame) => [
+    frame,
+    frame * frameTime,
+    ...names.flatMap((_, part) => {
+      const width = widths[part] ?? 0;
+      return [...(latents[part] ?? []).slice(frame * width, (frame + 1) * width)];
+    }),
+    ...shares,
+  ]);
+  return csv({ header, rows });
+}
+
+/** How the motion on the stage was made, as JSON: with it and the model's file, anyone can make it again. */
+export function motionAccount(
+  { info, sha256 }: ModelView,
+  { request }: RolloutResult,
+  { version, file }: { version: string; file: string },
+): string {
+  const { provenance, sequences, parts, frameTime } = info;
+  const changed = request.alpha !== null;
+  const reading: Reading = changed ? request.reading : "as learned";
+  const account = {
+    format: "vcgpdm motion account",
+    version: 1,
+    motion: file,
+    program: `vCGPDM playground ${version}`,
+    model: {
+      sha256,
+      trained_by: provenance.engine,
+      seed: provenance.settings.seed,
+      clips: sequences.map(({ name, sha256 }) => ({ name, sha256 })),
+    },
+    parts: parts.map(({ name }) => name),
+    /** alpha[source][target] */
+    alpha: request.alpha ?? info.alpha,
+    alpha_learned: info.alpha,
+    reading,
+    start: { sequence: request.sequence, name: sequences[request.sequence]?.name ?? null },
+    frames: request.frames,
+    frame_time: frameTime,
+  };
+  return `${JSON.stringify(account, null, 1)}\n`;
+}

@@ -1,0 +1,76 @@
+// What the page says about what is on the stage: its title and text over the figure, and the sentence in the head of the page. All
+// of it is made here, so that the sentences agree with each other.
+import { clipTitle } from "../ui/format";
+
+/** What is on the stage, as far as the words need to know. */
+export interface OnStage {
+  /** Null: nothing yet. */
+  kind: "first" | "model" | "clip" | null;
+  clip: { title: string; origin: "made" | "own" } | null;
+  /** Names of the sequences that the model was trained on; null without a model. */
+  learnedFrom: readonly string[] | null;
+  /** What an inducing point that is pointed at stands for. */
+  point: string | null;
+  /** Whether a coupling is not as learned. */
+  altered: boolean;
+  /** The training whose model is on the stage; `iteration` is null before the first. */
+  learning: { iteration: number | null; seed: number | null } | null;
+}
+
+export interface StageWords {
+  title: string;
+  text: string;
+  lead: string;
+}
+
+/** The title of a motion of the model, as learned. */
+export const MODEL_TITLE = "Made by the model";
+
+/** So many clips are named; of more the number is said. */
+const NAMED = 2;
+
+export function stageWords(now: OnStage): StageWords {
+  const { kind, clip } = now;
+  if (kind === null) return { title: "", text: "", lead: MADE };
+  if (kind === "clip") return clipWords(clip);
+  const lead = now.learning ? LEARNING : learned(now);
+  return { ...modelWords(now), lead };
+}
+
+const MADE = "This motion was never recorded: a small model made it.";
+const LEARNING = "A model is learning: what it can do so far moves on the stage.";
+
+function learned({ learnedFrom }: OnStage): string {
+  const count = learnedFrom?.length ?? 0;
+  return count === 0 ? MADE : `This motion was never recorded: a small model learned it from ${clipCount(count)}.`;
+}
+
+function clipWords(clip: OnStage["clip"]): StageWords {
+  const origin = clip?.origin === "made" ? "made by a procedural walker" : "as it was recorded";
+  return {
+    title: clip?.title ?? "Clip",
+    text: `A clip, ${origin}: not the model`,
+    lead: "This is a clip: what a model learns from, not what it made.",
+  };
+}
+
+function modelWords({ point, altered, learning, learnedFrom }: OnStage): { title: string; text: string } {
+  if (point !== null) return { title: "What an inducing point stands for", text: point };
+  if (altered) return { title: "Couplings changed", text: "The ghost moves as the model learned it" };
+  if (learning) {
+    const seed = learning.seed === null ? "" : `, seed ${learning.seed}`;
+    const text = learning.iteration === null ? "Starting" : `Iteration ${learning.iteration}${seed}`;
+    return { title: "The model while it learns", text };
+  }
+  return { title: MODEL_TITLE, text: namesOf(learnedFrom ?? []) };
+}
+
+function namesOf(names: readonly string[]): string {
+  if (names.length === 0) return "";
+  const titles = names.map(clipTitle);
+  return `learned from ${titles.length > NAMED ? clipCount(titles.length) : titles.join(" and ")}`;
+}
+
+function clipCount(count: number): string {
+  return count === 1 ? "one clip" : `${count} clips`;
+}

@@ -1,0 +1,166 @@
+// The equations of the model in MathML, which browsers draw themselves. Constants of the page: no text of a visitor is in them.
+
+const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
+const row = (...parts: string[]) => tag("mrow", parts.join(""));
+/** A letter in italics; several letters stand upright, as names of functions do. */
+const id = (name: string) => tag("mi", name);
+const num = (value: string) => tag("mn", value);
+const op = (sign: string) => tag("mo", sign);
+const text = (words: string) => tag("mtext", words);
+const sub = (base: string, below: string) => tag("msub", base + below);
+const sup = (base: string, above: string) => tag("msup", base + above);
+const both = (base: string, below: string, above: string) => tag("msubsup", base + below + above);
+const over = (above: string, below: string) => tag("mfrac", above + below);
+const bold = (name: string) => tag("mi", name, ' mathvariant="bold"');
+const sum = (index: string) => tag("munder", op("∑") + index);
+const bracket = (sign: string) => tag("mo", sign, ' stretchy="false"');
+const call = (f: string, ...given: string[]) => row(f, bracket("("), given.join(op(",")), bracket(")"));
+const inverse = (matrix: string) => sup(matrix, row(op("−"), num("1")));
+
+const i = id("i");
+const j = id("j");
+const ji = row(j, i);
+const t = id("t");
+const one = num("1");
+const x = id("x");
+const K = id("K");
+const n = id("n");
+const history = (part: string) => both(x, row(op("−"), t), part);
+const alpha = (above: string) => sup(id("α"), above);
+const w = sub(id("w"), ji);
+const f = sup(id("f"), ji);
+const normal = (mean: string, variance: string) => call(id("𝒩"), mean, variance);
+const psi = (index: string) => sub(id("Ψ"), num(index));
+const A = id("A");
+const b = id("b");
+
+/** Between two equations in a line. */
+const apart = `${op(",")}<mspace width="1.2em"></mspace>`;
+
+const math = (...parts: string[]) => `<math display="block">${row(...parts)}</math>`;
+const inline = (...parts: string[]) => `<math>${row(...parts)}</math>`;
+
+export const EQUATIONS = {
+  dynamics: math(both(x, t, i), op("∼"), normal(row(sum(j), w, call(f, history(j))), row(alpha(i), id("I")))),
+  weights: math(
+    alpha(i),
+    op("="),
+    over(one, row(sum(j), over(one, alpha(ji)))),
+    apart,
+    w,
+    op("="),
+    over(alpha(i), alpha(ji)),
+    apart,
+    sum(j),
+    w,
+    op("="),
+    one,
+  ),
+  history: math(
+    history(j),
+    op("="),
+    call("", both(x, row(t, op("−"), id("p")), j), op("…"), both(x, row(t, op("−"), one), j)),
+  ),
+  expert: math(f, op("∼"), call(id("GP"), num("0"), id("k"))),
+  kernel: math(
+    call(id("k"), x, sup(x, op("′"))),
+    op("="),
+    id("exp"),
+    op("("),
+    op("−"),
+    over(one, num("2")),
+    sum(id("q")),
+    over(
+      sup(row(op("("), sub(x, id("q")), op("−"), both(x, id("q"), op("′")), op(")")), num("2")),
+      sub(id("λ"), id("q")),
+    ),
+    op(")"),
+  ),
+  pose: math(
+    both(id("y"), t, i),
+    op("∼"),
+    normal(call(sup(id("g"), i), both(x, t, i)), row(sup(id("β"), i), id("I"))),
+    apart,
+    sup(id("g"), i),
+    op("∼"),
+    call(id("GP"), num("0"), row(sup(id("σ"), num("2")), id("k"))),
+  ),
+  bound: math(
+    id("log"),
+    op("⁡"),
+    call(id("p"), id("Y")),
+    op("≥"),
+    sum(i),
+    sub(id("F"), row(text("poses "), i)),
+    op("+"),
+    sum(i),
+    sub(id("F"), row(text("dynamics "), i)),
+    op("+"),
+    text("first frames"),
+    op("+"),
+    text("entropy"),
+  ),
+  collapsed: math(
+    id("F"),
+    op("="),
+    op("−"),
+    over(row(id("R"), id("C")), num("2")),
+    id("log"),
+    op("("),
+    num("2"),
+    id("π"),
+    n,
+    op(")"),
+    op("−"),
+    over(sub(id("c"), num("2")), row(num("2"), n)),
+    op("+"),
+    over(id("C"), num("2")),
+    id("log"),
+    over(row(op("|"), K, op("|")), row(op("|"), A, op("|"))),
+    op("+"),
+    over(row(id("tr"), op("("), sup(b, op("⊤")), inverse(A), b, op(")")), row(num("2"), sup(n, num("2")))),
+    op("−"),
+    over(row(id("C"), id("Δ")), row(num("2"), n)),
+  ),
+  posterior: math(
+    A,
+    op("="),
+    K,
+    op("+"),
+    over(psi("2"), n),
+    apart,
+    call(bold("E"), id("u")),
+    op("="),
+    over(row(K, inverse(A), b), n),
+  ),
+  rollout: math(
+    both(x, t, i),
+    op("="),
+    sum(j),
+    w,
+    call(id("k"), history(j), sup(id("z"), ji)),
+    inverse(both(K, text("zz"), ji)),
+    call(bold("E"), sup(id("u"), ji)),
+  ),
+} as const;
+
+export const SYMBOLS = {
+  parts: inline(i, op(","), j),
+  latent: inline(both(x, t, i)),
+  history: inline(history(j)),
+  order: inline(id("p")),
+  dimensions: inline(id("Q")),
+  coupling: inline(alpha(ji)),
+  weight: inline(w),
+  expert: inline(f),
+  dynamicsPoints: inline(sup(id("z"), ji), op(","), sup(id("u"), ji)),
+  dynamicsCount: inline(K),
+  poseMap: inline(sup(id("g"), i)),
+  posePoints: inline(sup(id("r"), i), op(","), sup(id("v"), i)),
+  poseCount: inline(id("L")),
+  pose: inline(both(id("y"), t, i)),
+  noise: inline(sup(id("β"), i)),
+  lengths: inline(sub(id("λ"), id("q"))),
+  bound: inline(id("ELBO")),
+  frames: inline(t),
+} as const;

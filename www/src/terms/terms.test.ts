@@ -1,0 +1,39 @@
+import { expect, it } from "vitest";
+import glossary from "../../../docs/glossary.md?raw";
+import { TERMS } from "./terms";
+
+/** The names that the glossary explains: in bold at the start of a line, or a symbol in the first column of a table. */
+const explained = glossary.split("\n").flatMap((line) => {
+  const name = /^- \*\*(.+?)\*\*:/.exec(line)?.[1];
+  if (name) return [name, ...name.split(", ")];
+  const symbol = /^\| ([^|]+) \|/.exec(line)?.[1];
+  return symbol ? [symbol, ...symbol.split(", ")] : [];
+});
+
+it("explains no term that the glossary does not know", () => {
+  expect(explained.length).toBeGreaterThan(50);
+  const unknown = Object.values(TERMS).filter(({ glossary }) => !explained.includes(glossary));
+  expect(unknown.map(({ title }) => title)).toEqual([]);
+});
+
+it("says it in two sentences", () => {
+  const sentences = (words: string) => words.split(/[.!?](?=\s[A-Z]|$)/).filter((part) => part.trim()).length;
+  const others = Object.values(TERMS).filter(({ words }) => sentences(words) !== 2);
+  expect(others.map(({ title }) => title)).toEqual([]);
+});
+
+it("has no term that nobody can ask about", () => {
+  const sources: Record<string, string> = import.meta.glob("../**/*.ts", {
+    query: "?raw",
+    import: "default",
+    eager: true,
+  });
+  const views = Object.entries(sources).filter(([file]) => !/terms\/terms|\.test\.ts$/.test(file));
+  expect(views.length).toBeGreaterThan(50);
+  const isAsked = (name: string) =>
+    views.some(
+      ([, text]) =>
+        text.includes(`of="${name}"`) || (/<pg-term of=\$\{term\}/.test(text) && text.includes(`"${name}"`)),
+    );
+  expect(Object.keys(TERMS).filter((name) => !isAsked(name))).toEqual([]);
+});
