@@ -4,6 +4,8 @@ import { Pool } from "./pool";
 import type {
   ClipInfo,
   Engine,
+  LiveChange,
+  LiveFrames,
   LoadedClip,
   ModelInfo,
   ModelView,
@@ -110,6 +112,8 @@ export class FakeEngine implements Engine {
   /** The clips that are open, and those that do not go with others. */
   readonly clips = new Set<number>();
   readonly odd = new Set<number>();
+  /** The live rollout, if there is one: what changed it, and its frames. */
+  live: { changes: LiveChange[]; frames: number } | null = null;
   /** The document of the model that is held. */
   text = "";
   #revision = 0;
@@ -190,6 +194,45 @@ export class FakeEngine implements Engine {
 
   rolloutBvh(request: RolloutRequest): Promise<string> {
     return this.#answer("rolloutBvh", [request], "HIERARCHY");
+  }
+
+  bodyReport(request: RolloutRequest): ReturnType<Engine["bodyReport"]> {
+    const limb = { swing: 0.2, period: 1, locking: 1 };
+    const measures = { limbs: [], parts: [limb, limb], jointSpeed: 1, walkingSpeed: 1, footSlide: 0.1 };
+    const health = { state: "moves on" as const, from: null, part: null };
+    return this.#answer("bodyReport", [request], { revision: this.#revision, request, measures, health });
+  }
+
+  predictions(request: RolloutRequest): ReturnType<Engine["predictions"]> {
+    const rows = request.frames - 2;
+    const said = () => ({ means: new Float64Array(2 * rows), variances: new Float64Array(rows).fill(0.04) });
+    const parts = [0, 1].map(() => ({ experts: [said(), said()], product: said() }));
+    return this.#answer("predictions", [request], { revision: this.#revision, request, firstFrame: 2, parts });
+  }
+
+  futures(request: RolloutRequest, count: number, seed: number): Promise<RolloutResult[]> {
+    const results = Array.from({ length: count }, () => this.#roll(request));
+    return this.#answer("futures", [request, count, seed], results);
+  }
+
+  startLive(request: RolloutRequest, frame: number): Promise<void> {
+    this.live = { changes: [], frames: 0 };
+    return this.#answer("startLive", [request, frame], undefined);
+  }
+
+  advanceLive(changes: LiveChange[], frames: number): Promise<LiveFrames> {
+    if (!this.live) return Promise.reject(new Error("There is no live rollout: start one."));
+    this.live.changes.push(...changes);
+    this.live.frames += frames;
+    const latents = [0, 1].map(() => new Float64Array(2 * frames));
+    const places = () => new Float64Array(2 * frames);
+    const next = { motion: still(frames), latents, phases: places(), distances: places() };
+    return this.#answer("advanceLive", [changes, frames], next);
+  }
+
+  endLive(): Promise<void> {
+    this.live = null;
+    return this.#answer("endLive", [], undefined);
   }
 
   clipBvh(id: number, first: number, end: number): Promise<string> {

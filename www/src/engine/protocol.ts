@@ -1,11 +1,13 @@
 // What the page and its worker say to each other. Types only.
-import type { ClipInfo, ModelInfo, SampleInfo, TrainingProgress, TrainingSettings } from "vcgpdm";
+import type { ClipInfo, Health, Measures, ModelInfo, SampleInfo, TrainingProgress, TrainingSettings } from "vcgpdm";
 
 export type {
   ClipInfo,
   Figure,
   FigureNode,
+  Health,
   JointInfo,
+  Measures,
   ModelInfo,
   PartSpec,
   PartsPreset,
@@ -80,6 +82,52 @@ export interface RolloutResult {
   /** w[source][target] */
   weights: Couplings;
 }
+
+/** What the body does in a rollout, and how it ends. */
+export interface BodyReport {
+  revision: number;
+  request: RolloutRequest;
+  measures: Measures;
+  health: Health;
+}
+
+/** Gaussians about the latents of one part, one a frame. */
+export interface Predictions {
+  /** [predicted frames x Q] */
+  means: Float64Array;
+  /** The same in all dimensions [predicted frames]. */
+  variances: Float64Array;
+}
+
+/** What is predicted about each part in each frame of a rollout. */
+export interface PredictionsReport {
+  revision: number;
+  request: RolloutRequest;
+  /** The first frame that is predicted. */
+  firstFrame: number;
+  /** For each part what each source says alone, and what their product is. */
+  parts: { experts: Predictions[]; product: Predictions }[];
+}
+
+/** The next frames of a live rollout. */
+export interface LiveFrames {
+  motion: Motion;
+  /** Latent path of each part [frames x Q]. */
+  latents: Float64Array[];
+  /** Where on the learned cycle each part is, in turns [frames x parts]; empty where there is no cycle. */
+  phases: Float64Array;
+  /** How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as phases. */
+  distances: Float64Array;
+}
+
+/** What may happen to a live rollout before its next frames. */
+export type LiveChange =
+  | { kind: "couplings"; alpha: Couplings; reading: Reading }
+  | { kind: "cut"; source: number; target: number; cut: boolean }
+  /** A part is moved by so much in each latent dimension. */
+  | { kind: "push"; part: number; by: number[] }
+  /** A node of the figure is moved by about so many metres. */
+  | { kind: "pull"; node: number; by: [number, number, number] };
 
 /** A model with its rollout as learned. */
 export interface OpenedModel {
@@ -166,6 +214,16 @@ export interface Workbench {
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
+  /** What the body does from frame `first` on. */
+  bodyReport(request: RolloutRequest, first: number): BodyReport;
+  predictions(request: RolloutRequest): PredictionsReport;
+  /** Sampled rollouts: of the seeds `seed`, `seed + 1`, and so on. */
+  futures(request: RolloutRequest, count: number, seed: number): RolloutResult[];
+  /** Begins a live rollout behind a frame of a rollout of the model that is held; the one before it ends. */
+  startLive(request: RolloutRequest, frame: number): void;
+  /** Makes the changes, then computes the next frames. Throws when there is no live rollout. */
+  advanceLive(changes: LiveChange[], frames: number): LiveFrames;
+  endLive(): void;
   /** The frames of a clip from first (counted from 0) up to, not including, end. */
   clipBvh(id: number, first: number, end: number): string;
 }

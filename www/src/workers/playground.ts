@@ -2,12 +2,14 @@
 import * as Comlink from "comlink";
 import init, { Clip, freshSeed, version } from "vcgpdm/playground";
 import type { Workbench } from "../engine/protocol";
+import { Live } from "./live";
 import { OpenClips } from "./open-clips";
 import { ShownModel } from "./shown-model";
 import { trainee } from "./training";
 
 const clips = new OpenClips();
 const model = new ShownModel();
+const live = new Live(model);
 
 const workbench: Workbench = {
   async start(wasm) {
@@ -24,6 +26,12 @@ const workbench: Workbench = {
   inducing: (point, request) => model.inducing(point, request),
   modelJson: () => model.toJson(),
   rolloutBvh: (request) => model.rolloutBvh(request),
+  bodyReport: (request, first) => model.bodyReport(request, first),
+  predictions: (request) => model.predictions(request),
+  futures: (request, count, seed) => model.futures(request, count, seed),
+  startLive: (request, frame) => live.start(request, frame),
+  advanceLive: (changes, frames) => live.advance(changes, frames),
+  endLive: () => live.end(),
   clipBvh: (id, first, end) => clips.toBvh(id, first, end),
 };
 

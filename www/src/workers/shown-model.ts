@@ -1,12 +1,15 @@
 // The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
-import { Model } from "vcgpdm/playground";
+import { Model, type Rollout } from "vcgpdm/playground";
 import type {
+  BodyReport,
   DynamicsInducing,
   InducingPoint,
   InducingReport,
   ModelInfo,
   ModelView,
   OpenedModel,
+  Predictions,
+  PredictionsReport,
   RolloutRequest,
   RolloutResult,
 } from "../engine/protocol";
@@ -47,9 +50,52 @@ export class ShownModel {
   }
 
   rolloutBvh(request: RolloutRequest): string {
-    const rollout = this.#current().model.rollout(request);
+    return this.withRollout(request, (rollout) => rollout.toBvh());
+  }
+
+  bodyReport(request: RolloutRequest, first: number): BodyReport {
+    const { revision } = this.#current();
+    return this.withRollout(request, (rollout) => ({
+      revision,
+      request,
+      measures: rollout.measures(first),
+      health: rollout.health(),
+    }));
+  }
+
+  /** What each expert says about each frame, and the product of all. */
+  predictions(request: RolloutRequest): PredictionsReport {
+    const { info, revision } = this.#current();
+    const said = this.withRollout(request, (rollout) => rollout.predictions());
     try {
-      return rollout.toBvh();
+      const parts = info.parts.map((_, target) => ({
+        experts: info.parts.map((_, source) => ({
+          means: said.expertMeans(source, target),
+          variances: said.expertVariances(source, target),
+        })),
+        product: { means: said.means(target), variances: said.variances(target) },
+      }));
+      const all = parts.flatMap(({ experts, product }): Predictions[] => [...experts, product]);
+      const arrays = all.flatMap(({ means, variances }) => [means, variances]);
+      return handOver({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
+    } finally {
+      said.free();
+    }
+  }
+
+  futures(request: RolloutRequest, count: number, seed: number): RolloutResult[] {
+    const held = this.#current();
+    const sampled = held.model.sampledRollouts(request, count, seed);
+    const results = sampled.map((rollout) => result(held, rollout, request));
+    return handOver(results, ...results.flatMap(({ motion, latents }) => [motion.positions, ...latents]));
+  }
+
+  /** What `look` finds in a rollout of the model, which is let go afterwards. */
+  withRollout<Found>(request: RolloutRequest, look: (rollout: Rollout, info: ModelInfo) => Found): Found {
+    const { model, info } = this.#current();
+    const rollout = model.rollout(request);
+    try {
+      return look(rollout, info);
     } finally {
       rollout.free();
     }
@@ -112,8 +158,12 @@ function view({ model, info, revision }: Held): ModelView {
   };
 }
 
-function roll({ model, info, revision }: Held, request: RolloutRequest): RolloutResult {
-  const rollout = model.rollout(request);
+function roll(held: Held, request: RolloutRequest): RolloutResult {
+  return result(held, held.model.rollout(request), request);
+}
+
+/** What the page sees of a rollout, which is let go. */
+function result({ info, revision }: Held, rollout: Rollout, request: RolloutRequest): RolloutResult {
   try {
     return {
       revision,

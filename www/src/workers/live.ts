@@ -1,0 +1,65 @@
+// A rollout that never ends, of the model that the page shows. No DOM.
+import { LiveRollout } from "vcgpdm/playground";
+import type { LiveChange, LiveFrames, ModelInfo, RolloutRequest } from "../engine/protocol";
+import { handOver } from "./hand-over";
+import type { ShownModel } from "./shown-model";
+
+export class Live {
+  readonly #model: ShownModel;
+  #live: { rollout: LiveRollout; info: ModelInfo } | null = null;
+
+  constructor(model: ShownModel) {
+    this.#model = model;
+  }
+
+  start(request: RolloutRequest, frame: number): void {
+    const next = this.#model.withRollout(request, (rollout, info) => ({
+      rollout: new LiveRollout(rollout, frame),
+      info,
+    }));
+    this.end();
+    this.#live = next;
+  }
+
+  advance(changes: LiveChange[], frames: number): LiveFrames {
+    if (!this.#live) throw new Error("There is no live rollout: start one.");
+    const { rollout, info } = this.#live;
+    for (const change of changes) this.#change(rollout, change);
+    const next = rollout.advance(frames);
+    try {
+      const motion = {
+        positions: next.positions(),
+        frames,
+        nodes: info.figure.nodes.length,
+        frameTime: info.frameTime,
+      };
+      const latents = info.parts.map((_, part) => next.latents(part));
+      const result = { motion, latents, phases: next.phases(), distances: next.distances() };
+      return handOver(result, motion.positions, ...latents, result.phases, result.distances);
+    } finally {
+      next.free();
+    }
+  }
+
+  end(): void {
+    this.#live?.rollout.free();
+    this.#live = null;
+  }
+
+  #change(rollout: LiveRollout, change: LiveChange): void {
+    switch (change.kind) {
+      case "couplings":
+        rollout.setCouplings(Float64Array.from(change.alpha.flat()), change.reading === "re-inferred");
+        break;
+      case "cut":
+        rollout.cut(change.source, change.target, change.cut);
+        break;
+      case "push":
+        rollout.push(change.part, Float64Array.from(change.by));
+        break;
+      case "pull":
+        rollout.pull(change.node, ...change.by);
+        break;
+    }
+  }
+}
