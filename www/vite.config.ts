@@ -12,7 +12,7 @@ const LATER: [folder: string, of: RegExp][] = [
   // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training.
   [
     "assets/when-asked",
-    /\/src\/(terms\/(card|terms)|method\/.*|app\/stage-files|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
+    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
   ],
 ];
 const folderOf = (files: readonly string[]) => {
