@@ -4,12 +4,12 @@
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { at, Failure, main, output, run } from "./run.mjs";
+import { putTables } from "./tables.mjs";
 
 const folder = at("target/comparison");
 const page = at("docs/comparison.md");
 const shown = at("www/public/comparison/walks.results.json");
 const program = at("target/release/vcgpdm");
-const [BEGIN, END] = ["<!-- tables: begin -->", "<!-- tables: end -->"];
 
 /** Who is compared on what; each a run of `vcgpdm evaluate`. */
 const SWEEPS = [
@@ -54,9 +54,5 @@ await main(async () => {
   writeFileSync(shown, together([results, times]));
   const tables = output(program, "report", shown);
   if (tables === null) throw new Failure("the report could not be made");
-  const text = readFileSync(page, "utf8");
-  const [begin, end] = [text.indexOf(BEGIN), text.indexOf(END)];
-  if (begin < 0 || end < begin) throw new Failure(`${page} has no place for tables, between ${BEGIN} and ${END}`);
-  writeFileSync(page, `${text.slice(0, begin + BEGIN.length)}\n\n${tables.trim()}\n\n${text.slice(end)}`);
-  console.log(`the tables are in ${page}`);
+  putTables(page, tables);
 });

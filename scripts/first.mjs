@@ -6,7 +6,7 @@ import { at, filesUnder, whenChanged } from "./run.mjs";
 
 const SECONDS = 4;
 
-/** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a hundredth of a millimetre in ten seconds. */
+/** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth of a millimetre in ten seconds. */
 const DIGITS = 7;
 /** Covariances of the inducing outputs say how sure the model is; no rollout is computed from them. */
 const COVARIANCE_DIGITS = 2;

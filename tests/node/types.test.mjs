@@ -78,7 +78,12 @@ describe("the declared types", () => {
     const model = trainer.model();
     hold("Model.info", model.info());
     assert.deepEqual(model.info().provenance.settings, settings);
-    hold("Rollout.weights", model.rollout({ frames: 5, sequence: 0 }).weights());
+    const rollout = model.rollout({ frames: 60, sequence: 0 });
+    hold("Rollout.weights", rollout.weights());
+    const measures = rollout.measures(15);
+    hold("Rollout.measures", measures);
+    assert.deepEqual([measures.limbs.length, measures.parts.length], [4, 2]);
+    hold("Rollout.health", rollout.health());
 
     const results = Results.empty(clips, { parts, framesPerSecond: 15 });
     hold("Results.setting", results.setting());

@@ -33,7 +33,7 @@ fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
                     assert!((ratio * ratio - 1.0).abs() < 4.0 * (2.0 / count).sqrt(), "{found}");
                 }
                 // Then the phases of the futures part along the bent cycle, and a Gaussian says ever less: docs/uncertainty.md.
-                if t < 40 {
+                if t < 15 {
                     assert!(shift < 0.25 && (0.8..1.25).contains(&ratio), "{found}");
                 }
                 assert!(known_mean.is_finite() && known > 0.0, "{found}");

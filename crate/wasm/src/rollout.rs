@@ -1,13 +1,15 @@
 //! Rolled-out motions.
 
-use crate::convert::{flat, rows, to_js};
+use crate::convert::{flat, rows, to_js, to_js_beside};
 use crate::error::VcgpdmError;
 use crate::predictions::Predictions;
+use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Rollout as MotionRollout, RolloutRequest, TrainedModel};
+use vcgpdm::models::{Health, Rollout as MotionRollout, RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
+use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -26,7 +28,63 @@ export interface RolloutOptions {
     /** Absent: as learned. */
     reading?: Reading;
 }
+
+/** What one hand or foot does. */
+export interface LimbMeasures {
+    limb: "left hand" | "right hand" | "left foot" | "right foot";
+    /** The joint at its end. */
+    joint: number;
+    /** How far it swings: standard deviation along the heading, relative to the root, in metres for a body 1.7 m tall. */
+    swing: number;
+    /** Seconds from one swing to the next; null where it does not swing. */
+    period: number | null;
+    /** How far its swing is ahead of that of the foot or hand of the other side, in cycles from -0.5 to 0.5. */
+    ahead: number | null;
+    /** How constant that is: 1 in step, near 0 each at its own pace; null where one of the two does not swing. */
+    locking: number | null;
+}
+
+/** Means over the hands and feet of a part; null where there is none. */
+export interface PartMeasures {
+    swing: number | null;
+    period: number | null;
+    locking: number | null;
+}
+
+/** What a body does in a stretch of frames. */
+export interface Measures {
+    limbs: LimbMeasures[];
+    /** Each part of the model, in its order. */
+    parts: PartMeasures[];
+    /** Mean speed of all joints relative to the root, in metres a second. */
+    jointSpeed: number;
+    /** Speed of the root over the ground, in metres a second. */
+    walkingSpeed: number;
+    /** Horizontal speed of the lowest point of the legs, as a share of the walking speed; null where the body hardly walks. */
+    footSlide: number | null;
+}
+
+/** How a rollout ends. */
+export interface Health {
+    state: "moves on" | "stands still" | "leaves the training range" | "not finite";
+    /** Seconds from the first frame to where it stands still or leaves. */
+    from: number | null;
+    /** The part that leaves the training range. */
+    part: number | null;
+}
 "#;
+
+#[derive(Serialize)]
+struct Parts {
+    parts: Vec<PartMeasures>,
+}
+
+#[derive(Serialize)]
+struct End {
+    state: &'static str,
+    from: Option<f64>,
+    part: Option<usize>,
+}
 
 /// A rolled-out motion.
 #[wasm_bindgen]
@@ -76,6 +134,28 @@ impl Rollout {
     /// What every expert predicts, with its uncertainty, about each of its frames.
     pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
         Predictions::new(self)
+    }
+
+    /// What the body does from this frame on, counted from 0, to the end.
+    #[wasm_bindgen(unchecked_return_type = "Measures")]
+    pub fn measures(&self, first: usize) -> Result<JsValue, VcgpdmError> {
+        let (body, frames) = (&self.model.body, self.frames());
+        let values = self.positions.len() / frames * first.min(frames);
+        let measured = measures(body.mapping.skeleton(), &self.positions[values..], body.frame_time);
+        let parts = body.layout.parts().iter().map(|part| measured.of_joints(&part.joints)).collect();
+        to_js_beside(&measured, &Parts { parts })
+    }
+
+    /// How it ends: moving on, standing still, far from what the model was trained on.
+    #[wasm_bindgen(unchecked_return_type = "Health")]
+    pub fn health(&self) -> Result<JsValue, VcgpdmError> {
+        let (state, from, part) = match self.model.health(&self.rollout, &self.positions)? {
+            Health::MovesOn => ("moves on", None, None),
+            Health::StandsStill { from } => ("stands still", Some(from), None),
+            Health::LeavesTraining { from, part } => ("leaves the training range", Some(from), Some(part)),
+            Health::NotFinite => ("not finite", None, None),
+        };
+        to_js(&End { state, from, part })
     }
 
     /// The motion as the text of a BVH file.

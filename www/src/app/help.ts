@@ -67,7 +67,7 @@ export class HelpView extends View {
           <dl class="keys">${KEYS.map(([key, does]) => html`<dt><kbd>${key}</kbd></dt><dd>${does}</dd>`)}</dl>
           <h3>About</h3>
           <p>Nothing you load leaves your machine: everything is computed in this browser.</p>
-          <p>The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 35. ${ACKNOWLEDGEMENT}</p>
+          <p>The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 7. ${ACKNOWLEDGEMENT}</p>
           ${this.provenance()}
         </div>
       </dialog>`;

@@ -223,7 +223,7 @@ export class PageView extends View {
             : html`
           <footer>
             <span>Nothing you load leaves your machine.</span>
-            <span>The start model was trained on CMU subject 35. ${ACKNOWLEDGEMENT}</span>
+            <span>The start model was trained on CMU subject 7. ${ACKNOWLEDGEMENT}</span>
           </footer>`
         }
         <pg-notices .notices=${notices}></pg-notices>

@@ -58,7 +58,7 @@ describe("a coupling", () => {
       [1, 7.123456789],
       [4, 1],
     ];
-    expect(engine.rollouts.slice(before)).toEqual([{ frames: 300, sequence: 0, alpha, reading: "as learned" }]);
+    expect(engine.rollouts.slice(before)).toEqual([{ frames: 300, sequence: 0, alpha, reading: "re-inferred" }]);
     await settled();
     expect([model.alpha(0, 1), model.weight(0, 1), model.learnedAlpha(0, 1)]).toEqual([7.123456789, 7.123456789, 4]);
   });

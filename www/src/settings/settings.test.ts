@@ -26,7 +26,7 @@ describe("settings in the URL", () => {
       frames: 600,
       start: 3,
       model: "0123abcd",
-      reading: "re-inferred" as const,
+      reading: "as learned" as const,
       alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const,
       speed: 0.25 as const,

@@ -168,7 +168,8 @@ const model: Setting<string> = {
 
 const reading: Setting<Reading> = {
   key: "reading",
-  initial: "as learned",
+  // In this reading parts that no longer hear each other fall out of step; as learned, they stop (docs/couplings.md).
+  initial: "re-inferred",
   read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
   write: (value) => (value === "as learned" ? "learned" : "inferred"),
   limit: (value) => value,

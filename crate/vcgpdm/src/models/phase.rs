@@ -4,8 +4,7 @@
 //! formed anew, and so on. A straight line, not a free warp of time: it is what can be known about a trial of which only the
 //! first frames are there, and it cannot explain differences of shape away.
 
-use crate::models::period::RHYTHMIC;
-use crate::models::period::period;
+use crate::motion::{RHYTHMIC, period};
 use nalgebra::DMatrix;
 
 /// Places of the template along the axis.

@@ -58,10 +58,15 @@ impl Anatomy {
         kept.map(|(_, place)| *place).collect()
     }
 
-    /// The farthest node of a leg, along the bones: the tip of the toes as far as the file knows it.
-    pub(crate) fn foot(&self, skeleton: &Skeleton, side: Side) -> Option<usize> {
+    /// The farthest node of a limb, along the bones: the tip of the toes or fingers as far as the file knows it.
+    pub(crate) fn tip(&self, skeleton: &Skeleton, limb: Region) -> Option<usize> {
         let paths = path_lengths(skeleton);
-        farthest(skeleton, &paths, |joint| self.regions[joint] == Region::Leg(side))
+        farthest(skeleton, &paths, |joint| self.regions[joint] == limb)
+    }
+
+    /// The tip of a leg.
+    pub(crate) fn foot(&self, skeleton: &Skeleton, side: Side) -> Option<usize> {
+        self.tip(skeleton, Region::Leg(side))
     }
 
     /// The top of the head: the farthest trunk node at or beyond a joint named so, else the farthest trunk node.

@@ -2,7 +2,7 @@
 //!
 //! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
 //! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
-//! of Y and back; [`parts`] says which columns of Y belong to which part of the body. [`samples`] are clips that the project
+//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does. [`samples`] are clips that the project
 //! makes itself.
 //!
 //! ```
@@ -24,8 +24,10 @@ mod anatomy;
 pub mod bvh;
 mod clip;
 mod joint_names;
+pub mod measures;
 pub mod parts;
 mod percentile;
+mod period;
 pub mod pose;
 mod recording;
 mod rotation;
@@ -38,6 +40,7 @@ mod testing;
 
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError, MAX_VALUES};
+pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;
 pub use skeleton::Skeleton;

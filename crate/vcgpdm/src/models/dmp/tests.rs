@@ -109,7 +109,7 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
     let difference = &y - walk(1000, 34.0, 0.4);
     assert!(root_mean_square(&difference.rows(0, 100).into_owned()) < 0.08, "{difference}");
     assert!((y.rows(34, 34) - y.rows(34 * 20, 34)).amax() < 0.3);
-    let found = crate::models::period::period(&[y.rows(500, 500).into_owned()]).unwrap();
+    let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
     // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same centre.

@@ -1,8 +1,8 @@
 //! The learned cycle: where on it a part stands, and how far from it.
 
-use crate::models::period::{RHYTHMIC, period};
 use crate::models::rollout::{RolloutError, RolloutRequest};
 use crate::models::variational::model::Vcgpdm;
+use crate::motion::{RHYTHMIC, period};
 use nalgebra::DMatrix;
 
 /// Frames in which the learned rollout settles, and so many more in which its period is looked for.

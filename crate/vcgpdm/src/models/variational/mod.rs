@@ -3,6 +3,7 @@
 mod cycle;
 mod disturbances;
 pub(crate) mod elbo;
+mod familiarity;
 mod futures;
 pub(crate) mod inducing;
 pub(crate) mod learner;

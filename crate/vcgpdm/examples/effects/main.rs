@@ -1,0 +1,73 @@
+//! What each coupling does to the body, measured, as Markdown tables. `npm run effects` puts them into docs/couplings.md.
+//!
+//! ```sh
+//! cargo run --release --example effects
+//! cargo run --release --example effects -- --seeds 1,2,3 walk-1.bvh walk-2.bvh
+//! ```
+//!
+//! Without clips: the model that the page opens with, its presets, and models of the sample walks. With clips: models of lower and
+//! upper body of these, one for each seed, and all couplings of the one with the highest bound.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod models;
+mod presets;
+mod sweep;
+
+use clap::Parser;
+use models::{Trained, read_clips};
+use std::path::PathBuf;
+use sweep::{Learned, strength};
+use vcgpdm::models::Reading;
+
+#[derive(Parser)]
+struct Arguments {
+    /// BVH files, or folders of them.
+    clips: Vec<PathBuf>,
+    #[arg(long, value_delimiter = ',', default_value = "1")]
+    seeds: Vec<u32>,
+    #[arg(long, default_value_t = 2000)]
+    max_iterations: usize,
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    if arguments.clips.is_empty() {
+        let start = models::start();
+        println!("### The model that the page opens with\n");
+        sweep::print(&start);
+        println!("### Its presets\n");
+        presets::print(&start);
+        for (title, model) in models::of_samples() {
+            println!("### {title}\n");
+            sweep::print(&model);
+        }
+        return;
+    }
+    let clips = read_clips(&arguments.clips);
+    let models: Vec<(u32, Trained)> = (arguments.seeds.iter())
+        .map(|&seed| (seed, models::of_walks(&clips, seed, arguments.max_iterations)))
+        .collect();
+    println!("### With the legs cut off from the arms\n");
+    println!("Lower to upper times 100, re-inferred. {} clips, seeds {:?}.\n", clips.len(), arguments.seeds);
+    println!("| seed | bound | hands swing | feet swing | in step | period of hands, s | of feet, s |");
+    println!("{}|", "|---".repeat(7));
+    for (seed, model) in &models {
+        let learned = Learned::of(model);
+        let alpha = strength(&model.model.alpha, &[(0, 1, 100.0)]);
+        let cut = learned.effect(model, alpha, Reading::ReInferred);
+        let [hands, feet] = cut.periods().map(sweep::number);
+        println!(
+            "| {seed} | {:.0} | {:.2} | {:.2} | {} | {hands} | {feet} |",
+            model.model.bound(),
+            cut.hands,
+            cut.feet,
+            sweep::number(cut.locking),
+        );
+    }
+    println!();
+    let best = models.iter().max_by(|a, b| a.1.model.bound().total_cmp(&b.1.model.bound()));
+    if let Some((seed, model)) = best {
+        println!("### The highest bound: seed {seed}\n");
+        sweep::print(model);
+    }
+}

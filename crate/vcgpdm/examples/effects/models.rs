@@ -1,0 +1,104 @@
+//! The models whose couplings are changed.
+
+use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, Source, TrainedModel, VariationalSettings};
+use vcgpdm::motion::parts::{PartSpec, presets};
+use vcgpdm::motion::{Clip, bvh, samples};
+
+pub type Trained = TrainedModel<Vcgpdm>;
+
+const FRAMES_PER_SECOND: f64 = 30.0;
+
+/// A folder of the page.
+pub fn www(file: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../www/first").join(file);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The model that the page opens with.
+pub fn start() -> Trained {
+    Trained::from_json(&www("model.json")).unwrap()
+}
+
+/// Models of the sample walks, with the default settings.
+pub fn of_samples() -> Vec<(&'static str, Trained)> {
+    let clips = |movement: &str| -> Vec<Clip> {
+        let samples = samples::list().into_iter().filter(|sample| sample.movement == movement);
+        samples.map(|sample| samples::clip(sample.id).unwrap()).collect()
+    };
+    let (walks, waves) = (clips("walk"), clips("walk and wave"));
+    let train = |clips: &[Clip], parts: &[PartSpec]| {
+        train(clips, parts, 1, VariationalSettings::default().max_iterations)
+    };
+    vec![
+        ("Sample walks, lower and upper body", train(&walks, &lower_upper(&walks[0]))),
+        ("Sample walks, five parts", train(&walks, &five_parts(&walks[0]))),
+        ("Sample walks with waving, lower and upper body", train(&waves, &lower_upper(&waves[0]))),
+    ]
+}
+
+/// A model of lower and upper body.
+pub fn of_walks(clips: &[Clip], seed: u32, max_iterations: usize) -> Trained {
+    eprintln!("seed {seed}");
+    train(clips, &lower_upper(&clips[0]), seed, max_iterations)
+}
+
+/// The clips of these files, and of the files of these folders in the order of their names.
+pub fn read_clips(places: &[PathBuf]) -> Vec<Clip> {
+    let files = places.iter().flat_map(|place| {
+        if !place.is_dir() {
+            return vec![place.clone()];
+        }
+        let entries = std::fs::read_dir(place).unwrap().map(|entry| entry.unwrap().path());
+        let mut files: Vec<PathBuf> =
+            entries.filter(|file| file.extension().is_some_and(|ending| ending == "bvh")).collect();
+        files.sort();
+        files
+    });
+    let read = |file: PathBuf| {
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        bvh::read(&name, &std::fs::read(&file).unwrap()).unwrap().into_clip()
+    };
+    files.map(read).collect()
+}
+
+fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Trained {
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let dataset = Dataset::new(&sources, parts, FRAMES_PER_SECOND).unwrap();
+    let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
+    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, seed).unwrap();
+    while !trainer.step().done {}
+    Trained::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap()
+}
+
+fn lower_upper(clip: &Clip) -> Vec<PartSpec> {
+    preset(clip, "lower-upper")
+}
+
+/// Trunk, left leg, right leg, left arm, right arm.
+fn five_parts(clip: &Clip) -> Vec<PartSpec> {
+    let parts = preset(clip, "legs-trunk-arms");
+    let joints = |name: &str| parts.iter().find(|part| part.name == name).unwrap().joints.clone();
+    let leg = |side: &str| -> Vec<usize> {
+        let legs = joints("legs").into_iter();
+        legs.filter(|&joint| clip.skeleton.joints[joint].name.starts_with(side)).collect()
+    };
+    let (left, right) = (leg("Left"), leg("Right"));
+    let hips = joints("legs").into_iter().filter(|joint| !left.contains(joint) && !right.contains(joint));
+    let mut trunk: Vec<usize> = hips.chain(joints("trunk")).collect();
+    trunk.sort_unstable();
+    let named = |name: &str, joints| PartSpec { name: name.to_owned(), joints };
+    vec![
+        named("trunk", trunk),
+        named("left leg", left),
+        named("right leg", right),
+        named("left arm", joints("left arm")),
+        named("right arm", joints("right arm")),
+    ]
+}
+
+fn preset(clip: &Clip, id: &str) -> Vec<PartSpec> {
+    let presets = presets(&clip.skeleton);
+    presets.into_iter().find(|preset| preset.id == id).unwrap().parts
+}

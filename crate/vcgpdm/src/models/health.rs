@@ -1,0 +1,129 @@
+//! Whether a rollout is still a motion: what a page may show as a success, and what it must say otherwise.
+
+use crate::gp::NumericsError;
+use crate::models::rollout::Rollout;
+use crate::models::trained::TrainedModel;
+use crate::models::variational::Vcgpdm;
+use crate::motion::measures::still_from;
+
+/// A part has left the range of its training where its inducing points explain less than this share of the variance.
+const FAMILIAR: f64 = 0.5;
+/// A part has left for good when it is away for at least this long, to the end; in seconds.
+const AWAY_FOR: f64 = 1.0;
+
+/// How a rollout ends, in seconds from its first frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Health {
+    /// It keeps moving, in every part like what the model was trained on.
+    MovesOn,
+    /// No joint moves any more from here to the end; see [`still_from`](crate::motion::measures::still_from).
+    StandsStill {
+        /// Seconds.
+        from: f64,
+    },
+    /// From here to the end the latents of a part are far from those of the training; see [`Vcgpdm::familiarity`].
+    LeavesTraining {
+        /// Seconds.
+        from: f64,
+        /// The first part that leaves, counted from 0.
+        part: usize,
+    },
+    /// It has latents or places that are not finite numbers.
+    NotFinite,
+}
+
+impl TrainedModel<Vcgpdm> {
+    /// How a rollout of this model ends, where `positions` are those that [`TrainedModel::positions`] gives for it. A rollout that
+    /// both stands still and is far from its training is said to stand still, for this can be seen.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of inducing points cannot be factorised.
+    pub fn health(&self, rollout: &Rollout, positions: &[f32]) -> Result<Health, NumericsError> {
+        let latents = &rollout.latents;
+        if !latents.iter().all(|path| path.iter().all(|x| x.is_finite()))
+            || !positions.iter().all(|place| place.is_finite())
+        {
+            return Ok(Health::NotFinite);
+        }
+        let frame_time = self.body.frame_time;
+        if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
+            return Ok(Health::StandsStill { from });
+        }
+        let familiarity = self.model.familiarity(latents)?;
+        let away = familiarity.iter().enumerate().filter_map(|(part, shares)| {
+            let frames = shares.iter().rev().take_while(|share| **share < FAMILIAR).count();
+            let from = (shares.len() - frames) as f64 * frame_time;
+            (frames as f64 * frame_time >= AWAY_FOR).then_some((from, part))
+        });
+        let first = away.min_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(first.map_or(Health::MovesOn, |(from, part)| Health::LeavesTraining { from, part }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::dataset::{Dataset, Source};
+    use crate::models::settings::VariationalSettings;
+    use crate::models::variational::Trainer;
+    use crate::motion::{parts, samples};
+    use nalgebra::DMatrix;
+
+    /// A model, and a rollout in which the body walks as recorded, its latents at the inducing points.
+    fn walk() -> (TrainedModel<Vcgpdm>, Rollout) {
+        let clip = samples::clip("walk-1").unwrap();
+        let parts = &parts::presets(&clip.skeleton)[1].parts;
+        let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+        let settings =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 4, pose_ips: 4, max_iterations: 1 };
+        let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 1).unwrap();
+        let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
+        let y = model.body.columns(&dataset.y);
+        let latents = model.model.parts.iter().map(|part| {
+            let r = part.r();
+            DMatrix::from_fn(y.nrows(), r.ncols(), |t, q| r[(t % r.nrows(), q)])
+        });
+        let rollout = Rollout { latents: latents.collect(), y, weights: DMatrix::from_element(2, 2, 0.5) };
+        (model, rollout)
+    }
+
+    fn health(model: &TrainedModel<Vcgpdm>, rollout: &Rollout) -> Health {
+        model.health(rollout, &model.positions(rollout).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_walk_moves_on_until_it_stands_still() {
+        let (model, mut rollout) = walk();
+        assert_eq!(health(&model, &rollout), Health::MovesOn);
+        // In the pose of frame 60 it glides on.
+        let pose = rollout.y.row(60).into_owned();
+        for t in 60..rollout.y.nrows() {
+            rollout.y.set_row(t, &pose);
+        }
+        let Health::StandsStill { from } = health(&model, &rollout) else { panic!("it stands still") };
+        assert!((from - 2.0).abs() < 0.1, "{from}");
+    }
+
+    #[test]
+    fn a_part_that_leaves_its_training_is_named() {
+        let (model, mut rollout) = walk();
+        for t in 45..rollout.y.nrows() {
+            rollout.latents[1][(t, 0)] += 1000.0;
+        }
+        let Health::LeavesTraining { from, part } = health(&model, &rollout) else { panic!("it leaves") };
+        assert!((from - 1.5).abs() < 0.01 && part == 1, "{from} {part}");
+        // It is back at the end.
+        let last = rollout.y.nrows() - 1;
+        rollout.latents[1][(last, 0)] -= 1000.0;
+        assert_eq!(health(&model, &rollout), Health::MovesOn);
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_told() {
+        let (model, mut rollout) = walk();
+        let positions = model.positions(&rollout).unwrap();
+        rollout.latents[0][(7, 0)] = f64::NAN;
+        assert_eq!(model.health(&rollout, &positions).unwrap(), Health::NotFinite);
+    }
+}

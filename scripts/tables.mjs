@@ -1,0 +1,14 @@
+// Tables that a command measures, in a page of docs: everything between two marks is the command's.
+import { readFileSync, writeFileSync } from "node:fs";
+import { Failure } from "./run.mjs";
+
+const [BEGIN, END] = ["<!-- tables: begin -->", "<!-- tables: end -->"];
+
+/** Puts the tables where the page has its marks, in place of those of the last time. */
+export function putTables(/** @type {string} */ page, /** @type {string} */ tables) {
+  const text = readFileSync(page, "utf8");
+  const [begin, end] = [text.indexOf(BEGIN), text.indexOf(END)];
+  if (begin < 0 || end < begin) throw new Failure(`${page} has no place for tables, between ${BEGIN} and ${END}`);
+  writeFileSync(page, `${text.slice(0, begin + BEGIN.length)}\n\n${tables.trim()}\n\n${text.slice(end)}`);
+  console.log(`the tables are in ${page}`);
+}
