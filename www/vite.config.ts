@@ -10,7 +10,10 @@ const LATER: [folder: string, of: RegExp][] = [
   // The whole program and the views that need it, when they are opened.
   ["assets/on-demand", /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/],
   // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training.
-  ["assets/when-asked", /\/src\/(terms\/(card|terms)|method\/.*|app\/stage-files)\.(ts|css)$|\/uplot\//],
+  [
+    "assets/when-asked",
+    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
+  ],
 ];
 const folderOf = (files: readonly string[]) => {
   const plain = files.map((file) => file.replaceAll("\\", "/"));

@@ -1,5 +1,6 @@
 // What the stage shows, in words over the figure.
 import { html, nothing } from "lit";
+import type { ClipEntry } from "../clips/clips-store";
 import type { PointingStore } from "../latents/pointing-store";
 import "../terms/term";
 import { View } from "../ui/view";
@@ -7,9 +8,15 @@ import type { App } from "./app";
 import "./caption.css";
 import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
 
+/** The clip that hides the model's motion, if one does. */
+export function clipOnStage({ clips, stage }: App): ClipEntry | null {
+  return clips.all.find(({ key }) => key === stage.clip) ?? null;
+}
+
 /** What the page says about what is on the stage now. */
-export function wordsNow({ stage, clips, model, pointing, training }: App): StageWords {
-  const clip = clips.all.find(({ key }) => key === stage.clip) ?? null;
+export function wordsNow(app: App): StageWords {
+  const { stage, model, pointing, training } = app;
+  const clip = clipOnStage(app);
   const run = training.learning;
   const several = training.asked.length > 1;
   return stageWords({

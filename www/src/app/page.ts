@@ -1,7 +1,6 @@
 // The page: where each view goes. On narrow screens the panels beside the stage become tabs.
 import { html, nothing, type TemplateResult } from "lit";
 import "../clips/clips-view";
-import "../clips/trim-view";
 import "../couplings/couplings-view";
 import "../latents/latents-view";
 import "../stage/stage-view";
@@ -146,6 +145,8 @@ export class PageView extends View {
 
   private stageArea() {
     const { stage, playback, settings, clips, model, isPlayView } = this.app;
+    // The handles come with the first clip on the stage; where they could not be loaded the next clip asks again.
+    if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label="Stage">
         <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>

@@ -2,9 +2,11 @@
 import { html } from "lit";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
+import { messageOf } from "../ui/format";
 import type { App } from "./app";
+import { clipOnStage } from "./caption";
 import "./save-menu.css";
-import { clipOnStage, type Saved, save } from "./saving";
+import type { Saved } from "./saving";
 
 /** The width of the menu, in the type's size; its style says the same. */
 const WIDTH = 17;
@@ -31,7 +33,10 @@ export class SaveMenu extends View {
   private item(what: Saved, title: string, kind: string, about: string, possible: boolean) {
     const chosen = () => {
       this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
-      void save(this.app, what);
+      import("./saving").then(
+        ({ save }) => save(this.app, what),
+        (problem: unknown) => this.app.notices.addError("Nothing was saved", messageOf(problem)),
+      );
     };
     return html`
       <button data-testid="save-${what}" ?disabled=${!possible} @click=${chosen}>

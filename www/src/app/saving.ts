@@ -1,8 +1,9 @@
-// Files that leave the page, to the visitor's own disk.
+// Files that leave the page, to the visitor's own disk. Loaded when the first is asked for.
 import type { ClipEntry } from "../clips/clips-store";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import type { App } from "./app";
+import { clipOnStage } from "./caption";
 import { modelName, motionName, plain, type RolledOut } from "./file-names";
 
 /** What can be saved: the clip that is on the stage, or the model's motion and what belongs to it. */
@@ -22,11 +23,6 @@ export async function save(app: App, what: Saved): Promise<void> {
   } catch (problem) {
     app.notices.addError(`${file.name} was not saved`, messageOf(problem));
   }
-}
-
-/** The clip that hides the model's motion, if one does. */
-export function clipOnStage({ clips, stage }: App): ClipEntry | null {
-  return clips.all.find(({ key }) => key === stage.clip) ?? null;
 }
 
 /** Null while there is nothing of the kind. */

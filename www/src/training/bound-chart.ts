@@ -8,7 +8,6 @@ import { onThemeChange, partColour, theme } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import { boundRange } from "./bound-range";
 import { dataOf, type Run } from "./runs";
-import "./runs-table";
 import type { TrainingStore } from "./training-store";
 import { phaseWords } from "./words";
 
@@ -74,9 +73,13 @@ const TERMS_HEIGHT = 92;
 
 type Charts = typeof uPlot;
 
-/** The chart library comes when the first training starts: the first visit does without. */
+/** The chart library and the table of trainings come when the first training starts: the first visit does without. */
 async function loadCharts(): Promise<Charts> {
-  const [{ default: charts }] = await Promise.all([import("uplot"), import("uplot/dist/uPlot.min.css")]);
+  const [{ default: charts }] = await Promise.all([
+    import("uplot"),
+    import("uplot/dist/uPlot.min.css"),
+    import("./runs-table"),
+  ]);
   return charts;
 }
 

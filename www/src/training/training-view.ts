@@ -1,6 +1,5 @@
 // Train, follow and cancel; and what to train.
 import { html, nothing } from "lit";
-import "../clips/parts-editor";
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { type NumberName, settingField, settingInput } from "../settings/setting-field";
@@ -46,6 +45,8 @@ export class TrainingView extends View {
     const presets = clip?.loaded.info.presets ?? [];
     const { parts } = this.settings.values;
     const byHand = parts === BY_HAND;
+    // Few split by hand: the editor comes when the first does. Where it could not be loaded the next change asks again.
+    if (byHand) import("../clips/parts-editor").catch(() => {});
     const chosen = byHand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
     const choose = (event: Event) => {
       const { value } = event.target as HTMLSelectElement;
