@@ -13,6 +13,7 @@ use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
     Dataset, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source, TrainedModel,
+    with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -39,6 +40,10 @@ pub struct Arguments {
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
     #[arg(long, value_name = "CLIP:COUNT")]
     seed_frames: Vec<String>,
+    /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint angles stay, the way of the
+    /// root is scaled by the length of the legs.
+    #[arg(long)]
+    first_bones: bool,
     /// Keep a note in the model, such as an acknowledgement.
     #[arg(long, value_name = "TEXT")]
     note: Option<String>,
@@ -54,6 +59,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for text in &arguments.seed_frames {
         let (clip, count) = read_seed_frames(text)?;
         clips.push((clip, Some(count)));
+    }
+    if arguments.first_bones {
+        let first = clips[0].0.clone();
+        for (clip, _) in &mut clips {
+            *clip = with_bones_of(clip, &first)?;
+        }
     }
     let split = match (&arguments.parts, arguments.model) {
         (Some(split), _) => split,
