@@ -1,5 +1,6 @@
 // What the page knows, in one place: makes the stores and gives each those that it needs.
 import { ClipsStore } from "../clips/clips-store";
+import { HealthStore } from "../couplings/health-store";
 import { ModelStore } from "../couplings/model-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
@@ -20,6 +21,7 @@ export class App {
   readonly stage: StageStore;
   readonly clips: ClipsStore;
   readonly model: ModelStore;
+  readonly health: HealthStore;
   readonly pointing: PointingStore;
   readonly training: TrainingStore;
 
@@ -45,6 +47,7 @@ export class App {
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+    this.health = new HealthStore(this.engine, this.model);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
   }

@@ -44,10 +44,11 @@ impl Clip {
                 column += 1;
             }
         }
-        clip.warnings.push(format!(
-            "The bones are those of {}; the way of the root is scaled by {scale:.3}",
-            other.name
-        ));
+        // Rounded here: to write a number with so many digits takes code that nothing else on the page needs.
+        let rounded = (1000.0 * scale).round() / 1000.0;
+        let first = &other.name;
+        clip.warnings
+            .push(format!("The bones are those of {first}; the way of the root is scaled by {rounded}"));
         Ok(clip)
     }
 
