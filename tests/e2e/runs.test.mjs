@@ -228,7 +228,7 @@ describe("several trainings", () => {
 
 describe("the table of trainings", () => {
   it("keeps a training under other settings beside the first, tells what differs, and can be cleared", async () => {
-    const { page, problems, leave } = await visit(2, "iterations=10&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=1&iterations=10&fps=15");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
     await trainIsBack(page);

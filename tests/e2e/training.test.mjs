@@ -40,7 +40,7 @@ async function watchIterations(/** @type {Page} */ page) {
 
 describe("training", () => {
   it("shows progress and ends with another model", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=400&fps=20&dynamics=14" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=400&fps=20&dynamics=14" });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
@@ -60,7 +60,7 @@ describe("training", () => {
   });
 
   it("does not block the page, and keeps the best so far when it is cancelled", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=5000&dynamics=24&poses=24" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=5000&dynamics=24&poses=24" });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
@@ -81,7 +81,7 @@ describe("training", () => {
 
 describe("own files", () => {
   it("trains on the frames of a dropped clip that were chosen", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=10&fps=15" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
     await ready(page);
     const text = bvh();
     await drop(page, { "mine.bvh": text });
@@ -127,7 +127,7 @@ describe("own files", () => {
   });
 
   it("opens a model that was saved: it moves as it did", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=8&fps=15" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=8&fps=15" });
     await ready(page);
     const [first, firstMotion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
     assert.match(first.name, /\.json$/);

@@ -48,7 +48,7 @@ export function endOfMotion({ model }: Pick<Run, "model">): string {
   if (!health || health.state === "not finite") return "breaks down";
   if (health.state === "rests as recorded") return "rests as recorded";
   const from = health.from === null ? "" : ` from ${health.from.toFixed(1)} s`;
-  return health.state === "stands still" ? `stands still${from}` : `far from its clips${from}`;
+  return health.state === "stands still" ? `stands still${from}` : `gets far from its clips${from}`;
 }
 
 /** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */

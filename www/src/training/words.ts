@@ -41,5 +41,5 @@ function whyShown(best: Run, runs: readonly Run[]): string {
   const higher = runs.find((run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best));
   const ends = higher ? endOfMotion(higher) : "";
   if (!higher || !ends) return "";
-  return `: it keeps moving, while seed ${higher.settings.seed}, of a higher bound, ${ends === "breaks down" ? ends : ends.replace(/^far/, "gets far")}`;
+  return `: it ${endOfMotion(best) || "keeps moving"}, while seed ${higher.settings.seed}, of a higher bound, ${ends}`;
 }

@@ -12,8 +12,8 @@ use std::time::Instant;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source, TrainedModel,
-    with_bones_of,
+    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source,
+    TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let settings = arguments.options.settings(kind)?;
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
-    let dataset = Dataset::new(&sources, &parts, arguments.fps)?;
+    let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
     let sequences = dataset.sequences.iter().zip(&sources);
     let sequences = sequences
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
@@ -127,6 +127,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             "reason": reason,
         }),
     })
+}
+
+/// The reason, and what helps where only the bones differ.
+fn with_hint(reason: DatasetError) -> Box<dyn Error> {
+    match &reason {
+        DatasetError::Body { reason: body, .. } if body.is_of_bones() => {
+            format!("{reason}; --first-bones gives all clips the bones of the first").into()
+        }
+        _ => reason.into(),
+    }
 }
 
 /// Writes where the training of a variational model starts, as the input of a case.
