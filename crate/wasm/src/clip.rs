@@ -87,6 +87,7 @@ impl Clip {
     }
 
     /// The clip's name.
+    #[cfg(feature = "comparison")]
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {
         self.clip.name.clone()
@@ -115,6 +116,7 @@ impl Clip {
     }
 
     /// The clip at about another frame rate.
+    #[cfg(feature = "comparison")]
     pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
@@ -164,6 +166,7 @@ impl TrainingSet {
     }
 
     /// How many clips there are.
+    #[cfg(feature = "comparison")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.clips.len()

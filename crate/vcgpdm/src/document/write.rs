@@ -52,7 +52,9 @@ fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
         ("frames".to_owned(), Value::whole(info.frames)),
     ];
     // Absent otherwise, so that documents of before keep their hash when they are written again.
-    fields.extend(info.rests_from.map(|seconds| ("rests_from".to_owned(), Value::Number(seconds))));
+    if let Some(seconds) = info.rests_from {
+        fields.push(("rests_from".to_owned(), Value::Number(seconds)));
+    }
     fields
 }
 

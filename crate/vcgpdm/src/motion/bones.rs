@@ -56,12 +56,14 @@ impl Clip {
     fn root_height(&self, bones: &Skeleton) -> f64 {
         let up = self.up_axis().to_y_up();
         let offsets: Vec<Vector3<f64>> = bones.joints.iter().map(|joint| joint.offset.into()).collect();
-        let heights = (0..self.frames()).map(|frame| {
-            let places = bones.forward_kinematics(&self.local_pose(frame).rotations, &offsets).positions;
+        let mut sum = 0.0;
+        for frame in 0..self.frames() {
+            let rotations = self.local_pose(frame).rotations;
+            let places = bones.forward_kinematics(&rotations, &offsets).positions;
             let height = |place: &Vector3<f64>| (up * place).y;
-            height(&places[0]) - places.iter().map(height).fold(f64::INFINITY, f64::min)
-        });
-        heights.sum::<f64>() / self.frames().max(1) as f64
+            sum += height(&places[0]) - places.iter().map(height).fold(f64::INFINITY, f64::min);
+        }
+        sum / self.frames().max(1) as f64
     }
 }
 
