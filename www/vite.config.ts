@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { leanThree } from "./lean-three";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
@@ -30,6 +31,7 @@ const output = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
+  plugins: [leanThree()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },
