@@ -1,6 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
-import { leanThree } from "./lean-three";
+import { leanThree } from "./lean-three.ts";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
@@ -13,7 +13,7 @@ const LATER: [folder: string, of: RegExp][] = [
   // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training.
   [
     "assets/when-asked",
-    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
+    /\/src\/(live\/.*|terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
   ],
 ];
 const folderOf = (files: readonly string[]) => {
