@@ -2,11 +2,12 @@
 import { html, svg } from "lit";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { short, weight } from "../ui/format";
+import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import { type Body, bodyOf, bowPath, HEIGHT, loopPath, NODE, WIDTH } from "./body-layout";
 import type { ModelStore } from "./model-store";
+import { shareWord } from "./shares";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
@@ -100,7 +101,7 @@ export class BodyMap extends View {
       <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${swatchStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
         @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetCoupling(source, target)}>
-        <title>${name(source)} to ${name(target)}: weight ${weight(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
+        <title>${name(source)} to ${name(target)}: weight ${shareWord(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
           markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" fill=${colour} /></marker>
         <path class="grip" d=${path} />

@@ -27,6 +27,12 @@ export interface Marks {
   frames: Float64Array;
 }
 
+/** One of several motions of the model's body side by side. */
+export interface StageColumn {
+  title: string;
+  motion: Motion;
+}
+
 export class StageStore extends Store {
   readonly #playback: Playback;
   /** The clip in front; null: the model is seen. */
@@ -36,6 +42,7 @@ export class StageStore extends Store {
   #live: Shown | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
+  #columns: readonly StageColumn[] | null = null;
 
   constructor(playback: Playback) {
     super();
@@ -58,6 +65,11 @@ export class StageStore extends Store {
 
   get marks(): Marks | null {
     return this.#marks;
+  }
+
+  /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
+  get columns(): readonly StageColumn[] | null {
+    return this.#clip || this.#marks ? null : this.#columns;
   }
 
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
@@ -104,6 +116,12 @@ export class StageStore extends Store {
   setGhost(ghost: Motion | null): void {
     if (ghost === this.#ghost) return;
     this.#ghost = ghost;
+    this.changed();
+  }
+
+  setColumns(columns: readonly StageColumn[] | null): void {
+    if (columns === this.#columns) return;
+    this.#columns = columns;
     this.changed();
   }
 

@@ -281,6 +281,6 @@ function placed(marked: Float32Array, pose: Float32Array): Float32Array {
 }
 
 /** Whether a figure made for one can show the other. */
-function sameBody(a: Shown, b: Shown): boolean {
+export function sameBody(a: Shown, b: Shown): boolean {
   return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }
