@@ -4,6 +4,7 @@ import { ModelStore } from "../couplings/model-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import { PointingStore } from "../latents/pointing-store";
+import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -21,6 +22,7 @@ export class App {
   readonly clips: ClipsStore;
   readonly model: ModelStore;
   readonly pointing: PointingStore;
+  readonly predictions: PredictionsStore;
   readonly training: TrainingStore;
 
   readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
@@ -46,6 +48,7 @@ export class App {
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
+    this.predictions = new PredictionsStore(this.engine, this.model);
     this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
   }
 

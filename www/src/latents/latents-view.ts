@@ -11,10 +11,12 @@ import type { Layers } from "./latent-plot";
 import "./latent-plot";
 import "./latents.css";
 import type { PointingStore } from "./pointing-store";
+import type { PredictionsStore } from "./predictions-store";
 
 export class LatentsView extends View {
   declare model: ModelStore;
   declare pointing: PointingStore;
+  declare predictions: PredictionsStore;
   declare settings: SettingsStore;
   declare engine: EngineStore;
   declare stage: StageStore;
@@ -28,7 +30,7 @@ export class LatentsView extends View {
   }
 
   protected override stores() {
-    return [this.model, this.settings, this.engine];
+    return [this.model, this.predictions, this.settings, this.engine];
   }
 
   private toggle(kind: keyof Layers) {
@@ -38,7 +40,7 @@ export class LatentsView extends View {
   }
 
   protected override render() {
-    const { model, pointing, settings, stage, playback } = this;
+    const { model, pointing, predictions, settings, stage, playback } = this;
     const parts = model.model?.info.parts ?? [];
     const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
@@ -63,11 +65,11 @@ export class LatentsView extends View {
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
             ${parts.map(
               (_, part) => html`
-              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .settings=${settings}
-                .stage=${stage} .playback=${playback}></pg-latent-plot>`,
+              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .predictions=${predictions}
+                .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>`,
             )}
           </div>
-          <div class="marks" role="group" aria-label="Show inducing points">
+          <div class="marks" role="group" aria-label="Show in the plots">
             <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
             <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
@@ -80,6 +82,10 @@ export class LatentsView extends View {
                 : ""
             }
             <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
+            <button class="chip" aria-pressed=${predictions.shown ? "true" : "false"} @click=${() => predictions.show(!predictions.shown)}
+              title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
+              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
+            <pg-term of="product-of-experts" text="?" about="What do the predictions show?"></pg-term>
           </div>`
       }
     `;
