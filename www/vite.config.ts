@@ -9,10 +9,11 @@ const wasmPackage = (folder: string) =>
 const LATER: [folder: string, of: RegExp][] = [
   // The whole program and the views that need it, when they are opened.
   ["assets/on-demand", /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/],
-  // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training.
+  // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training,
+  // what may come.
   [
     "assets/when-asked",
-    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
+    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|latents\/outlook(-\w+)?|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
   ],
 ];
 const folderOf = (files: readonly string[]) => {

@@ -37,6 +37,12 @@ export class App {
     return new ExperimentStore(this.settings, await this.#whole.get());
   });
 
+  readonly #outlook = new Lazy(async () => {
+    const { OutlookStore, behindPath } = await import("../latents/outlook");
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());
+    return { store, behindPath };
+  });
+
   constructor(
     address: AddressBar,
     /** Whether another page shows this one in a frame: the stage, the latent plots and the couplings only. */
@@ -72,6 +78,13 @@ export class App {
       this.engine.fail(problem);
     }
   }
+
+  /** Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot be loaded. */
+  readonly openOutlook = () =>
+    this.#outlook.get().catch(() => {
+      this.notices.addError("This could not be loaded", "Try again when you are online.");
+      return null;
+    });
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {

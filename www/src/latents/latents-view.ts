@@ -7,9 +7,11 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import "../terms/term";
 import { View } from "../ui/view";
+import type { Behind } from "./latent-drawing";
 import type { Layers } from "./latent-plot";
 import "./latent-plot";
 import "./latents.css";
+import type { Outlook, OutlookStore } from "./outlook-store";
 import type { PointingStore } from "./pointing-store";
 import type { PredictionsStore } from "./predictions-store";
 
@@ -21,12 +23,17 @@ export class LatentsView extends View {
   declare engine: EngineStore;
   declare stage: StageStore;
   declare playback: Playback;
-  static override properties = { layers: { state: true } };
+  /** Loads what is behind "futures" and "uncertainty"; null where it cannot be loaded. */
+  declare openOutlook: () => Promise<{ store: OutlookStore; behindPath(store: OutlookStore): Behind | null } | null>;
+  static override properties = { layers: { state: true }, behind: { state: true } };
   declare layers: Layers;
+  declare behind: Behind | null;
+  private outlook: OutlookStore | null = null;
 
   constructor() {
     super();
     this.layers = { pose: true, dynamics: true, between: false };
+    this.behind = null;
   }
 
   protected override stores() {
@@ -37,6 +44,36 @@ export class LatentsView extends View {
     return () => {
       this.layers = { ...this.layers, [kind]: !this.layers[kind] };
     };
+  }
+
+  private async toggleOutlook(outlook: Outlook): Promise<void> {
+    const opened = await this.openOutlook();
+    if (!opened) return;
+    const { store, behindPath } = opened;
+    if (!this.outlook) {
+      this.outlook = store;
+      this.whenLeaving(
+        store.on(() => {
+          this.behind = behindPath(store);
+          this.requestUpdate();
+        }),
+      );
+      this.whenLeaving(() => {
+        this.outlook = null;
+      });
+    }
+    store.show(outlook, !store.isShown(outlook));
+  }
+
+  /** The chips of what may come. */
+  private outlookChips() {
+    const chip = (outlook: Outlook, title: string) => html`
+      <button class="chip" aria-pressed=${this.outlook?.isShown(outlook) ? "true" : "false"} title=${title}
+        @click=${() => void this.toggleOutlook(outlook)}>${outlook}</button>`;
+    return [
+      chip("futures", "Five motions that the model could make as well, drawn at random"),
+      chip("uncertainty", "Where the state is, as far as one Gaussian can say"),
+    ];
   }
 
   protected override render() {
@@ -65,7 +102,7 @@ export class LatentsView extends View {
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
             ${parts.map(
               (_, part) => html`
-              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .predictions=${predictions}
+              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .behind=${this.behind} .model=${model} .pointing=${pointing} .predictions=${predictions}
                 .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>`,
             )}
           </div>
@@ -86,7 +123,9 @@ export class LatentsView extends View {
               title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
             <pg-term of="product-of-experts" text="?" about="What do the predictions show?"></pg-term>
-          </div>`
+            ${this.outlookChips()}
+          </div>
+          ${this.outlook ? html`<pg-outlook .outlook=${this.outlook}></pg-outlook>` : ""}`
       }
     `;
   }

@@ -1,4 +1,4 @@
-// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost or marked poses.
+// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { Playback } from "./playback";
@@ -31,6 +31,7 @@ export class StageStore extends Store {
   #model: Shown | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
+  #futures: readonly Motion[] = [];
 
   constructor(playback: Playback) {
     super();
@@ -53,6 +54,11 @@ export class StageStore extends Store {
 
   get marks(): Marks | null {
     return this.#marks;
+  }
+
+  /** Other motions that the model could make, shown faintly with its own. */
+  get futures(): readonly Motion[] {
+    return this.#futures;
   }
 
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
@@ -82,6 +88,11 @@ export class StageStore extends Store {
   setGhost(ghost: Motion | null): void {
     if (ghost === this.#ghost) return;
     this.#ghost = ghost;
+    this.changed();
+  }
+
+  setFutures(futures: readonly Motion[]): void {
+    this.#futures = futures;
     this.changed();
   }
 

@@ -23,9 +23,6 @@ const PATH: usize = 90;
 fn main() {
     println!("### The model that the page opens with\n");
     print(&models::start());
-    if std::env::args().nth(1).is_some() {
-        return;
-    }
     for (title, model) in models::of_samples() {
         println!("### {title}\n");
         print(&model);
@@ -42,7 +39,7 @@ fn print(model: &Trained) {
     let futures: Vec<_> = DRAWS.map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();
     let paths = model.rollout(&request).unwrap().latents;
     println!(
-        "| part | frame | seconds | deviation of futures | of the Gaussian | ratio | means apart | outside | tails | timing |"
+        "| part | frame | seconds | deviation of futures | of the Gaussian | ratio | means apart | outside | out of time inside | outside |"
     );
     println!("{}|", "|---".repeat(10));
     for (part, spec) in model.body.layout.parts().iter().enumerate() {
@@ -52,18 +49,22 @@ fn print(model: &Trained) {
             let known = rms(covariance.diagonal().iter().copied());
             let shift = (&seen.mean - &mean).component_div(&covariance.diagonal().map(f64::sqrt));
             let apart = rms(shift.iter().map(|apart| apart * apart));
-            let path = &paths[part];
+            let region = seen.region(&mean, covariance, &paths[part], t);
             println!(
-                "| {} | {t} | {:.2} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {:.0} % | {:.2} | {:.1} |",
+                "| {} | {t} | {:.2} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {} | {} | {} |",
                 spec.name,
                 t as f64 * model.body.frame_time,
                 seen.deviation,
                 seen.deviation / known,
-                100.0 * seen.share_outside(&mean, covariance),
-                seen.tails(),
-                seen.timing(path, t),
+                percent(region.outside, seen.count()),
+                percent(region.out_of_time_inside, seen.count() - region.outside),
+                percent(region.out_of_time_outside, region.outside),
             );
         }
     }
     println!();
+}
+
+fn percent(count: usize, of: usize) -> String {
+    if of == 0 { "-".to_owned() } else { format!("{:.0} %", 100.0 * count as f64 / of as f64) }
 }

@@ -5,62 +5,71 @@ use nalgebra::{DMatrix, DVector};
 /// Of the squared length of three independent standard Gaussian numbers, 95 % are smaller.
 const WITHIN_3: f64 = 7.815;
 
-/// A future may be early or late by so many frames: less than half a lap of a walk at 30 frames a second.
-const FRAMES_APART: usize = 15;
+/// How early or late a point can be, in frames: less than half a lap of a walk at 30 frames a second.
+const FARTHEST: usize = 16;
+
+/// So many frames early or late is out of time: an eighth of a second.
+const OUT_OF_TIME: usize = 4;
 
 /// Points of one latent space.
 pub struct Cloud {
     points: Vec<DVector<f64>>,
     pub mean: DVector<f64>,
-    covariance: DMatrix<f64>,
     /// Root mean square deviation from the mean, over all dimensions.
     pub deviation: f64,
 }
 
+/// How many points are outside the region that holds 95 % of a Gaussian, and how many are out of time.
+pub struct Region {
+    pub outside: usize,
+    pub out_of_time_inside: usize,
+    pub out_of_time_outside: usize,
+}
+
 impl Cloud {
     pub fn of(points: Vec<DVector<f64>>) -> Self {
-        let (count, width) = (points.len() as f64, points[0].len());
+        let count = points.len() as f64;
         let mean = points.iter().sum::<DVector<f64>>() / count;
-        let mut covariance = DMatrix::zeros(width, width);
-        for apart in points.iter().map(|x| x - &mean) {
-            covariance += &apart * apart.transpose() / (count - 1.0);
-        }
-        let deviation = rms(covariance.diagonal().iter().copied());
-        Self { points, mean, covariance, deviation }
+        let squares: f64 = points.iter().map(|x| (x - &mean).norm_squared()).sum();
+        let deviation = (squares / (count - 1.0) / mean.len() as f64).sqrt();
+        Self { points, mean, deviation }
     }
 
-    /// The share of the points outside the region that holds 95 % of a Gaussian of three dimensions.
-    pub fn share_outside(&self, mean: &DVector<f64>, covariance: &DMatrix<f64>) -> f64 {
+    pub fn count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The region is that of three latent dimensions; a point is early or late beside frame `t` of the path [frames x Q].
+    pub fn region(
+        &self,
+        mean: &DVector<f64>,
+        covariance: &DMatrix<f64>,
+        path: &DMatrix<f64>,
+        t: usize,
+    ) -> Region {
         assert_eq!(mean.len(), 3, "the region is that of three dimensions");
-        let outside = distances(&self.points, mean, covariance).into_iter().filter(|d| *d > WITHIN_3);
-        outside.count() as f64 / self.points.len() as f64
-    }
-
-    /// The mean fourth power of the distance from the mean, in deviations, as a multiple of a Gaussian's: above 1 a few points are
-    /// far out, below 1 the points lie around an empty middle.
-    pub fn tails(&self) -> f64 {
-        let width = self.mean.len() as f64;
-        let squares = distances(&self.points, &self.mean, &self.covariance);
-        squares.iter().map(|d| d * d).sum::<f64>() / self.points.len() as f64 / (width * (width + 2.0))
-    }
-
-    /// How far the points are early or late, in frames: root mean square of the frames from `t` to the frame of the nearest point
-    /// of a path [frames x Q].
-    pub fn timing(&self, path: &DMatrix<f64>, t: usize) -> f64 {
-        let frames = t.saturating_sub(FRAMES_APART)..=(t + FRAMES_APART).min(path.nrows() - 1);
-        let lag = |x: &DVector<f64>| {
-            let distance = |frame: usize| (path.row(frame).transpose() - x).norm_squared();
-            let nearest = frames.clone().min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-            nearest.map_or(0.0, |nearest| nearest as f64 - t as f64)
-        };
-        rms(self.points.iter().map(|x| lag(x).powi(2)))
+        let factor = covariance.clone().cholesky().unwrap();
+        let mut region = Region { outside: 0, out_of_time_inside: 0, out_of_time_outside: 0 };
+        for x in &self.points {
+            let apart = x - mean;
+            let is_outside = apart.dot(&factor.solve(&apart)) > WITHIN_3;
+            let out_of_time = usize::from(nearest(x, path, t).abs_diff(t) >= OUT_OF_TIME);
+            if is_outside {
+                region.outside += 1;
+                region.out_of_time_outside += out_of_time;
+            } else {
+                region.out_of_time_inside += out_of_time;
+            }
+        }
+        region
     }
 }
 
-/// Squared distance of each point from the mean, in deviations.
-fn distances(points: &[DVector<f64>], mean: &DVector<f64>, covariance: &DMatrix<f64>) -> Vec<f64> {
-    let factor = covariance.clone().cholesky().unwrap();
-    points.iter().map(|x| (x - mean).dot(&factor.solve(&(x - mean)))).collect()
+/// The frame around `t` in which a path [frames x Q] comes nearest to a point.
+fn nearest(x: &DVector<f64>, path: &DMatrix<f64>, t: usize) -> usize {
+    let distance = |frame: usize| (path.row(frame).transpose() - x).norm_squared();
+    let frames = t.saturating_sub(FARTHEST)..path.nrows().min(t + FARTHEST + 1);
+    frames.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or(t)
 }
 
 /// The root of the mean of squares.
