@@ -1,4 +1,4 @@
-// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost or marked poses.
+// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { LiveTrack } from "../scene/live-track";
@@ -43,6 +43,7 @@ export class StageStore extends Store {
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
+  #futures: readonly Motion[] = [];
 
   constructor(playback: Playback) {
     super();
@@ -70,6 +71,11 @@ export class StageStore extends Store {
   /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
   get columns(): readonly StageColumn[] | null {
     return this.#clip || this.#marks ? null : this.#columns;
+  }
+
+  /** Other motions that the model could make, shown faintly with its own. */
+  get futures(): readonly Motion[] {
+    return this.#futures;
   }
 
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
@@ -122,6 +128,11 @@ export class StageStore extends Store {
   setColumns(columns: readonly StageColumn[] | null): void {
     if (columns === this.#columns) return;
     this.#columns = columns;
+    this.changed();
+  }
+
+  setFutures(futures: readonly Motion[]): void {
+    this.#futures = futures;
     this.changed();
   }
 
