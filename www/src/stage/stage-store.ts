@@ -40,6 +40,7 @@ export class StageStore extends Store {
   #model: Shown | null = null;
   /** The live motion in front of the model's clip. */
   #live: Shown | null = null;
+  #track: LiveTrack | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
@@ -57,6 +58,11 @@ export class StageStore extends Store {
   /** The key of the clip that is shown; null: the model is seen. */
   get clip(): string | null {
     return this.#clip?.clip ?? null;
+  }
+
+  /** The live motion that is shown; null: something else is. */
+  get live(): LiveTrack | null {
+    return this.shown?.live ? this.#track : null;
   }
 
   /** The motion as learned, beside the model's under other couplings. */
@@ -90,6 +96,7 @@ export class StageStore extends Store {
   showLive(track: LiveTrack): void {
     if (!this.#model) return;
     this.#clip = null;
+    this.#track = track;
     this.#live = { ...this.#model, motion: track.motion, live: true };
     this.#playback.follow(track);
     this.changed();
