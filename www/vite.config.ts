@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { leanThree } from "./lean-three.ts";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
@@ -12,7 +13,7 @@ const LATER: [folder: string, of: RegExp][] = [
   // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training, two figures.
   [
     "assets/when-asked",
-    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim)|scene\/columns|stage\/columns-view)\.(ts|css)$|\/uplot\//,
+    /\/src\/(live\/.*|terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|training\/runs-table|clips\/(parts-editor|trim-view|trim)|scene\/columns|stage\/columns-view)\.(ts|css)$|\/uplot\//,
   ],
 ];
 const folderOf = (files: readonly string[]) => {
@@ -30,6 +31,7 @@ const output = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
+  plugins: [leanThree()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },

@@ -29,6 +29,11 @@ export class App {
 
   readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
 
+  readonly live = new Lazy(async () => {
+    const { LiveStore } = await import("../live/live-store");
+    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+  });
+
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
     return new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());

@@ -143,6 +143,13 @@ export class ModelStore extends Store {
     return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
   }
 
+  /** The coupling from one part to another that counts most now; null where there is but one part. */
+  strongestBetween(): { source: number; target: number } | null {
+    const parts = this.#model?.info.parts.map((_, part) => part) ?? [];
+    const pairs = parts.flatMap((source) => parts.flatMap((target) => (source === target ? [] : [{ source, target }])));
+    return pairs.sort((a, b) => this.weight(b.source, b.target) - this.weight(a.source, a.target))[0] ?? null;
+  }
+
   /** What to ask the engine for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
     const { frames, reading, start } = this.#settings.values;

@@ -1,6 +1,7 @@
 // What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
+import type { LiveTrack } from "../scene/live-track";
 import type { Playback } from "./playback";
 
 /** What the stage plays. */
@@ -14,6 +15,8 @@ export interface Shown {
   motion: Motion;
   /** The key of the clip, when it is one. */
   clip?: string;
+  /** Whether the model's motion goes on arriving. */
+  live?: boolean;
 }
 
 /** What an inducing point stands for. */
@@ -35,6 +38,8 @@ export class StageStore extends Store {
   /** The clip in front; null: the model is seen. */
   #clip: Shown | null = null;
   #model: Shown | null = null;
+  /** The live motion in front of the model's clip. */
+  #live: Shown | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
@@ -45,7 +50,7 @@ export class StageStore extends Store {
   }
 
   get shown(): Shown | null {
-    return this.#clip ?? this.#model;
+    return this.#clip ?? this.#live ?? this.#model;
   }
 
   /** The key of the clip that is shown; null: the model is seen. */
@@ -71,7 +76,24 @@ export class StageStore extends Store {
   showModel(shown: Shown): void {
     const before = this.#model;
     this.#model = shown;
-    if (!this.#clip) this.#play(shown, before !== null);
+    if (!this.#clip && !this.#live) this.#play(shown, before !== null);
+    this.changed();
+  }
+
+  /** Shows a live motion in front of the model's; its frames go on arriving. */
+  showLive(track: LiveTrack): void {
+    if (!this.#model) return;
+    this.#clip = null;
+    this.#live = { ...this.#model, motion: track.motion, live: true };
+    this.#playback.follow(track);
+    this.changed();
+  }
+
+  /** Takes the live motion away; the model's clip plays from where the figure stands. */
+  endLive(): void {
+    if (!this.#live) return;
+    this.#live = null;
+    if (!this.#clip && this.#model) this.#play(this.#model, true);
     this.changed();
   }
 

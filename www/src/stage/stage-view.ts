@@ -15,7 +15,8 @@ export class StageView extends View {
   declare playback: Playback;
   /** Whether time goes on here. */
   declare running: boolean;
-  private scene: Stage | null = null;
+  /** Null where there is no WebGL. */
+  scene: Stage | null = null;
   private problem = "";
 
   protected override stores() {
