@@ -69,7 +69,7 @@ export class StageStore extends Store {
 
   /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
   get columns(): readonly StageColumn[] | null {
-    return this.#clip || this.#marks ? null : this.#columns;
+    return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
 
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
