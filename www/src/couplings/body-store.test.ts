@@ -35,7 +35,9 @@ it("measures 20 seconds of the motion, without the first 5, beside the motion as
   expect(asked.mock.calls).toEqual([[{ frames: 600, sequence: 0, alpha: null, reading: "as learned" }, 150]]);
   expect([body.reports?.now, body.isCurrent]).toEqual([body.reports?.learned, true]);
   model.setCoupling(0, 1, 8);
+  expect(body.isCurrent).toBe(false);
   await pause();
+  expect(body.isCurrent).toBe(true);
   expect(body.reports?.now.request.alpha?.[0]?.[1]).toBe(8);
   // That of the motion as learned is known already.
   expect(asked).toHaveBeenCalledTimes(2);

@@ -32,7 +32,8 @@ export class BodyStore extends Store {
   #learned: BodyReport | null = null;
   /** The motion that was measured, or is being measured. */
   #asked: RolloutResult | null = null;
-  #isCurrent = false;
+  /** The motion of the last measures. */
+  #measured: RolloutResult | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(engine: EngineStore, model: ModelStore) {
@@ -60,9 +61,10 @@ export class BodyStore extends Store {
     return this.#reports;
   }
 
-  /** Whether they are those of the motion now. */
+  /** Whether they are those of the motion under the couplings now, which may not be there yet. */
   get isCurrent(): boolean {
-    return this.#isCurrent;
+    const { rollout } = this.#model;
+    return rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest());
   }
 
   #isOf(report: BodyReport | null, { sequence, frames }: RolloutRequest): report is BodyReport {
@@ -76,7 +78,6 @@ export class BodyStore extends Store {
     const { rollout } = this.#model;
     if (rollout === this.#asked) return;
     this.#asked = rollout;
-    this.#isCurrent = false;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#ask(), PAUSE);
     this.changed();
@@ -94,8 +95,11 @@ export class BodyStore extends Store {
   #take(reports: BodyReports | null, { rollout }: Question): void {
     if (!reports || reports.now.revision !== this.#model.model?.revision) return;
     this.#reports = reports;
-    // Another motion may have come meanwhile; its turn is next.
-    this.#isCurrent = rollout === this.#model.rollout;
+    this.#measured = rollout;
     this.changed();
   }
+}
+
+function same(a: RolloutRequest, b: RolloutRequest): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }

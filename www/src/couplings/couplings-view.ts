@@ -74,11 +74,8 @@ export class CouplingsView extends View {
       <table class="couplings" data-parts=${parts.length}>
         <thead>
           <tr>
-            <td></td>
-            ${parts.map(
-              ({ name }, target) =>
-                html`<th scope="col"><small>who decides where</small> ${head(name, target)} <small class="tail">goes next</small></th>`,
-            )}
+            <td><small>who decides</small></td>
+            ${parts.map(({ name }, target) => html`<th scope="col"><small>about</small> ${head(name, target)}</th>`)}
           </tr>
           ${
             parts.length > 1
@@ -118,7 +115,7 @@ export class CouplingsView extends View {
       <header class="panel-head">
         <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
         <p class="hint">Which <pg-term of="part" text="part"></pg-term> decides about which. Right is strong: small
-          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>. Drag a slider, or a border in a bar.</p>
+          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
         ${info ? this.starts(info) : nothing}
       </header>
       ${

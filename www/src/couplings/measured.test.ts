@@ -29,7 +29,7 @@ describe("what was measured", () => {
 
   it("says of which part the pace is another, and that they fall out of step", () => {
     const { parts, step } = of(report([{ locking: 0.1 }, { swing: 0.16, period: 1.3, locking: 0.1 }]));
-    expect(parts[1]?.words).toBe("swings 0.80 × as far, slower (1.3 s, not 1.0 s)");
+    expect(parts[1]?.words).toBe("swings 0.80 × as far, slower (1.30 s, not 1.00 s)");
     expect([parts[0]?.words, step]).toEqual(["swings 1.00 × as far", "hands and feet out of step"]);
   });
 

@@ -1,6 +1,5 @@
 // What the body was measured to do, in plain words, beside what it does as learned.
 import type { BodyReport, Health } from "../engine/protocol";
-import { short } from "../ui/format";
 
 export interface MeasuredWords {
   /** What the hands and feet of each part do. */
@@ -48,7 +47,7 @@ function swingWords(is: number, was: number): string {
 
 function paceWords({ period: is }: Limbs, { period: was }: Limbs): string {
   if (is === null || was === null || Math.abs(is / was - 1) < SAME_PACE) return "";
-  return `${is > was ? "slower" : "faster"} (${short(is)} s, not ${short(was)} s)`;
+  return `${is > was ? "slower" : "faster"} (${is.toFixed(2)} s, not ${was.toFixed(2)} s)`;
 }
 
 function stepWord({ locking }: Limbs): string {

@@ -8,7 +8,11 @@ import { swatchStyle, View } from "../ui/view";
 import type { BodyStore } from "./body-store";
 import { measuredWords } from "./measured";
 import type { ModelStore } from "./model-store";
+import { START_PRESETS } from "./presets";
 import "./presets-view.css";
+
+/** More presets than those of the first model go into one row that scrolls. */
+const ONE_ROW = START_PRESETS.length;
 
 export class PresetsView extends View {
   declare model: ModelStore;
@@ -53,7 +57,7 @@ export class PresetsView extends View {
     const { model } = this;
     if (model.presets.length === 0) return nothing;
     return html`
-      <div class="presets" role="group" aria-label="Presets">${this.buttons()}</div>
+      <div class="presets" role="group" aria-label="Presets" ?data-many=${model.presets.length > ONE_ROW}>${this.buttons()}</div>
       <div class="effect">
         <p data-testid="preset-sentence">${model.preset?.sentence ?? ownWords(this.settings.values.reading)}</p>
         ${this.measured()}

@@ -2,6 +2,7 @@ import { beforeEach, expect, it } from "vitest";
 import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
 import { EngineStore } from "../engine/engine-store";
 import { FakeAddressBar } from "../settings/address.fake";
+import { LiveTrack } from "../scene/live-track";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
@@ -81,6 +82,14 @@ it("is off again when it is asked to be, and while a clip is in front", async ()
   model.setCoupling(0, 1, 9);
   await settled();
   expect(stage.columns).toBeNull();
+});
+
+it("makes room for a live motion, and ends one when it is asked for", async () => {
+  readings.show(true);
+  stage.showLive(new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 60));
+  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  readings.show(true);
+  expect([stage.shown?.live, titles()?.length]).toEqual([undefined, 2]);
 });
 
 it("leaves the one figure where the other reading fails", async () => {

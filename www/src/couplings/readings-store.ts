@@ -29,6 +29,10 @@ export class ReadingsStore extends Store {
       () => this.show(false),
     );
     model.on(() => this.#follow());
+    stage.on(() => {
+      // A live motion has a clock of its own.
+      if (this.#isBeside && stage.shown?.live) this.show(false);
+    });
   }
 
   /** Whether two figures are asked for. */
@@ -41,6 +45,7 @@ export class ReadingsStore extends Store {
     this.#asked = null;
     if (beside) {
       this.#stage.endClip();
+      this.#stage.endLive();
       this.#follow();
     } else {
       this.#latest.drop();

@@ -16,7 +16,7 @@ const WORDS: Record<Reading, string> = {
 
 /** What docs/couplings.md found. */
 const BESIDE =
-  "Training made the experts as a team: only their weighted sum had to be right. Left: one that stands alone moves as that left it. Right: as if it had always stood alone.";
+  "Left: training made the experts as a team, and one left alone does only its share. Right: as the same clips teach one that was always alone.";
 
 export class ReadingsView extends View {
   declare model: ModelStore;

@@ -40,6 +40,12 @@ async function pass(seconds: number): Promise<void> {
 }
 
 describe("a live rollout", () => {
+  it("ends when something else takes the stage", async () => {
+    await live.start();
+    stage.endLive();
+    expect(live.running).toBe(false);
+  });
+
   it("begins where the figure stands, plays on without an end, and gives the clip back", async () => {
     playback.scrub(40);
     await live.start();

@@ -70,7 +70,8 @@ export class LiveStore extends Store {
     playback.on(() => void this.#fill());
     model.on(() => this.#followCouplings());
     stage.on(() => {
-      if (stage.clip !== null) this.stop();
+      // A clip is in front, or both readings are asked for.
+      if (!stage.shown?.live) this.stop();
     });
   }
 

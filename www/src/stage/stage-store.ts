@@ -76,7 +76,7 @@ export class StageStore extends Store {
 
   /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
   get columns(): readonly StageColumn[] | null {
-    return this.#clip || this.#marks ? null : this.#columns;
+    return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
 
   /** Other motions that the model could make, shown faintly with its own. */
