@@ -1,10 +1,12 @@
 // What the page knows, in one place: makes the stores and gives each those that it needs.
 import { ClipsStore } from "../clips/clips-store";
-import { HealthStore } from "../couplings/health-store";
+import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
+import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import { PointingStore } from "../latents/pointing-store";
+import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -21,11 +23,18 @@ export class App {
   readonly stage: StageStore;
   readonly clips: ClipsStore;
   readonly model: ModelStore;
-  readonly health: HealthStore;
+  readonly body: BodyStore;
+  readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
+  readonly predictions: PredictionsStore;
   readonly training: TrainingStore;
 
   readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
+
+  readonly live = new Lazy(async () => {
+    const { LiveStore } = await import("../live/live-store");
+    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+  });
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
@@ -35,6 +44,12 @@ export class App {
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");
     return new ExperimentStore(this.settings, await this.#whole.get());
+  });
+
+  readonly #outlook = new Lazy(async () => {
+    const { OutlookStore, behindPath } = await import("../latents/outlook");
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());
+    return { store, behindPath };
   });
 
   constructor(
@@ -47,8 +62,10 @@ export class App {
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
-    this.health = new HealthStore(this.engine, this.model);
+    this.body = new BodyStore(this.engine, this.model);
+    this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
+    this.predictions = new PredictionsStore(this.engine, this.model);
     this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
   }
 
@@ -63,7 +80,7 @@ export class App {
     text.catch(() => {});
     await this.engine.start(startEngine, async () => {
       const first = await text;
-      if (first !== null) await this.model.open(first, { couplings: "link", clip: false });
+      if (first !== null) await this.model.openStart(first);
     });
     if (this.engine.state !== "ready") return;
     try {
@@ -72,6 +89,13 @@ export class App {
       this.engine.fail(problem);
     }
   }
+
+  /** Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot be loaded. */
+  readonly openOutlook = () =>
+    this.#outlook.get().catch(() => {
+      this.notices.addError("This could not be loaded", "Try again when you are online.");
+      return null;
+    });
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {

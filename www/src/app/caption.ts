@@ -26,6 +26,8 @@ export function wordsNow(app: App): StageWords {
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
     altered: model.altered,
+    preset: model.preset,
+    beside: stage.columns !== null,
     learning: run && { iteration: run.steps.at(-1)?.iteration ?? null, seed: several ? run.settings.seed : null },
   });
 }
@@ -52,14 +54,17 @@ export class CaptionView extends View {
   declare app: App;
 
   protected override stores() {
-    return [...wordStores(this.app), this.app.health];
+    return [...wordStores(this.app), this.app.body];
   }
 
   /** Where the motion on the stage is none any more: that it is so, and what helps. */
   private healthNotice() {
-    const { stage, model, training, pointing, health, embedded } = this.app;
-    if (stage.shown?.kind !== "model" || training.learning || pointing.report) return nothing;
-    const words = healthWords(health.health, model.model?.info.parts ?? [], model.altered);
+    const { stage, model, training, pointing, body, embedded } = this.app;
+    const { shown } = stage;
+    if (shown?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
+      return nothing;
+    const seconds = shown.motion.frames * shown.motion.frameTime;
+    const words = healthWords(body.reports.now.health, { seconds, parts: shown.parts, altered: model.altered });
     if (!words) return nothing;
     const run = training.chosen;
     const points = run && training.morePoints(run);

@@ -1,4 +1,4 @@
-// The stage: figure, ghost and ground, seen by a camera that follows the walk.
+// The stage: figure, ghost, futures and ground, seen by a camera that follows the walk.
 import { Scene, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
@@ -17,6 +17,8 @@ const NEAR_HIGH = 5.6;
 /** In a low picture the words above the figure need more of it: the figure stands lower by this share of the height. */
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
+/** And a live one higher. */
+const HIGHER = 0.09;
 
 /** Pixels of the figure's shadow, each way. */
 const SHADOW = 1024;
@@ -29,6 +31,7 @@ export class Stage {
   private figure: FigureView | null = null;
   private ghost: FigureView | null = null;
   private marked: FigureView[] = [];
+  private futures: FigureView[] = [];
   /** What the figure, and the marked poses, were made for. */
   private figureOf: Shown | null = null;
   private markedOf: Marks | null = null;
@@ -38,7 +41,8 @@ export class Stage {
   /** Where the figure was when last drawn. */
   private readonly root = new Vector3();
   private placed = false;
-  private ghostPose = new Float32Array(0);
+  /** The pose of a figure that walks along with the one on the stage. */
+  private besidePose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
   constructor(
@@ -50,8 +54,9 @@ export class Stage {
       resized: (width, height) => {
         const { camera } = this.viewport;
         camera.aspect = width / height;
-        if (height < LOW_PICTURE) camera.setViewOffset(width, height, 0, -LOWER * height, width, height);
-        else camera.clearViewOffset();
+        // A strip chart covers the lower end of a live picture.
+        const lower = this.store.shown?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
+        camera.setViewOffset(width, height, 0, -lower * height, width, height);
       },
       recoloured: () => this.recolour(),
     });
@@ -94,8 +99,8 @@ export class Stage {
 
   /** Takes away all figures. */
   private clear(): void {
-    for (const figure of [this.figure, this.ghost, ...this.marked]) figure?.dispose();
-    [this.figure, this.ghost, this.marked] = [null, null, []];
+    for (const figure of [this.figure, this.ghost, ...this.marked, ...this.futures]) figure?.dispose();
+    [this.figure, this.ghost, this.marked, this.futures] = [null, null, [], []];
     [this.figureOf, this.markedOf] = [null, null];
   }
 
@@ -106,6 +111,7 @@ export class Stage {
     if (!shown) return;
     this.updateFigure(shown);
     this.updateGhost(shown);
+    this.updateFutures(shown);
     this.updateMarked(shown);
   }
 
@@ -113,6 +119,7 @@ export class Stage {
     const before = this.figureOf;
     if (before === shown) return;
     this.figureOf = shown;
+    if (before?.live !== shown.live) this.viewport.resize();
     if (!before || !sameBody(before, shown)) {
       this.clear();
       this.figureOf = shown;
@@ -126,12 +133,19 @@ export class Stage {
   }
 
   private updateGhost(shown: Shown): void {
-    if (shown.kind === "model" && this.store.ghost) {
+    if (shown.kind === "model" && !shown.live && this.store.ghost) {
       this.ghost ??= this.make(shown, { kind: "ghost" });
     } else {
       this.ghost?.dispose();
       this.ghost = null;
     }
+  }
+
+  private updateFutures(shown: Shown): void {
+    const count = shown.kind === "model" ? this.store.futures.length : 0;
+    for (const figure of this.futures.splice(count)) figure.dispose();
+    while (this.futures.length < count)
+      this.futures.push(this.make(shown, { kind: "future", index: this.futures.length }));
   }
 
   /** The poses that an inducing point stands for. */
@@ -179,6 +193,38 @@ export class Stage {
     this.placed = true;
   }
 
+  /** The node of the figure nearest to a place in the picture, within so many pixels; null where there is none. */
+  nodeAt(x: number, y: number, within: number): number | null {
+    const { pose } = this.playback;
+    if (!pose) return null;
+    const { width, height } = this.viewport.size;
+    let best: { node: number; away: number } | null = null;
+    for (let node = 0; node < pose.length / 3; node++) {
+      const seen = new Vector3().fromArray(pose, 3 * node).project(this.viewport.camera);
+      const away = Math.hypot(((seen.x + 1) / 2) * width - x, ((1 - seen.y) / 2) * height - y);
+      if (away < (best?.away ?? within)) best = { node, away };
+    }
+    return best?.node ?? null;
+  }
+
+  /** How far, in metres, a node moves in the plane of the picture when it is dragged by so many pixels. */
+  dragged(node: number, dx: number, dy: number): [number, number, number] {
+    const { camera, size } = this.viewport;
+    const { pose } = this.playback;
+    if (!pose) return [0, 0, 0];
+    const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
+    const moved = new Vector3(seen.x + (2 * dx) / size.width, seen.y - (2 * dy) / size.height, seen.z).unproject(
+      camera,
+    );
+    const by = moved.sub(new Vector3().fromArray(pose, 3 * node));
+    return [by.x, by.y, by.z];
+  }
+
+  /** Whether a drag turns the camera. */
+  set turns(on: boolean) {
+    this.viewport.controls.enableRotate = on;
+  }
+
   /** Draws when something changed. `seconds` since the last call. */
   draw(seconds: number): void {
     const { viewport } = this;
@@ -193,7 +239,8 @@ export class Stage {
 
   private poseAll(pose: Float32Array, seconds: number): void {
     this.figure?.pose(pose);
-    this.poseGhost(pose);
+    this.poseBeside(this.ghost, this.store.ghost, pose);
+    this.futures.forEach((figure, i) => this.poseBeside(figure, this.store.futures[i], pose));
     this.marked.forEach((figure, i) => {
       const marked = this.markedOf?.poses[i];
       if (marked) figure.pose(placed(marked.positions, pose));
@@ -209,13 +256,13 @@ export class Stage {
     renderer.shadowMap.needsUpdate = fineness === "plain" && drawn % 3 === 0;
   }
 
-  private poseGhost(pose: Float32Array): void {
-    const motion = this.store.ghost;
-    if (!this.ghost || !motion || motion.nodes * 3 !== pose.length) return;
-    if (this.ghostPose.length !== pose.length) this.ghostPose = new Float32Array(pose.length);
+  /** Poses a figure as its motion is now, laid onto the pose of the one on the stage. */
+  private poseBeside(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
+    if (!figure || !motion || motion.nodes * 3 !== pose.length) return;
+    if (this.besidePose.length !== pose.length) this.besidePose = new Float32Array(pose.length);
     const { frame } = this.playback;
-    poseAt(motion, frame, HERE, this.ghostPose);
-    this.ghost.pose(poseAt(motion, frame, placeOnto(this.ghostPose, pose), this.ghostPose));
+    poseAt(motion, frame, HERE, this.besidePose);
+    figure.pose(poseAt(motion, frame, placeOnto(this.besidePose, pose), this.besidePose));
   }
 
   /** Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it is stepped or scrubbed. */
@@ -245,6 +292,6 @@ function placed(marked: Float32Array, pose: Float32Array): Float32Array {
 }
 
 /** Whether a figure made for one can show the other. */
-function sameBody(a: Shown, b: Shown): boolean {
+export function sameBody(a: Shown, b: Shown): boolean {
   return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }
