@@ -6,6 +6,7 @@ import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import { PointingStore } from "../latents/pointing-store";
+import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -25,6 +26,7 @@ export class App {
   readonly body: BodyStore;
   readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
+  readonly predictions: PredictionsStore;
   readonly training: TrainingStore;
 
   readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
@@ -44,6 +46,12 @@ export class App {
     return new ExperimentStore(this.settings, await this.#whole.get());
   });
 
+  readonly #outlook = new Lazy(async () => {
+    const { OutlookStore, behindPath } = await import("../latents/outlook");
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());
+    return { store, behindPath };
+  });
+
   constructor(
     address: AddressBar,
     /** Whether another page shows this one in a frame: the stage, the latent plots and the couplings only. */
@@ -57,6 +65,7 @@ export class App {
     this.body = new BodyStore(this.engine, this.model);
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
+    this.predictions = new PredictionsStore(this.engine, this.model);
     this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
   }
 
@@ -80,6 +89,13 @@ export class App {
       this.engine.fail(problem);
     }
   }
+
+  /** Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot be loaded. */
+  readonly openOutlook = () =>
+    this.#outlook.get().catch(() => {
+      this.notices.addError("This could not be loaded", "Try again when you are online.");
+      return null;
+    });
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {

@@ -204,12 +204,25 @@ export class PageView extends View {
   }
 
   private panels() {
-    const { engine, settings, notices, playback, stage, clips, model, body, readings, pointing, training, embedded } =
-      this.app;
+    const {
+      engine,
+      settings,
+      notices,
+      playback,
+      stage,
+      clips,
+      model,
+      body,
+      readings,
+      pointing,
+      predictions,
+      training,
+      embedded,
+    } = this.app;
     const panel = (id: Tab) => (this.tab === id ? "panel active" : "panel");
     return html`
       <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces">
-        <pg-latents .model=${model} .pointing=${pointing} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
+        <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
       </section>
       <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
         <pg-couplings .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>

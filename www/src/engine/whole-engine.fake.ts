@@ -1,6 +1,6 @@
 // For tests: a whole program without wasm, whose workers do what the test says.
 import { type Hired, Pool } from "./pool";
-import type { TrainingClip, TrainingOutcome } from "./protocol";
+import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
 import type {
   ComparisonSettings,
@@ -12,6 +12,7 @@ import type {
   Job,
   ModelKind,
   Outcome,
+  PartMoments,
   Plan,
   ResultsView,
   Setting,
@@ -106,6 +107,7 @@ export class FakeProgram implements WholeProgram {
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
+  readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   /** The next calls for results fail with these, one after the other. */
   readonly failures: Error[] = [];
   /** Why plans are refused; empty when they are not. */
@@ -174,6 +176,7 @@ export class FakeProgram implements WholeProgram {
       evaluate: (job, report, signal) =>
         Promise.race([pending(this.evaluations, job, report), cancelled(signal).then(() => null)]),
       drawExperiment: (experiment) => pending(this.draws, experiment, () => {}),
+      moments: (text, request) => pending(this.moments, { text, request }, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([
           pending(this.trainings, experiment, report),

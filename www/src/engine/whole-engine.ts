@@ -11,7 +11,7 @@ type Remote<Call> = Call extends (...given: infer Given) => infer Answer
   ? (...given: Given) => Promise<Awaited<Answer>>
   : never;
 
-type Questions = "planComparison" | "addOutcome" | "openResults" | "drawExperiment";
+type Questions = "planComparison" | "addOutcome" | "openResults" | "drawExperiment" | "moments";
 
 /** What the page asks of a worker of the whole program. */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
@@ -53,6 +53,7 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
           () => remote.cancelEvaluation(),
           () => remote.evaluate(job, Comlink.proxy(report)),
         ),
+      moments: (text, request) => remote.moments(text, request),
       drawExperiment: (experiment) => remote.drawExperiment(experiment),
       trainExperiment: (experiment, report, signal) =>
         cancellable(

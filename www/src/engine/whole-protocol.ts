@@ -11,7 +11,7 @@ import type {
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
-import type { TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
+import type { RolloutRequest, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
   Candidate,
@@ -112,7 +112,21 @@ export interface ExperimentWorker {
   cancelExperiment(): void;
 }
 
+/** What is known of the latents of one part in each frame of a rollout, as a Gaussian. */
+export interface PartMoments {
+  /** [frames x Q] */
+  means: Float64Array;
+  /** [frames x Q x Q] */
+  covariances: Float64Array;
+}
+
+/** What a worker does for the uncertainty of a rollout. */
+export interface UncertaintyWorker {
+  /** Moment matching through time, for each part; `text` is the model's document. */
+  moments(text: string, request: RolloutRequest): PartMoments[];
+}
+
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends ComparisonWorker, ExperimentWorker {
+export interface WholeWorker extends ComparisonWorker, ExperimentWorker, UncertaintyWorker {
   start(wasm: WebAssembly.Module): Promise<unknown>;
 }

@@ -2,7 +2,15 @@
 import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
-import { project, type Projection, type Turn, turned } from "./projection";
+import { Plane, type PlotView } from "./plane";
+import {
+  drawPredictions,
+  drawStepBand,
+  type DrawnPredictions,
+  layOut,
+  type PredictionPicture,
+} from "./prediction-drawing";
+import { arrowHead } from "./shapes";
 
 /** Inducing points of a coupling from or to another part. */
 export interface Between {
@@ -11,12 +19,12 @@ export interface Between {
   colour: string;
 }
 
-export interface LatentPicture {
-  width: number;
-  height: number;
+/** Draws something behind the path of one part. */
+export type Behind = (draw: CanvasRenderingContext2D, plane: Plane, part: number, frame: number) => void;
+
+export interface LatentPicture extends PlotView {
   ratio: number;
-  projection: Projection;
-  turn: Turn;
+  part: number;
   colour: string;
   /** [frames x Q] */
   rollout: Float64Array;
@@ -36,34 +44,28 @@ export interface LatentPicture {
   report: InducingReport | null;
   /** Whether the report's frames are of this part. */
   lit: boolean;
+  /** What is predicted about this part; null where that is not shown. */
+  predicted: Pick<PredictionPicture, "report" | "weights"> | null;
+  behind: Behind | null;
 }
+
+/** Inducing points step back behind predictions. */
+const BESIDE_PREDICTIONS = 0.4;
 
 /** Frames over which the path behind the marker fades. */
 const TRAIL = 75;
 
-export class Plane {
-  private readonly at = new Float64Array(3);
-  private readonly scale: number;
-
-  constructor(private readonly picture: Pick<LatentPicture, "width" | "height" | "projection" | "turn">) {
-    this.scale = (0.43 * Math.min(picture.width, picture.height)) / picture.projection.reach;
-  }
-
-  /** Row `index` of points [n x Q] in pixels from the upper left, and how near it is (-1 to 1). */
-  place(points: Float64Array, index: number): [number, number, number] {
-    const { projection, turn, width, height } = this.picture;
-    const [right, up, near] = turned(project(projection, points, index, this.at), turn);
-    return [width / 2 + this.scale * right, height / 2 - this.scale * up, near / projection.reach];
-  }
-
-  /** State `step` of row `index` of histories [n x order*Q]. */
-  placeInHistory(histories: Float64Array, order: number, index: number, step: number): [number, number, number] {
-    return this.place(histories, index * order + step);
-  }
-}
-
-export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): void {
-  const { width, height, ratio } = picture;
+/** Answers what is seen of the predictions. */
+export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): DrawnPredictions | null {
+  const { width, height, ratio, part, live, frame } = picture;
+  const predicted = live ? picture.predicted : null;
+  const said: PredictionPicture | null = predicted && {
+    ...predicted,
+    part,
+    frame,
+    dimensions: picture.projection.dimensions,
+    path: picture.rollout,
+  };
   draw.setTransform(ratio, 0, 0, ratio, 0, 0);
   draw.clearRect(0, 0, width, height);
   draw.lineJoin = "round";
@@ -71,14 +73,20 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   const plane = new Plane(picture);
   if (picture.training) drawTraining(draw, picture, plane, picture.training);
   if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
+  if (live) picture.behind?.(draw, plane, part, frame);
+  if (said) drawStepBand(draw, plane, said, picture.colour);
   drawRollout(draw, picture, plane);
   if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
-  if (picture.dynamics) drawPairs(draw, picture, plane, picture.dynamics);
+  const strength = predicted ? BESIDE_PREDICTIONS : 1;
+  if (picture.dynamics) drawPairs(draw, picture, plane, picture.dynamics, strength);
   for (const between of picture.outgoing) drawOutgoing(draw, picture, plane, between);
   for (const between of picture.incoming) drawIncoming(draw, plane, between);
-  if (picture.poses) drawPoses(draw, picture, plane, picture.poses);
-  if (picture.live) drawNow(draw, picture, plane);
+  if (picture.poses) drawPoses(draw, picture, plane, picture.poses, strength);
+  const drawn = said && layOut(plane, said);
+  if (live) drawNow(draw, picture, plane, drawn !== null);
+  if (said && drawn) drawPredictions(draw, drawn, said.weights);
   draw.globalAlpha = 1;
+  return drawn;
 }
 
 function rows(points: Float64Array, picture: LatentPicture): number {
@@ -146,22 +154,13 @@ function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   }
 }
 
-function arrow(draw: CanvasRenderingContext2D, from: number[], to: number[], head: number): void {
-  const angle = Math.atan2(to[1]! - from[1]!, to[0]! - from[0]!);
-  draw.beginPath();
-  draw.moveTo(to[0]!, to[1]!);
-  draw.lineTo(to[0]! - head * Math.cos(angle - 0.5), to[1]! - head * Math.sin(angle - 0.5));
-  draw.lineTo(to[0]! - head * Math.cos(angle + 0.5), to[1]! - head * Math.sin(angle + 0.5));
-  draw.closePath();
-  draw.fill();
-}
-
 /** Each history as a dot and a line through its states, then an arrow to what it predicts. */
 function drawPairs(
   draw: CanvasRenderingContext2D,
   picture: LatentPicture,
   plane: Plane,
   inducing: DynamicsInducing,
+  strength: number,
 ): void {
   const { ink } = theme();
   const { order } = picture;
@@ -169,7 +168,7 @@ function drawPairs(
   draw.fillStyle = ink;
   draw.lineWidth = 1.25;
   for (let i = 0; i < inducing.count; i++) {
-    draw.globalAlpha = 0.78;
+    draw.globalAlpha = 0.78 * strength;
     const end = plane.place(inducing.outputs, i);
     let last = plane.placeInHistory(inducing.inputs, order, i, 0);
     const start = last;
@@ -181,7 +180,7 @@ function drawPairs(
     }
     draw.lineTo(end[0], end[1]);
     draw.stroke();
-    arrow(draw, last, end, 5.5);
+    arrowHead(draw, last, end, 5.5);
     draw.beginPath();
     draw.arc(start[0], start[1], 1.6, 0, 2 * Math.PI);
     draw.fill();
@@ -223,12 +222,18 @@ function drawIncoming(draw: CanvasRenderingContext2D, plane: Plane, between: Bet
   }
 }
 
-function drawPoses(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+function drawPoses(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  points: Float64Array,
+  strength: number,
+): void {
   const { ground, ink } = theme();
   draw.lineWidth = 1.5;
   draw.strokeStyle = ink;
   draw.fillStyle = ground;
-  draw.globalAlpha = 1;
+  draw.globalAlpha = strength;
   const count = rows(points, picture);
   for (let i = 0; i < count; i++) {
     const [x, y, near] = plane.place(points, i);
@@ -244,7 +249,8 @@ function drawPoses(draw: CanvasRenderingContext2D, picture: LatentPicture, plane
   }
 }
 
-function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
+/** With predictions around it the marker is small, and without its halo, which could be taken for one of them. */
+function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, small: boolean): void {
   const { rollout, frame } = picture;
   const count = rows(rollout, picture);
   if (count === 0) return;
@@ -253,16 +259,18 @@ function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   const b = plane.place(rollout, Math.min(count - 1, low + 1));
   const part = Math.min(1, frame - low);
   const [x, y] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
-  draw.globalAlpha = 0.22;
   draw.fillStyle = picture.colour;
-  draw.beginPath();
-  draw.arc(x, y, 12, 0, 2 * Math.PI);
-  draw.fill();
+  if (!small) {
+    draw.globalAlpha = 0.22;
+    draw.beginPath();
+    draw.arc(x, y, 12, 0, 2 * Math.PI);
+    draw.fill();
+  }
   draw.globalAlpha = 1;
   draw.beginPath();
-  draw.arc(x, y, 6, 0, 2 * Math.PI);
+  draw.arc(x, y, small ? 3.5 : 6, 0, 2 * Math.PI);
   draw.fill();
-  draw.lineWidth = 2;
+  draw.lineWidth = small ? 1 : 2;
   draw.strokeStyle = "#ffffff";
   draw.stroke();
 }

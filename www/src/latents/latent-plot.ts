@@ -8,7 +8,10 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
-import { drawLatents, type LatentPicture, Plane } from "./latent-drawing";
+import { type Behind, drawLatents, type LatentPicture } from "./latent-drawing";
+import { Plane } from "./plane";
+import type { DrawnPredictions } from "./prediction-drawing";
+import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
 import { type Projection, principalAxes, project, type Turn } from "./projection";
 
@@ -32,11 +35,18 @@ interface Mark {
 }
 
 export class LatentPlot extends View {
-  static override properties = { bodyPart: { type: Number }, layers: { attribute: false } };
+  static override properties = {
+    bodyPart: { type: Number },
+    layers: { attribute: false },
+    behind: { attribute: false },
+  };
   declare bodyPart: number;
   declare layers: Layers;
   declare model: ModelStore;
+  /** Drawn behind the path; null: nothing. */
+  declare behind: Behind | null;
   declare pointing: PointingStore;
+  declare predictions: PredictionsStore;
   declare settings: SettingsStore;
   declare stage: StageStore;
   declare playback: Playback;
@@ -51,10 +61,11 @@ export class LatentPlot extends View {
     super();
     this.bodyPart = 0;
     this.layers = { pose: true, dynamics: true, between: false };
+    this.behind = null;
   }
 
   protected override stores() {
-    return [this.model, this.pointing, this.settings, this.stage];
+    return [this.model, this.pointing, this.predictions, this.settings, this.stage];
   }
 
   protected override arrived(): void {
@@ -142,9 +153,11 @@ export class LatentPlot extends View {
   private picture(box: HTMLElement): LatentPicture | null {
     const { bodyPart: part, projection, turn, layers, playback } = this;
     const { model, rollout, learned, altered } = this.model;
-    const latents = rollout?.latents[part];
+    const { live } = this.stage;
+    const latents = live?.latents(part) ?? rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
     const { report } = this.pointing;
+    const said = this.predictions.report;
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
     const between = (of: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
@@ -157,19 +170,22 @@ export class LatentPlot extends View {
       ratio: Math.min(2, devicePixelRatio),
       projection,
       turn,
+      part,
       colour: partColour(part),
       rollout: latents,
-      learned: altered ? (learned?.latents[part] ?? null) : null,
+      learned: altered || live ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
       poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
       dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
       outgoing: between((other) => inducing(part, other)),
       incoming: between((other) => inducing(other, part)),
       order: model.info.order,
-      frame: playback.frame,
+      frame: playback.frame - (live?.first ?? 0),
       live: this.stage.shown?.kind === "model",
       report,
       lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
+      predicted: !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+      behind: live ? null : this.behind,
     };
   }
 
@@ -185,7 +201,13 @@ export class LatentPlot extends View {
     }
     const [width, height] = [Math.round(picture.width * picture.ratio), Math.round(picture.height * picture.ratio)];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-    drawLatents(draw, picture);
+    this.tell(canvas, drawLatents(draw, picture));
+  }
+
+  /** What the picture shows, in numbers, as long as it stands still. */
+  private tell(canvas: HTMLCanvasElement, drawn: DrawnPredictions | null): void {
+    if (this.playback.playing || !drawn) delete canvas.dataset.predictions;
+    else canvas.dataset.predictions = JSON.stringify(drawn);
   }
 
   private placeButtons(): void {

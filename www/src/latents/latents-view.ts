@@ -7,28 +7,37 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import "../terms/term";
 import { View } from "../ui/view";
+import type { Behind } from "./latent-drawing";
 import type { Layers } from "./latent-plot";
 import "./latent-plot";
 import "./latents.css";
+import type { Outlook, OutlookStore } from "./outlook-store";
 import type { PointingStore } from "./pointing-store";
+import type { PredictionsStore } from "./predictions-store";
 
 export class LatentsView extends View {
   declare model: ModelStore;
   declare pointing: PointingStore;
+  declare predictions: PredictionsStore;
   declare settings: SettingsStore;
   declare engine: EngineStore;
   declare stage: StageStore;
   declare playback: Playback;
-  static override properties = { layers: { state: true } };
+  /** Loads what is behind "futures" and "uncertainty"; null where it cannot be loaded. */
+  declare openOutlook: () => Promise<{ store: OutlookStore; behindPath(store: OutlookStore): Behind | null } | null>;
+  static override properties = { layers: { state: true }, behind: { state: true } };
   declare layers: Layers;
+  declare behind: Behind | null;
+  private outlook: OutlookStore | null = null;
 
   constructor() {
     super();
     this.layers = { pose: true, dynamics: true, between: false };
+    this.behind = null;
   }
 
   protected override stores() {
-    return [this.model, this.settings, this.engine];
+    return [this.model, this.predictions, this.settings, this.engine];
   }
 
   private toggle(kind: keyof Layers) {
@@ -37,8 +46,38 @@ export class LatentsView extends View {
     };
   }
 
+  private async toggleOutlook(outlook: Outlook): Promise<void> {
+    const opened = await this.openOutlook();
+    if (!opened) return;
+    const { store, behindPath } = opened;
+    if (!this.outlook) {
+      this.outlook = store;
+      this.whenLeaving(
+        store.on(() => {
+          this.behind = behindPath(store);
+          this.requestUpdate();
+        }),
+      );
+      this.whenLeaving(() => {
+        this.outlook = null;
+      });
+    }
+    store.show(outlook, !store.isShown(outlook));
+  }
+
+  /** The chips of what may come. */
+  private outlookChips() {
+    const chip = (outlook: Outlook, title: string) => html`
+      <button class="chip" aria-pressed=${this.outlook?.isShown(outlook) ? "true" : "false"} title=${title}
+        @click=${() => void this.toggleOutlook(outlook)}>${outlook}</button>`;
+    return [
+      chip("futures", "Five motions that the model could make as well, drawn at random"),
+      chip("uncertainty", "Where the state is, as far as one Gaussian can say"),
+    ];
+  }
+
   protected override render() {
-    const { model, pointing, settings, stage, playback } = this;
+    const { model, pointing, predictions, settings, stage, playback } = this;
     const parts = model.model?.info.parts ?? [];
     const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
@@ -63,11 +102,11 @@ export class LatentsView extends View {
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
             ${parts.map(
               (_, part) => html`
-              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .model=${model} .pointing=${pointing} .settings=${settings}
-                .stage=${stage} .playback=${playback}></pg-latent-plot>`,
+              <pg-latent-plot .bodyPart=${part} .layers=${this.layers} .behind=${this.behind} .model=${model} .pointing=${pointing} .predictions=${predictions}
+                .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>`,
             )}
           </div>
-          <div class="marks" role="group" aria-label="Show inducing points">
+          <div class="marks" role="group" aria-label="Show in the plots">
             <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
             <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
@@ -80,7 +119,13 @@ export class LatentsView extends View {
                 : ""
             }
             <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
-          </div>`
+            <button class="chip" aria-pressed=${predictions.shown ? "true" : "false"} @click=${() => predictions.show(!predictions.shown)}
+              title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
+              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
+            <pg-term of="product-of-experts" text="?" about="What do the predictions show?"></pg-term>
+            ${this.outlookChips()}
+          </div>
+          ${this.outlook ? html`<pg-outlook .outlook=${this.outlook}></pg-outlook>` : ""}`
       }
     `;
   }

@@ -40,8 +40,6 @@ export class LiveStore extends Store {
   readonly #notices: NoticesStore;
   #track: LiveTrack | null = null;
   #starting = false;
-  /** The latents of the frames that are kept, a row a frame [part]. */
-  #latents: number[][][] = [];
   #trace: TracePoint[] = [];
   #marks: Mark[] = [];
   readonly #cuts = new Map<string, Extract<Mark, { kind: "cut" }>>();
@@ -97,14 +95,6 @@ export class LiveStore extends Store {
     return this.#cuts.has(`${source}.${target}`);
   }
 
-  /** The latents of a part in the frames that are kept [frames x Q], and the number of the first of them. */
-  latents(part: number): { rows: readonly number[][]; first: number } {
-    return {
-      rows: this.#latents[part] ?? [],
-      first: (this.#track?.last ?? 0) + 1 - (this.#latents[part]?.length ?? 0),
-    };
-  }
-
   /** Goes on live from where the figure stands. */
   async start(): Promise<void> {
     const { engine } = this.#engine;
@@ -121,9 +111,10 @@ export class LiveStore extends Store {
       [this.#trace, this.#marks, this.#changes] = [[], [], []];
       this.#cuts.clear();
       const { info } = model;
-      this.#latents = info.parts.map(() => []);
       const kept = Math.round(SHOWN_SECONDS / info.frameTime);
-      const track = new LiveTrack({ nodes: info.figure.nodes.length, frameTime: info.frameTime }, kept);
+      const { frameTime, figure, parts } = info;
+      const widths = parts.map(({ latent }) => latent);
+      const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
       this.#take(track, await engine.advanceLive([], LEAD));
       this.#track = track;
       this.#stage.showLive(track);
@@ -256,14 +247,8 @@ export class LiveStore extends Store {
 
   #take(track: LiveTrack, { motion, latents, phases, distances }: LiveFrames): void {
     const before = track.last;
-    track.append(motion);
+    track.append(motion, latents);
     const kept = Math.round(SHOWN_SECONDS / motion.frameTime);
-    latents.forEach((rows, part) => {
-      const width = rows.length / motion.frames;
-      const all = this.#latents[part];
-      for (let k = 0; k < motion.frames; k++) all?.push([...rows.subarray(k * width, (k + 1) * width)]);
-      if (all && all.length > kept) all.splice(0, all.length - kept);
-    });
     const parts = latents.length;
     for (let k = 0; k < motion.frames; k++) {
       const place = (values: Float64Array) => [...values.subarray(k * parts, (k + 1) * parts)];

@@ -1,12 +1,12 @@
 // A figure of capsules in its parts' colours, posed from node positions.
 import {
   AlwaysStencilFunc,
+  GreaterStencilFunc,
   Group,
   LatheGeometry,
   Matrix4,
   Mesh,
   MeshStandardMaterial,
-  NotEqualStencilFunc,
   ReplaceStencilOp,
   SphereGeometry,
   Vector2,
@@ -20,6 +20,8 @@ import { type Ball, type Capsule, shapeOf } from "./body-shape";
 export type FigureStyle =
   | { kind: "solid" }
   | { kind: "ghost" }
+  /** One of several, all faint. */
+  | { kind: "future"; index: number }
   /** One part in its colour, the others pale. */
   | { kind: "accent"; part: number; opacity: number };
 
@@ -27,12 +29,33 @@ const UP = new Vector3(0, 1, 0);
 /** A trunk is wider than it is deep. */
 const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
-/** Solid bodies mark their pixels. Pale bodies leave marked pixels out and draw each pixel once: flat shades without seams. */
-function stencil(material: MeshStandardMaterial, pale: boolean): void {
+/** What bodies mark their pixels with. */
+const SOLID = 255;
+const PALE = 254;
+const FIRST_FUTURE = 1;
+
+/**
+ * Bodies mark their pixels, and leave out what is marked as high or higher: a pale body draws each pixel once, in a flat shade without
+ * seams, never over a solid one. Futures show through each other.
+ */
+function stencil(material: MeshStandardMaterial, mark: number): void {
   material.stencilWrite = true;
-  material.stencilRef = 1;
-  material.stencilFunc = pale ? NotEqualStencilFunc : AlwaysStencilFunc;
+  material.stencilRef = mark;
+  material.stencilFunc = mark === SOLID ? AlwaysStencilFunc : GreaterStencilFunc;
   material.stencilZPass = ReplaceStencilOp;
+}
+
+function opacityOf(style: FigureStyle, accent: boolean): number {
+  if (style.kind === "solid") return 1;
+  if (style.kind === "accent") return accent ? style.opacity : 0.35 * style.opacity;
+  return style.kind === "ghost" ? 0.4 : 0.2;
+}
+
+/** Solid bodies first, then futures by their marks. */
+function orderOf(style: FigureStyle): number {
+  if (style.kind === "solid") return 0;
+  if (style.kind === "future") return 1 + style.index / 100;
+  return style.kind === "accent" && style.opacity === 1 ? 1 : 2;
 }
 
 /** A capsule with a radius for each end, from the origin upwards. */
@@ -99,7 +122,7 @@ export class FigureView {
     mesh.castShadow = style.kind === "solid";
     mesh.receiveShadow = style.kind === "solid";
     mesh.frustumCulled = false;
-    mesh.renderOrder = style.kind === "solid" ? 0 : style.kind === "accent" && style.opacity === 1 ? 1 : 2;
+    mesh.renderOrder = orderOf(style);
     this.group.add(mesh);
   }
 
@@ -108,11 +131,12 @@ export class FigureView {
     const own = part < 0 ? ghost : partColour(part);
     const look = { roughness: 0.62, metalness: 0 };
     const accent = style.kind === "accent" && style.part === part;
-    const opacity =
-      style.kind === "solid" ? 1 : style.kind === "ghost" ? 0.4 : accent ? style.opacity : 0.35 * style.opacity;
-    const color = accent || style.kind === "solid" ? own : ghost;
-    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity });
-    stencil(material, opacity < 1);
+    const opacity = opacityOf(style, accent);
+    const color = accent || style.kind === "solid" || style.kind === "future" ? own : ghost;
+    const depthWrite = style.kind !== "future";
+    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity, depthWrite });
+    const pale = style.kind === "future" ? FIRST_FUTURE + style.index : PALE;
+    stencil(material, opacity < 1 ? pale : SOLID);
     return material;
   }
 
@@ -121,7 +145,7 @@ export class FigureView {
     for (const material of this.materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
-      stencil(material, opacity < 1);
+      stencil(material, opacity < 1 ? PALE : SOLID);
       material.needsUpdate = true;
     }
     for (const { mesh } of [...this.bones, ...this.balls]) {

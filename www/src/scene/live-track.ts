@@ -1,4 +1,4 @@
-// A motion without an end, of which the last seconds are kept.
+// A motion without an end, with its latents, of which the last seconds are kept.
 import type { Motion } from "../engine/protocol";
 import { HERE, type Placement, placeOnto, poseAt } from "./motion";
 
@@ -8,13 +8,16 @@ export class LiveTrack {
   readonly #motion: Motion;
   readonly #kept: number;
   readonly #pose: Float32Array;
+  /** The latent path of each part, and its dimensions. */
+  readonly #latents: { values: Float64Array; width: number }[];
   #placement: Placement = HERE;
 
-  /** Keeps the last `kept` frames, and a little more. */
-  constructor({ nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">, kept: number) {
+  /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
+  constructor({ nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">, kept: number, widths: readonly number[] = []) {
     this.#kept = kept;
     this.#motion = { positions: new Float32Array(2 * kept * nodes * 3), frames: 0, nodes, frameTime };
     this.#pose = new Float32Array(nodes * 3);
+    this.#latents = widths.map((width) => ({ values: new Float64Array(2 * kept * width), width }));
   }
 
   /** What is kept. The same object always, with more frames. */
@@ -27,10 +30,17 @@ export class LiveTrack {
     return this.first + this.#motion.frames - 1;
   }
 
-  append({ positions, frames, nodes }: Motion): void {
+  /** The latent path of a part in the frames that are kept [frames x Q]. */
+  latents(part: number): Float64Array | null {
+    const path = this.#latents[part];
+    return path ? path.values.subarray(0, this.#motion.frames * path.width) : null;
+  }
+
+  append({ positions, frames, nodes }: Motion, latents: readonly Float64Array[] = []): void {
     const motion = this.#motion;
     if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);
     motion.positions.set(positions, motion.frames * nodes * 3);
+    this.#latents.forEach(({ values, width }, part) => values.set(latents[part] ?? [], motion.frames * width));
     motion.frames += frames;
   }
 
@@ -53,6 +63,7 @@ export class LiveTrack {
   #forget(frames: number): void {
     const motion = this.#motion;
     motion.positions.copyWithin(0, frames * motion.nodes * 3, motion.frames * motion.nodes * 3);
+    for (const { values, width } of this.#latents) values.copyWithin(0, frames * width, motion.frames * width);
     motion.frames -= frames;
     this.first += frames;
   }

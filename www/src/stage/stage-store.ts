@@ -1,4 +1,4 @@
-// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost or marked poses.
+// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { LiveTrack } from "../scene/live-track";
@@ -40,9 +40,11 @@ export class StageStore extends Store {
   #model: Shown | null = null;
   /** The live motion in front of the model's clip. */
   #live: Shown | null = null;
+  #track: LiveTrack | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
+  #futures: readonly Motion[] = [];
 
   constructor(playback: Playback) {
     super();
@@ -56,6 +58,11 @@ export class StageStore extends Store {
   /** The key of the clip that is shown; null: the model is seen. */
   get clip(): string | null {
     return this.#clip?.clip ?? null;
+  }
+
+  /** The live motion that is shown; null: something else is. */
+  get live(): LiveTrack | null {
+    return this.shown?.live ? this.#track : null;
   }
 
   /** The motion as learned, beside the model's under other couplings. */
@@ -72,6 +79,11 @@ export class StageStore extends Store {
     return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
 
+  /** Other motions that the model could make, shown faintly with its own. */
+  get futures(): readonly Motion[] {
+    return this.#futures;
+  }
+
   /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
   showModel(shown: Shown): void {
     const before = this.#model;
@@ -84,6 +96,7 @@ export class StageStore extends Store {
   showLive(track: LiveTrack): void {
     if (!this.#model) return;
     this.#clip = null;
+    this.#track = track;
     this.#live = { ...this.#model, motion: track.motion, live: true };
     this.#playback.follow(track);
     this.changed();
@@ -122,6 +135,11 @@ export class StageStore extends Store {
   setColumns(columns: readonly StageColumn[] | null): void {
     if (columns === this.#columns) return;
     this.#columns = columns;
+    this.changed();
+  }
+
+  setFutures(futures: readonly Motion[]): void {
+    this.#futures = futures;
     this.changed();
   }
 

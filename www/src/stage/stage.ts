@@ -1,4 +1,4 @@
-// The stage: figure, ghost and ground, seen by a camera that follows the walk.
+// The stage: figure, ghost, futures and ground, seen by a camera that follows the walk.
 import { Scene, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
@@ -31,6 +31,7 @@ export class Stage {
   private figure: FigureView | null = null;
   private ghost: FigureView | null = null;
   private marked: FigureView[] = [];
+  private futures: FigureView[] = [];
   /** What the figure, and the marked poses, were made for. */
   private figureOf: Shown | null = null;
   private markedOf: Marks | null = null;
@@ -40,7 +41,8 @@ export class Stage {
   /** Where the figure was when last drawn. */
   private readonly root = new Vector3();
   private placed = false;
-  private ghostPose = new Float32Array(0);
+  /** The pose of a figure that walks along with the one on the stage. */
+  private besidePose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
   constructor(
@@ -97,8 +99,8 @@ export class Stage {
 
   /** Takes away all figures. */
   private clear(): void {
-    for (const figure of [this.figure, this.ghost, ...this.marked]) figure?.dispose();
-    [this.figure, this.ghost, this.marked] = [null, null, []];
+    for (const figure of [this.figure, this.ghost, ...this.marked, ...this.futures]) figure?.dispose();
+    [this.figure, this.ghost, this.marked, this.futures] = [null, null, [], []];
     [this.figureOf, this.markedOf] = [null, null];
   }
 
@@ -109,6 +111,7 @@ export class Stage {
     if (!shown) return;
     this.updateFigure(shown);
     this.updateGhost(shown);
+    this.updateFutures(shown);
     this.updateMarked(shown);
   }
 
@@ -136,6 +139,13 @@ export class Stage {
       this.ghost?.dispose();
       this.ghost = null;
     }
+  }
+
+  private updateFutures(shown: Shown): void {
+    const count = shown.kind === "model" ? this.store.futures.length : 0;
+    for (const figure of this.futures.splice(count)) figure.dispose();
+    while (this.futures.length < count)
+      this.futures.push(this.make(shown, { kind: "future", index: this.futures.length }));
   }
 
   /** The poses that an inducing point stands for. */
@@ -229,7 +239,8 @@ export class Stage {
 
   private poseAll(pose: Float32Array, seconds: number): void {
     this.figure?.pose(pose);
-    this.poseGhost(pose);
+    this.poseBeside(this.ghost, this.store.ghost, pose);
+    this.futures.forEach((figure, i) => this.poseBeside(figure, this.store.futures[i], pose));
     this.marked.forEach((figure, i) => {
       const marked = this.markedOf?.poses[i];
       if (marked) figure.pose(placed(marked.positions, pose));
@@ -245,13 +256,13 @@ export class Stage {
     renderer.shadowMap.needsUpdate = fineness === "plain" && drawn % 3 === 0;
   }
 
-  private poseGhost(pose: Float32Array): void {
-    const motion = this.store.ghost;
-    if (!this.ghost || !motion || motion.nodes * 3 !== pose.length) return;
-    if (this.ghostPose.length !== pose.length) this.ghostPose = new Float32Array(pose.length);
+  /** Poses a figure as its motion is now, laid onto the pose of the one on the stage. */
+  private poseBeside(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
+    if (!figure || !motion || motion.nodes * 3 !== pose.length) return;
+    if (this.besidePose.length !== pose.length) this.besidePose = new Float32Array(pose.length);
     const { frame } = this.playback;
-    poseAt(motion, frame, HERE, this.ghostPose);
-    this.ghost.pose(poseAt(motion, frame, placeOnto(this.ghostPose, pose), this.ghostPose));
+    poseAt(motion, frame, HERE, this.besidePose);
+    figure.pose(poseAt(motion, frame, placeOnto(this.besidePose, pose), this.besidePose));
   }
 
   /** Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it is stepped or scrubbed. */

@@ -40,7 +40,7 @@ const TEXTS = {
   "product-of-experts": {
     title: "product of experts",
     words:
-      "The rule that combines the experts: their Gaussian predictions are multiplied. The result is their weighted mean, and the expert with the smallest variance α has the largest weight.",
+      "The rule that combines the experts: their Gaussian predictions are multiplied, which gives their weighted mean, and the smaller the variance α the larger the weight. In the plots each prediction is a circle in its part’s colour, one standard deviation in radius; the product is black (white on a dark page), and those with a weight below 0.01 are dashed.",
     glossary: "product of experts",
   },
   reading: {
@@ -151,6 +151,18 @@ const TEXTS = {
     words:
       "A motion that the model makes: it begins with a few frames of a clip and then predicts frame after frame from its own predictions. Here each step is the mean of the prediction.",
     glossary: "rollout",
+  },
+  future: {
+    title: "future",
+    words:
+      "A motion drawn at random: at every frame the next state is not the mean of the prediction but a draw from it. The same seed draws the same one; in the plots a future is shown with the last half second of its path.",
+    glossary: "future",
+  },
+  "moment-matching": {
+    title: "moment matching",
+    words:
+      "What is known of the state if only the first frames are certain: mean and spread, carried from frame to frame as a Gaussian. A Gaussian cannot bend around a loop; in the legs of the start model, after about two thirds of a second, more futures fall out of time than it knows of, and then the futures say more.",
+    glossary: "moment matching",
   },
   map: {
     title: "MAP models",

@@ -11,18 +11,10 @@ import type {
 } from "../engine/whole-protocol";
 import { ClipReader } from "./clip-reader";
 import { OneTask, type Task } from "./slices";
+import { using } from "./using";
 
 const clips = new ClipReader({ Clip, TrainingSet });
 const evaluation = new OneTask();
-
-/** Uses a value of the wasm program and gives its memory back. */
-function using<Value extends { free(): void }, Result>(value: Value, use: (value: Value) => Result): Result {
-  try {
-    return use(value);
-  } finally {
-    value.free();
-  }
-}
 
 async function usingAsync<Value extends { free(): void }, Result>(
   value: Value,

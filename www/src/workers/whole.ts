@@ -1,9 +1,10 @@
-// A worker of the whole program: what only comparisons and the synthetic experiment need. No DOM.
+// A worker of the whole program: what only comparisons, the synthetic experiment and the uncertainty of a rollout need. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
+import { uncertaintyWorker } from "./uncertainty";
 
 const worker: WholeWorker = {
   async start(wasm) {
@@ -11,6 +12,7 @@ const worker: WholeWorker = {
   },
   ...comparisonWorker,
   ...experimentWorker,
+  ...uncertaintyWorker,
 };
 
 Comlink.expose(worker);

@@ -9,12 +9,15 @@
 //! upper body of these, one for each seed, and all couplings of the one with the highest bound.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+mod clips;
+#[path = "../shared/models.rs"]
 mod models;
 mod presets;
 mod sweep;
 
 use clap::Parser;
-use models::{Trained, read_clips};
+use clips::{of_walks, read_clips};
+use models::Trained;
 use std::path::PathBuf;
 use sweep::{Learned, strength};
 use vcgpdm::models::Reading;
@@ -45,7 +48,7 @@ fn main() {
     }
     let clips = read_clips(&arguments.clips);
     let models: Vec<(u32, Trained)> = (arguments.seeds.iter())
-        .map(|&seed| (seed, models::of_walks(&clips, seed, arguments.max_iterations)))
+        .map(|&seed| (seed, of_walks(&clips, seed, arguments.max_iterations)))
         .collect();
     println!("### With the legs cut off from the arms\n");
     println!("Lower to upper times 100, re-inferred. {} clips, seeds {:?}.\n", clips.len(), arguments.seeds);

@@ -1,10 +1,10 @@
-//! The models whose couplings are changed.
+//! The models that the measurements behind `docs/` are about: the one that the page opens with, and models of the sample walks.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, presets};
-use vcgpdm::motion::{Clip, bvh, samples};
+use vcgpdm::motion::{Clip, samples};
 
 pub type Trained = TrainedModel<Vcgpdm>;
 
@@ -38,32 +38,8 @@ pub fn of_samples() -> Vec<(&'static str, Trained)> {
     ]
 }
 
-/// A model of lower and upper body.
-pub fn of_walks(clips: &[Clip], seed: u32, max_iterations: usize) -> Trained {
-    eprintln!("seed {seed}");
-    train(clips, &lower_upper(&clips[0]), seed, max_iterations)
-}
-
-/// The clips of these files, and of the files of these folders in the order of their names.
-pub fn read_clips(places: &[PathBuf]) -> Vec<Clip> {
-    let files = places.iter().flat_map(|place| {
-        if !place.is_dir() {
-            return vec![place.clone()];
-        }
-        let entries = std::fs::read_dir(place).unwrap().map(|entry| entry.unwrap().path());
-        let mut files: Vec<PathBuf> =
-            entries.filter(|file| file.extension().is_some_and(|ending| ending == "bvh")).collect();
-        files.sort();
-        files
-    });
-    let read = |file: PathBuf| {
-        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        bvh::read(&name, &std::fs::read(&file).unwrap()).unwrap().into_clip()
-    };
-    files.map(read).collect()
-}
-
-fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Trained {
+/// A model of these clips.
+pub fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Trained {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, parts, FRAMES_PER_SECOND).unwrap();
     let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
@@ -72,7 +48,8 @@ fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -
     Trained::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap()
 }
 
-fn lower_upper(clip: &Clip) -> Vec<PartSpec> {
+/// Lower and upper body.
+pub fn lower_upper(clip: &Clip) -> Vec<PartSpec> {
     preset(clip, "lower-upper")
 }
 

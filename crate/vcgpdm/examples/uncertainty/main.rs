@@ -1,0 +1,70 @@
+//! How far moment matching says what many sampled futures say, as Markdown tables. `npm run uncertainty` puts them into
+//! docs/uncertainty.md.
+//!
+//! ```sh
+//! cargo run --release --example uncertainty
+//! ```
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+#[path = "../shared/models.rs"]
+mod models;
+mod spread;
+
+use models::Trained;
+use spread::{Cloud, rms};
+use std::ops::Range;
+use vcgpdm::models::RolloutRequest;
+
+const FRAMES: [usize; 7] = [5, 10, 15, 20, 30, 45, 60];
+const DRAWS: Range<u64> = 0..1000;
+/// Frames of the mean rollout that a future is early or late in.
+const PATH: usize = 90;
+
+fn main() {
+    println!("### The model that the page opens with\n");
+    print(&models::start());
+    for (title, model) in models::of_samples() {
+        println!("### {title}\n");
+        print(&model);
+    }
+}
+
+/// One row for each part and frame.
+fn print(model: &Trained) {
+    let request = RolloutRequest { frames: PATH, ..RolloutRequest::default() };
+    let dynamics = model.predictive_dynamics(&request).unwrap();
+    let start = model.model.start(0).unwrap();
+    let frames = FRAMES[FRAMES.len() - 1] + 1;
+    let moments = dynamics.moments(start, frames).unwrap();
+    let futures: Vec<_> = DRAWS.map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();
+    let paths = model.rollout(&request).unwrap().latents;
+    println!(
+        "| part | frame | seconds | deviation of futures | of the Gaussian | ratio | means apart | outside | out of time inside | outside |"
+    );
+    println!("{}|", "|---".repeat(10));
+    for (part, spec) in model.body.layout.parts().iter().enumerate() {
+        for t in FRAMES {
+            let seen = Cloud::of(futures.iter().map(|future| future[part].row(t).transpose()).collect());
+            let (mean, covariance) = (moments.means[part].row(t).transpose(), &moments.covariances[part][t]);
+            let known = rms(covariance.diagonal().iter().copied());
+            let shift = (&seen.mean - &mean).component_div(&covariance.diagonal().map(f64::sqrt));
+            let apart = rms(shift.iter().map(|apart| apart * apart));
+            let region = seen.region(&mean, covariance, &paths[part], t);
+            println!(
+                "| {} | {t} | {:.2} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {} | {} | {} |",
+                spec.name,
+                t as f64 * model.body.frame_time,
+                seen.deviation,
+                seen.deviation / known,
+                percent(region.outside, seen.count()),
+                percent(region.out_of_time_inside, seen.count() - region.outside),
+                percent(region.out_of_time_outside, region.outside),
+            );
+        }
+    }
+    println!();
+}
+
+fn percent(count: usize, of: usize) -> String {
+    if of == 0 { "-".to_owned() } else { format!("{:.0} %", 100.0 * count as f64 / of as f64) }
+}

@@ -1,0 +1,72 @@
+// Draws what may come behind the path of a part: sampled futures, and the Gaussian of moment matching.
+import type { RolloutResult } from "../engine/protocol";
+import type { PartMoments } from "../engine/whole-protocol";
+import { partColour, theme } from "../ui/palette";
+import { ellipseOf, type Plane } from "./plane";
+import { between } from "./predicted";
+import { type BandPoint, traceBand, traceEllipse } from "./shapes";
+
+/** Frames behind now that are drawn: half a second. All of them would be a tangle of laps. */
+const TRAIL = 15;
+
+/** The whole frames of the trail, and behind them the time now. */
+export function trailTimes(frame: number, last: number): number[] {
+  const now = Math.min(frame, last);
+  const first = Math.max(0, Math.ceil(now - TRAIL));
+  const whole = Array.from({ length: Math.max(0, Math.ceil(now) - first) }, (_, i) => first + i);
+  return [...whole, now];
+}
+
+export function drawFutures(
+  draw: CanvasRenderingContext2D,
+  plane: Plane,
+  part: number,
+  frame: number,
+  futures: readonly RolloutResult[],
+): void {
+  draw.strokeStyle = draw.fillStyle = partColour(part);
+  draw.lineWidth = 1.25;
+  for (const { latents, request } of futures) {
+    const path = latents[part];
+    if (!path) continue;
+    const dimensions = path.length / request.frames;
+    const points = trailTimes(frame, request.frames - 1).map((time) => plane.place(between(path, time, dimensions), 0));
+    draw.globalAlpha = 0.4;
+    draw.beginPath();
+    for (const [x, y] of points) draw.lineTo(x, y);
+    draw.stroke();
+    const [x, y] = points.at(-1) ?? [0, 0];
+    draw.globalAlpha = 0.8;
+    draw.beginPath();
+    draw.arc(x, y, 2.8, 0, 2 * Math.PI);
+    draw.fill();
+  }
+}
+
+/** The Gaussian at a time that need not be a whole frame. */
+export function knownAt(plane: Plane, { means, covariances }: PartMoments, time: number): BandPoint {
+  // n Q numbers and n Q^2 numbers.
+  const dimensions = covariances.length / means.length;
+  const [x, y] = plane.place(between(means, time, dimensions), 0);
+  return { x, y, spread: plane.spread(between(covariances, time, dimensions * dimensions), 0) };
+}
+
+export function drawMoments(draw: CanvasRenderingContext2D, plane: Plane, frame: number, moments: PartMoments): void {
+  const frames = moments.means.length ** 2 / Math.max(1, moments.covariances.length);
+  const band = trailTimes(frame, frames - 1).map((time) => knownAt(plane, moments, time));
+  const now = band.at(-1);
+  if (!now) return;
+  const { quiet } = theme();
+  draw.fillStyle = draw.strokeStyle = quiet;
+  for (const deviations of [2, 1]) {
+    draw.globalAlpha = 0.14;
+    draw.beginPath();
+    traceBand(draw, band, deviations);
+    draw.fill();
+    draw.globalAlpha = 0.9;
+    draw.lineWidth = deviations === 1 ? 1.5 : 1;
+    draw.beginPath();
+    traceEllipse(draw, ellipseOf([now.x, now.y], now.spread), deviations);
+    draw.stroke();
+  }
+}

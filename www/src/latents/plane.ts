@@ -1,0 +1,93 @@
+// The plane of a plot: where the points and the Gaussians of a latent space lie in it, in pixels. Drawing only.
+import { project, type Projection, type Turn, turned } from "./projection";
+
+/** A Gaussian as the plot shows it: the ellipse of one standard deviation. */
+export interface Ellipse {
+  x: number;
+  y: number;
+  /** Half the axes, the longer one first. */
+  major: number;
+  minor: number;
+  /** Of the longer axis, radians, clockwise from the right. */
+  angle: number;
+}
+
+/** The spread of a Gaussian in the plane: to the right, in both, down; squared pixels. */
+export type Spread = [right: number, both: number, down: number];
+
+export interface PlotView {
+  width: number;
+  height: number;
+  projection: Projection;
+  turn: Turn;
+}
+
+export class Plane {
+  private readonly at = new Float64Array(3);
+  private readonly scale: number;
+  /** Pixels to the right and down for one step in each latent dimension [2 x Q]. */
+  private readonly steps: Float64Array;
+
+  constructor(private readonly view: PlotView) {
+    const { projection, turn, width, height } = view;
+    const { axes, dimensions: q } = projection;
+    this.scale = (0.43 * Math.min(width, height)) / projection.reach;
+    this.steps = new Float64Array(2 * q);
+    for (let a = 0; a < q; a++) {
+      const [right, up] = turned(Float64Array.of(axes[a]!, axes[q + a]!, axes[2 * q + a]!), turn);
+      this.steps[a] = this.scale * right;
+      this.steps[q + a] = -this.scale * up;
+    }
+  }
+
+  /** Row `index` of points [n x Q] in pixels from the upper left, and how near it is (-1 to 1). */
+  place(points: Float64Array, index: number): [number, number, number] {
+    const { projection, turn, width, height } = this.view;
+    const [right, up, near] = turned(project(projection, points, index, this.at), turn);
+    return [width / 2 + this.scale * right, height / 2 - this.scale * up, near / projection.reach];
+  }
+
+  /** State `step` of row `index` of histories [n x order*Q]. */
+  placeInHistory(histories: Float64Array, order: number, index: number, step: number): [number, number, number] {
+    return this.place(histories, index * order + step);
+  }
+
+  /** What is seen of a spread that is the same in all latent dimensions. */
+  roundSpread(variance: number): Spread {
+    const q = this.view.projection.dimensions;
+    const seen: Spread = [0, 0, 0];
+    for (let a = 0; a < q; a++) addProduct(seen, this.steps, q, a, a, variance);
+    return seen;
+  }
+
+  /** What is seen of row `index` of covariances [n x Q x Q]. */
+  spread(covariances: Float64Array, index: number): Spread {
+    const q = this.view.projection.dimensions;
+    const seen: Spread = [0, 0, 0];
+    for (let a = 0; a < q; a++)
+      for (let b = 0; b < q; b++) addProduct(seen, this.steps, q, a, b, covariances[(index * q + a) * q + b]!);
+    return seen;
+  }
+}
+
+function addProduct(seen: Spread, steps: Float64Array, q: number, a: number, b: number, covariance: number): void {
+  seen[0] += covariance * steps[a]! * steps[b]!;
+  seen[1] += covariance * steps[a]! * steps[q + b]!;
+  seen[2] += covariance * steps[q + a]! * steps[q + b]!;
+}
+
+export function ellipseOf([x, y]: readonly number[], [right, both, down]: Spread): Ellipse {
+  const middle = (right + down) / 2;
+  const apart = Math.hypot((right - down) / 2, both);
+  const major = Math.sqrt(Math.max(0, middle + apart));
+  const minor = Math.sqrt(Math.max(0, middle - apart));
+  return { x: x!, y: y!, major, minor, angle: Math.atan2(2 * both, right - down) / 2 };
+}
+
+/** The deviation across a direction of the plane, in pixels. */
+export function deviationAcross([right, both, down]: Spread, dx: number, dy: number): number {
+  const length = Math.hypot(dx, dy);
+  if (length === 0) return 0;
+  const [x, y] = [-dy / length, dx / length];
+  return Math.sqrt(Math.max(0, right * x * x + 2 * both * x * y + down * y * y));
+}

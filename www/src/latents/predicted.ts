@@ -1,0 +1,49 @@
+// What is predicted about a part at a time that need not be a whole frame.
+import type { Predictions, PredictionsReport, RolloutRequest } from "../engine/protocol";
+
+/** A Gaussian with the same variance in all latent dimensions. */
+export interface Predicted {
+  /** [Q] */
+  mean: Float64Array;
+  variance: number;
+}
+
+export interface PredictedPart {
+  /** What each source says. */
+  experts: Predicted[];
+  product: Predicted;
+}
+
+/** Row `index`, which may lie between two rows, of points [n x Q]. */
+export function between(points: Float64Array, index: number, dimensions: number): Float64Array {
+  const rows = points.length / dimensions;
+  const low = Math.min(Math.max(Math.floor(index), 0), rows - 1);
+  const high = Math.min(low + 1, rows - 1);
+  const share = Math.min(Math.max(index - low, 0), 1);
+  return Float64Array.from({ length: dimensions }, (_, a) => {
+    const [from, to] = [points[low * dimensions + a]!, points[high * dimensions + a]!];
+    return from + share * (to - from);
+  });
+}
+
+/** What is said about a part at a frame; null where nothing is predicted: in the frames that a rollout begins with, and behind its end. */
+export function predictedAt(
+  report: PredictionsReport,
+  part: number,
+  frame: number,
+  dimensions: number,
+): PredictedPart | null {
+  const said = report.parts[part];
+  const row = frame - report.firstFrame;
+  if (!said || row < 0 || row > said.product.variances.length - 1) return null;
+  const at = ({ means, variances }: Predictions): Predicted => ({
+    mean: between(means, row, dimensions),
+    variance: between(variances, row, 1)[0]!,
+  });
+  return { experts: said.experts.map(at), product: at(said.product) };
+}
+
+/** Whether two rollouts begin alike and are equally long: then their frames are those of the same times. */
+export function sameTimes(a: RolloutRequest, b: RolloutRequest): boolean {
+  return a.frames === b.frames && a.sequence === b.sequence;
+}

@@ -1,0 +1,73 @@
+// What each part predicts about each part in the rollout on the stage, and the product of these predictions.
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine/protocol";
+import { Store } from "../ui/store";
+import { sameTimes } from "./predicted";
+
+/** Milliseconds from a new rollout to the question: while a slider is dragged its rollouts come first. */
+const PATIENCE = 60;
+
+export class PredictionsStore extends Store {
+  readonly #model: ModelStore;
+  readonly #reports: Latest<RolloutRequest, PredictionsReport | null>;
+  #shown = true;
+  #report: PredictionsReport | null = null;
+  /** The rollout that was asked about last, or is about to be. */
+  #asked: RolloutResult | null = null;
+  #waiting = false;
+
+  constructor(engine: EngineStore, model: ModelStore) {
+    super();
+    this.#model = model;
+    this.#reports = new Latest(
+      async (request) => (await engine.engine?.predictions(request)) ?? null,
+      (report) => this.#take(report),
+      // A model whose predictions cannot be computed still rolls out.
+      () => this.#take(null),
+    );
+    model.on(() => this.#follow());
+  }
+
+  get shown(): boolean {
+    return this.#shown;
+  }
+
+  /**
+   * Of the rollout on the stage, or, while a coupling moves, of the one just before it; null until they are known, and while they are
+   * not shown.
+   */
+  get report(): PredictionsReport | null {
+    return this.#shown ? this.#report : null;
+  }
+
+  show(shown: boolean): void {
+    this.#shown = shown;
+    this.#follow();
+    this.changed();
+  }
+
+  #follow(): void {
+    const { rollout } = this.#model;
+    if (rollout === this.#asked || !this.#shown) return;
+    this.#asked = rollout;
+    if (this.#report && !this.#fits(this.#report)) this.#take(null);
+    if (!rollout || this.#waiting) return;
+    this.#waiting = true;
+    setTimeout(() => {
+      this.#waiting = false;
+      if (this.#asked) this.#reports.request(this.#asked.request);
+    }, PATIENCE);
+  }
+
+  #fits({ revision, request }: PredictionsReport): boolean {
+    const { rollout } = this.#model;
+    return rollout !== null && revision === rollout.revision && sameTimes(request, rollout.request);
+  }
+
+  #take(report: PredictionsReport | null): void {
+    this.#report = report && this.#fits(report) ? report : null;
+    this.changed();
+  }
+}

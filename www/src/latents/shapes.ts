@@ -1,0 +1,51 @@
+// Shapes that the drawings of latent spaces share.
+import { deviationAcross, type Ellipse, ellipseOf, type Spread } from "./plane";
+
+/** The head of an arrow, in the colour that fills. */
+export function arrowHead(draw: CanvasRenderingContext2D, from: number[], to: number[], size: number): void {
+  const angle = Math.atan2(to[1]! - from[1]!, to[0]! - from[0]!);
+  draw.beginPath();
+  draw.moveTo(to[0]!, to[1]!);
+  draw.lineTo(to[0]! - size * Math.cos(angle - 0.5), to[1]! - size * Math.sin(angle - 0.5));
+  draw.lineTo(to[0]! - size * Math.cos(angle + 0.5), to[1]! - size * Math.sin(angle + 0.5));
+  draw.closePath();
+  draw.fill();
+}
+
+export function traceEllipse(draw: CanvasPath, { x, y, major, minor, angle }: Ellipse, times = 1): void {
+  draw.ellipse(x, y, times * major, times * minor, angle, 0, 2 * Math.PI, true);
+}
+
+/** One frame of a band. */
+export interface BandPoint {
+  x: number;
+  y: number;
+  spread: Spread;
+}
+
+/** A band of so many deviations to each side of a path, as one shape: where it crosses itself it is no darker. */
+export function traceBand(draw: CanvasPath, points: readonly BandPoint[], times = 1): void {
+  let before: BandPoint | null = null;
+  for (const point of points) {
+    const { x, y, spread } = point;
+    const start = ellipseOf([x, y], spread);
+    draw.moveTo(x + times * start.major * Math.cos(start.angle), y + times * start.major * Math.sin(start.angle));
+    traceEllipse(draw, start, times);
+    if (before) {
+      const [dx, dy] = [x - before.x, y - before.y];
+      const length = Math.hypot(dx, dy) || 1;
+      const [nx, ny] = [-dy / length, dx / length];
+      const [wide0, wide1] = [before, point].map(({ spread }) => times * deviationAcross(spread, dx, dy)) as [
+        number,
+        number,
+      ];
+      // The same way round as the ellipses, so that shapes which overlap are filled once.
+      draw.moveTo(before.x + wide0 * nx, before.y + wide0 * ny);
+      draw.lineTo(x + wide1 * nx, y + wide1 * ny);
+      draw.lineTo(x - wide1 * nx, y - wide1 * ny);
+      draw.lineTo(before.x - wide0 * nx, before.y - wide0 * ny);
+      draw.closePath();
+    }
+    before = point;
+  }
+}
