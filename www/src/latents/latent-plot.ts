@@ -184,7 +184,8 @@ export class LatentPlot extends View {
       live: this.stage.shown?.kind === "model",
       report,
       lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
-      predicted: !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+      predicted:
+        !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
       behind: live ? null : this.behind,
     };
   }
