@@ -43,12 +43,13 @@ export class PredictionsStore extends Store {
    * not shown.
    */
   get report(): PredictionsReport | null {
-    return this.#shown ? this.#report : null;
+    return this.#report;
   }
 
   show(shown: boolean): void {
     this.#shown = shown;
-    this.#follow();
+    if (shown) this.#follow();
+    else this.#forget();
     this.changed();
   }
 
@@ -65,6 +66,12 @@ export class PredictionsStore extends Store {
       () => this.#ask(rollout.request),
       Math.max(0, Math.min(QUIET, this.#since + LONGEST - now)),
     );
+  }
+
+  #forget(): void {
+    clearTimeout(this.#timer);
+    this.#reports.drop();
+    [this.#asked, this.#since, this.#report] = [null, null, null];
   }
 
   #ask(request: RolloutRequest): void {
