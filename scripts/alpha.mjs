@@ -1,6 +1,7 @@
-// `npm run alpha -- [SITE_FOLDER] [--reinferred]`: how long a coupling's slider waits for its motion, in headless Chromium.
-// Of each event two times are taken: in the page, from the event until the new positions are there, and inside the worker,
-// from the message that asks for a rollout until the message that answers it.
+// `npm run alpha -- [SITE_FOLDER] [--learned]`: how long a coupling's slider waits for its motion, in headless Chromium; the experts
+// re-inferred, or as learned. Of each event two times are taken: in the page, from the event until the new positions are there, and
+// inside the worker, from the message that asks for a rollout until the message that answers it. Then the same for a live motion:
+// what the worker takes for the next frames (a few at once), while it plays.
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
@@ -11,6 +12,7 @@ import { dist } from "./site.mjs";
 const EVENTS = 200;
 /** What the compiler of the browser still does to the program is not measured. */
 const WARM_UP = 20;
+const LIVE_SECONDS = 10;
 
 /** In a worker: notes when each question of the page came and when its answer left. Comlink numbers them. */
 function noteAnswers() {
@@ -28,6 +30,7 @@ function noteAnswers() {
     send(message, ...rest);
     if (message?.id) note(message.id, { answered: performance.now() });
   };
+  scope.forgetAnswers = () => notes.clear();
   scope.answerTimes = () =>
     [...notes.values()].flatMap(({ asked, answered }) =>
       asked === undefined || answered === undefined ? [] : [answered - asked],
@@ -83,7 +86,7 @@ function print(/** @type {string} */ name, /** @type {number[]} */ times) {
 await main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { reinferred: { type: "boolean", default: false } },
+    options: { learned: { type: "boolean", default: false } },
   });
   const { address, close } = await serve(resolve(positionals[0] ?? dist));
   const browser = await launchChromium();
@@ -95,7 +98,7 @@ await main(async () => {
     await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });
     // Where a figure walks, drawing it keeps the processor busy.
     await page.getByRole("button", { name: "Pause", exact: true }).click();
-    if (values.reinferred) await page.getByTestId("reading-inferred").click();
+    await page.getByTestId(values.learned ? "reading-learned" : "reading-inferred").click();
     const slider = "[data-testid=coupling-0-1]";
     await page.waitForSelector(slider);
     const workers = page.workers();
@@ -106,6 +109,14 @@ await main(async () => {
     for (const worker of workers) {
       const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
       if (times.length >= EVENTS) print("inside the worker", times.slice(-EVENTS));
+    }
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    for (const worker of workers) await worker.evaluate(() => /** @type {any} */ (globalThis).forgetAnswers());
+    await page.waitForTimeout(LIVE_SECONDS * 1000);
+    for (const worker of workers) {
+      const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
+      if (times.length > 0) print("live, in the worker", times);
     }
   } finally {
     await browser.close();

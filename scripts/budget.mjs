@@ -2,7 +2,7 @@
 // models; in gzipped bytes. The build, and the page's test in a browser, hold these.
 export const budget = {
   firstVisit: 500_000,
-  wasm: 275_000,
+  wasm: 280_000,
   whenAsked: 60_000,
-  onDemand: 430_000,
+  onDemand: 470_000,
 };

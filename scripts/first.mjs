@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { at, filesUnder, whenChanged } from "./run.mjs";
 
-const SECONDS = 4;
+const SECONDS = 3;
 
 /** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth of a millimetre in ten seconds. */
 const DIGITS = 7;

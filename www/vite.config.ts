@@ -1,24 +1,45 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { leanThree } from "./lean-three.ts";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
   fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
+/** What a visitor of the first view may ask for, in `src`: files without their ending, and whole rooms. */
+const WHEN_ASKED = [
+  "app/saving",
+  "app/stage-files",
+  "clips/parts-editor",
+  "clips/trim",
+  "clips/trim-view",
+  "latents/outlook",
+  "latents/outlook-drawing",
+  "latents/outlook-store",
+  "latents/outlook-view",
+  "live/",
+  "method/",
+  "scene/columns",
+  "stage/columns-view",
+  "terms/card",
+  "terms/terms",
+  "training/runs-table",
+];
+const isAsked = (file: string) =>
+  file.includes("/uplot/") ||
+  WHEN_ASKED.some((name) => (name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`)));
+/** The whole program and the views that need it, when they are opened. */
+const isOnDemand = (file: string) =>
+  /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file);
+
 /** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
-const LATER: [folder: string, of: RegExp][] = [
-  // The whole program and the views that need it, when they are opened.
-  ["assets/on-demand", /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/],
-  // What a visitor of the first view may ask for: what a term means, the method, a file, the chart of a training,
-  // what may come.
-  [
-    "assets/when-asked",
-    /\/src\/(terms\/(card|terms)|method\/.*|app\/(stage-files|saving)|latents\/outlook(-\w+)?|training\/runs-table|clips\/(parts-editor|trim-view|trim))\.(ts|css)$|\/uplot\//,
-  ],
+const LATER: [folder: string, of: (file: string) => boolean][] = [
+  ["assets/on-demand", isOnDemand],
+  ["assets/when-asked", isAsked],
 ];
 const folderOf = (files: readonly string[]) => {
   const plain = files.map((file) => file.replaceAll("\\", "/"));
-  return LATER.find(([, of]) => plain.some((file) => of.test(file)))?.[0] ?? "assets";
+  return LATER.find(([, of]) => plain.some(of))?.[0] ?? "assets";
 };
 const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
@@ -31,6 +52,7 @@ const output = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
+  plugins: [leanThree()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },

@@ -30,8 +30,8 @@ export function importsOf(/** @type {string} */ from, /** @type {string} */ text
 export function usesOf(imports, files) {
   return (
     imports
-      // What is imported as text is no code of the page.
-      .filter(({ source }) => source.startsWith(".") && !source.endsWith("?raw"))
+      // What is imported as text or as data is no code of the page.
+      .filter(({ source }) => source.startsWith(".") && !/\?raw$|\.json$/.test(source))
       .map(({ from, source }) => {
         const path = posix.join(posix.dirname(from), source.replace(/\?.*$/, ""));
         const to = [path, `${path}.ts`, `${path}.js`].find((file) => files.has(file));

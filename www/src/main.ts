@@ -35,6 +35,7 @@ listenToKeys({
   step: (direction) => page?.clock?.step(direction),
   resetCouplings: () => app.isPlayView && app.model.resetCouplings(),
   help: () => page?.openHelp(),
+  hold: (held) => page?.holdByKey(held),
   projector: () => app.settings.change({ large: !app.settings.values.large }),
 });
 listenToDrops((files, at) => void openFiles(app, files, at));

@@ -3,10 +3,10 @@
 #[cfg(feature = "comparison")]
 use crate::convert::flat;
 use crate::error::VcgpdmError;
-use crate::rollout::Rollout;
 #[cfg(feature = "comparison")]
 use vcgpdm::models::variational::LatentMoments;
-use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
+use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction, Vcgpdm};
+use vcgpdm::models::{Rollout, RolloutRequest, TrainedModel};
 use wasm_bindgen::prelude::*;
 
 /// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with the same variance in
@@ -19,10 +19,14 @@ pub struct Predictions {
 }
 
 impl Predictions {
-    pub(crate) fn new(rollout: &Rollout) -> Result<Self, VcgpdmError> {
-        let dynamics = rollout.model.predictive_dynamics(&rollout.request)?;
-        let (order, path) = (rollout.model.model.order, &rollout.rollout.latents);
-        let frames = order..rollout.rollout.y.nrows();
+    pub(crate) fn new(
+        model: &TrainedModel<Vcgpdm>,
+        request: &RolloutRequest,
+        rollout: &Rollout,
+    ) -> Result<Self, VcgpdmError> {
+        let dynamics = model.predictive_dynamics(request)?;
+        let (order, path) = (model.model.order, &rollout.latents);
+        let frames = order..rollout.y.nrows();
         let frames = frames.map(|t| dynamics.predict(path, t)).collect::<Result<_, _>>()?;
         Ok(Self { frames, order })
     }

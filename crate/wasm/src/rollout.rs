@@ -133,7 +133,7 @@ impl Rollout {
 
     /// What every expert predicts, with its uncertainty, about each of its frames.
     pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
-        Predictions::new(self)
+        Predictions::new(&self.model, &self.request, &self.rollout)
     }
 
     /// What the body does from this frame on, counted from 0, to the end.

@@ -28,7 +28,7 @@ describe("the start of the page", () => {
     await start();
     await settled();
     expect([app.engine.state, app.engine.version, app.clips.all.length]).toEqual(["ready", "1.2.3", 3]);
-    expect([app.model.weight(0, 1), app.stage.shown?.kind]).toEqual([50, "model"]);
+    expect([app.model.rollout?.weights[0]?.[1], app.stage.shown?.kind]).toEqual([50, "model"]);
     expect(app.training.whyNot()).toBe("");
   });
 
@@ -70,7 +70,7 @@ it("follows a link to other couplings", async () => {
   bar.pages.push("alpha=1.0:3");
   app.followAddress();
   await settled();
-  expect(app.model.weight(1, 0)).toBe(3);
+  expect(app.model.rollout?.weights[1]?.[0]).toBe(3);
 });
 
 describe("files", () => {

@@ -1,6 +1,8 @@
 // What the page knows, in one place: makes the stores and gives each those that it needs.
 import { ClipsStore } from "../clips/clips-store";
+import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
+import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import { PointingStore } from "../latents/pointing-store";
@@ -21,11 +23,18 @@ export class App {
   readonly stage: StageStore;
   readonly clips: ClipsStore;
   readonly model: ModelStore;
+  readonly body: BodyStore;
+  readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
   readonly predictions: PredictionsStore;
   readonly training: TrainingStore;
 
   readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
+
+  readonly live = new Lazy(async () => {
+    const { LiveStore } = await import("../live/live-store");
+    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+  });
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
@@ -53,6 +62,8 @@ export class App {
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+    this.body = new BodyStore(this.engine, this.model);
+    this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);
     this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
@@ -69,7 +80,7 @@ export class App {
     text.catch(() => {});
     await this.engine.start(startEngine, async () => {
       const first = await text;
-      if (first !== null) await this.model.open(first, { couplings: "link", clip: false });
+      if (first !== null) await this.model.openStart(first);
     });
     if (this.engine.state !== "ready") return;
     try {

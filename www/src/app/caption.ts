@@ -25,6 +25,8 @@ export function wordsNow(app: App): StageWords {
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
     altered: model.altered,
+    preset: model.preset,
+    beside: stage.columns !== null,
     learning: run && { iteration: run.steps.at(-1)?.iteration ?? null, seed: several ? run.settings.seed : null },
   });
 }

@@ -1,6 +1,7 @@
 // The head of the page: what this is, its views, and the files to save and open.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
+import { INVITATION } from "../couplings/presets";
 import { type Settings, writeSettings } from "../settings/settings";
 import "../terms/term";
 import { fileButton } from "../ui/file-button";
@@ -55,13 +56,27 @@ export class HeaderView extends View {
   private lead() {
     const { view } = this.app.settings.values;
     if (view !== "play") return LEADS[view];
-    const { lead } = wordsNow(this.app);
+    return html`${wordsNow(this.app).lead} ${this.invitation()}`;
+  }
+
+  /** What to try next: what it says is measured by tests/e2e/couplings.test.mjs. */
+  private invitation() {
+    const { model, stage, training } = this.app;
+    if (stage.shown?.kind !== "model" || training.learning) return nothing;
+    if (model.altered) {
+      return html`<button class="link" data-testid="lead-back" @click=${() => model.resetCouplings()}>Back to as learned</button>`;
+    }
+    const preset = model.presets.find(({ id }) => id === INVITATION.preset);
+    if (preset) {
+      return html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${preset.name}</button>, ${INVITATION.promise}.`;
+    }
     const show = (event: Event) => {
       event.preventDefault();
       this.tell("show-couplings");
     };
-    return html`${lead}
-      <a href="#couplings" @click=${show}>Drag a slider</a> to change who leads.`;
+    return model.presets.length > 0
+      ? html`<a href="#couplings" @click=${show}>Drag a slider</a> to change who decides.`
+      : nothing;
   }
 
   protected override render() {

@@ -12,6 +12,7 @@ const KEYS: [string, string][] = [
   ["← →", "one frame back or forward"],
   ["0", "reset all couplings"],
   ["delete", "on a slider: reset this coupling"],
+  ["c", "held: cut a coupling, that of the slider in focus or the strongest between parts, and watch live"],
   ["p", "large type, for a projector"],
   ["w a s d", "on the stage: look from another side"],
   ["+ −", "on the stage: come closer, go away"],

@@ -6,6 +6,8 @@ export interface KeyActions {
   resetCouplings(): unknown;
   help(): void;
   projector(): void;
+  /** The key that cuts a coupling is held, or let go. */
+  hold(held: boolean): void;
 }
 
 /** Whether the focused control uses this key itself. */
@@ -20,6 +22,7 @@ function taken(event: KeyboardEvent): boolean {
 }
 
 export function listenToKeys(actions: KeyActions): void {
+  document.addEventListener("keyup", (event) => event.key === "c" && actions.hold(false));
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || taken(event)) return;
     const action = {
@@ -29,6 +32,7 @@ export function listenToKeys(actions: KeyActions): void {
       "0": () => actions.resetCouplings(),
       "?": () => actions.help(),
       p: () => actions.projector(),
+      c: () => !event.repeat && actions.hold(true),
     }[event.key];
     if (!action) return;
     event.preventDefault();

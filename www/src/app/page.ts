@@ -7,6 +7,8 @@ import "../stage/stage-view";
 import "../stage/timeline";
 import "../training/training-view";
 import "../ui/notices-view";
+import type { HoldCoupling } from "../couplings/body-map";
+import type { LiveStore } from "../live/live-store";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption";
@@ -61,7 +63,10 @@ const PLACES = {
 } as const satisfies Record<string, { tab: Tab | null; focus: string }>;
 
 export class PageView extends View {
-  static override properties = { tab: { state: true } };
+  static override properties = { tab: { state: true }, liveView: { state: true } };
+  /** How to draw the live motion, once it has been asked for. */
+  declare liveView: (() => TemplateResult) | null;
+  private keyHolds: { source: number; target: number } | null = null;
   declare app: App;
   declare tab: Tab;
   readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
@@ -69,6 +74,47 @@ export class PageView extends View {
   constructor() {
     super();
     this.tab = "couplings";
+    this.liveView = null;
+  }
+
+  /** Goes on live, or back to the clip; the first time loads what that needs. */
+  private async switchLive(on: boolean): Promise<void> {
+    const live = await this.liveStore();
+    if (!live) return;
+    if (on) await live.start();
+    else live.stop();
+  }
+
+  /** The coupling of the slider in focus; without one, the strongest from one part to another. */
+  holdByKey(held: boolean): void {
+    if (held && this.app.isPlayView) this.keyHolds = this.couplingInFocus() ?? this.app.model.strongestBetween();
+    if (this.keyHolds) void this.holdCoupling({ ...this.keyHolds, held });
+    if (!held) this.keyHolds = null;
+  }
+
+  private couplingInFocus(): { source: number; target: number } | null {
+    const { source, target } = document.activeElement instanceof HTMLElement ? document.activeElement.dataset : {};
+    return source === undefined || target === undefined ? null : { source: Number(source), target: Number(target) };
+  }
+
+  private async holdCoupling({ source, target, held }: HoldCoupling): Promise<void> {
+    const live = await this.liveStore();
+    await live?.hold(source, target, held);
+  }
+
+  /** The live motion with its view; null where it cannot be loaded. */
+  private async liveStore(): Promise<LiveStore | null> {
+    try {
+      const [live] = await Promise.all([this.app.live.get(), import("../live/live-view")]);
+      this.liveView ??= () => html`<pg-live .live=${live} .model=${this.app.model}></pg-live>`;
+      return live;
+    } catch {
+      this.app.notices.addError(
+        "The live motion could not be loaded",
+        "Is this machine offline? Try again when it is online.",
+      );
+      return null;
+    }
   }
 
   protected override stores() {
@@ -152,20 +198,34 @@ export class PageView extends View {
         <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
         <pg-caption .app=${this.app}></pg-caption>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
+        <div class="live-box">${this.liveView ? this.liveView() : nothing}</div>
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
       </section>`;
   }
 
   private panels() {
-    const { engine, settings, notices, playback, stage, clips, model, pointing, predictions, training, embedded } =
-      this.app;
+    const {
+      engine,
+      settings,
+      notices,
+      playback,
+      stage,
+      clips,
+      model,
+      body,
+      readings,
+      pointing,
+      predictions,
+      training,
+      embedded,
+    } = this.app;
     const panel = (id: Tab) => (this.tab === id ? "panel active" : "panel");
     return html`
       <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces">
         <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
       </section>
       <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
-        <pg-couplings .model=${model} .settings=${settings} .engine=${engine}></pg-couplings>
+        <pg-couplings .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
       </section>
       ${
         embedded
@@ -190,6 +250,8 @@ export class PageView extends View {
     return html`
       <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod}
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
+        @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
+        @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${

@@ -7,6 +7,8 @@ const walking: OnStage = {
   learnedFrom: ["35_01.bvh", "35_02.bvh", "35_03.bvh"],
   point: null,
   altered: false,
+  preset: null,
+  beside: false,
   learning: null,
 };
 
@@ -36,6 +38,11 @@ describe("the words about the stage", () => {
     const learning = stageWords({ ...walking, learning: { iteration: 12, seed: 7 } });
     expect([learning.text, learning.lead]).toEqual(["Iteration 12, seed 7", expect.stringMatching(/is learning/)]);
     expect(stageWords({ ...walking, altered: true }).title).toBe("Couplings changed");
+    const preset = { name: "Let the arms go", sentence: "The arms no longer hear the legs." };
+    const { title, lead } = stageWords({ ...walking, altered: true, preset });
+    expect([title, lead]).toEqual([preset.name, preset.sentence]);
+    expect(stageWords({ ...walking, altered: true, beside: true }).text).not.toMatch(/ghost/);
+    expect(stageWords({ ...walking, beside: true }).text).toMatch(/change a coupling/);
     expect(stageWords({ ...walking, altered: true, point: "A pose of lower" }).text).toBe("A pose of lower");
   });
 });

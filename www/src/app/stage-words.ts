@@ -13,6 +13,10 @@ export interface OnStage {
   point: string | null;
   /** Whether a coupling is not as learned. */
   altered: boolean;
+  /** The preset that the couplings are of. */
+  preset: { name: string; sentence: string } | null;
+  /** Whether both readings of the couplings are seen side by side. */
+  beside: boolean;
   /** The training whose model is on the stage; `iteration` is null before the first. */
   learning: { iteration: number | null; seed: number | null } | null;
 }
@@ -33,12 +37,16 @@ export function stageWords(now: OnStage): StageWords {
   const { kind, clip } = now;
   if (kind === null) return { title: "", text: "", lead: MADE };
   if (kind === "clip") return clipWords(clip);
-  const lead = now.learning ? LEARNING : learned(now);
+  const lead = now.altered ? alteredLead(now) : now.learning ? LEARNING : learned(now);
   return { ...modelWords(now), lead };
 }
 
 const MADE = "This motion was never recorded: a small model made it.";
 const LEARNING = "A model is learning: what it can do so far moves on the stage.";
+
+function alteredLead({ preset }: OnStage): string {
+  return preset?.sentence ?? "Other couplings than the model learned.";
+}
 
 function learned({ learnedFrom }: OnStage): string {
   const count = learnedFrom?.length ?? 0;
@@ -54,9 +62,14 @@ function clipWords(clip: OnStage["clip"]): StageWords {
   };
 }
 
-function modelWords({ point, altered, learning, learnedFrom }: OnStage): { title: string; text: string } {
+function modelWords(now: OnStage): { title: string; text: string } {
+  const { point, altered, preset, beside, learning, learnedFrom } = now;
   if (point !== null) return { title: "What an inducing point stands for", text: point };
-  if (altered) return { title: "Couplings changed", text: "The ghost moves as the model learned it" };
+  if (altered) {
+    const title = preset?.name ?? "Couplings changed";
+    return { title, text: beside ? "The same couplings, read in two ways" : "The ghost moves as the model learned it" };
+  }
+  if (beside) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };
   if (learning) {
     const seed = learning.seed === null ? "" : `, seed ${learning.seed}`;
     const text = learning.iteration === null ? "Starting" : `Iteration ${learning.iteration}${seed}`;

@@ -4,7 +4,7 @@ import type { TrainingClip } from "../engine/protocol";
 import type { ComparisonSettings, Plan } from "../engine/whole-protocol";
 import type { Settings } from "../settings/settings";
 import { seedsFrom } from "../training/runs";
-import type { Body } from "./columns";
+import type { Body } from "../scene/columns";
 
 export interface Question {
   /** The same whenever the same clips, parts and frame rate are asked for. */

@@ -1,11 +1,11 @@
 // Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
 import { html, nothing } from "lit";
 import { plain } from "../figures/numbers";
+import { type ColumnMotion, Columns } from "../scene/columns";
 import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
-import { type ColumnMotion, Columns } from "./columns";
 import type { ReadonlyEntry } from "./comparison-entry";
 import type { ComparisonStore } from "./comparison-store";
 import "./distance";
@@ -146,7 +146,7 @@ export class SideBySide extends View {
     const motions: ColumnMotion[] = [];
     for (const prediction of chosen) {
       const predicted = motionOf(prediction.predicted, nodes);
-      motions.push({ predicted, actual: trial });
+      motions.push({ motion: predicted, ghost: trial });
       const metres = distances(predicted, trial);
       lines.push({ model: modelOf(prediction), label: prediction.label, metres });
     }

@@ -2,19 +2,33 @@
 import { html, svg } from "lit";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { short, weight } from "../ui/format";
+import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import { type Body, bodyOf, bowPath, HEIGHT, loopPath, NODE, WIDTH } from "./body-layout";
 import type { ModelStore } from "./model-store";
+import { shareWord } from "./shares";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
+/** Held still for so many milliseconds, an arrow is cut; a pointer that has moved by so many pixels drags it. */
+const HOLD = 180;
+const STILL = 4;
+
+/** A coupling is held, which cuts it, or let go: the detail of the event "hold-coupling". */
+export interface HoldCoupling {
+  source: number;
+  target: number;
+  held: boolean;
+}
 
 export class BodyMap extends View {
   declare model: ModelStore;
   declare settings: SettingsStore;
   private drag: { source: number; target: number; y: number; alpha: number } | null = null;
+  /** Waits whether the pointer rests on an arrow. */
+  private resting = 0;
+  private held: { source: number; target: number } | null = null;
   private body: Body = { spots: [], bones: [] };
   /** What the body was laid out for. */
   private laidOut = "";
@@ -38,18 +52,38 @@ export class BodyMap extends View {
       event.preventDefault();
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
       this.drag = { source, target, y: event.clientY, alpha: this.model.alpha(source, target) };
+      this.resting = window.setTimeout(() => {
+        this.drag = null;
+        this.hold({ source, target }, true);
+      }, HOLD);
     };
+  }
+
+  private hold(coupling: { source: number; target: number }, held: boolean): void {
+    this.held = held ? coupling : null;
+    const detail: HoldCoupling = { ...coupling, held };
+    this.dispatchEvent(new CustomEvent("hold-coupling", { detail, bubbles: true }));
+    this.requestUpdate();
   }
 
   private move(event: PointerEvent): void {
     const { drag } = this;
-    if (!drag) return;
+    if (!drag || (this.resting && Math.abs(event.clientY - drag.y) < STILL)) return;
+    this.rests();
     const alpha = drag.alpha * 10 ** ((event.clientY - drag.y) / DECADE);
     this.model.setCoupling(drag.source, drag.target, Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha)));
   }
 
   private drop(): void {
+    this.rests();
     this.drag = null;
+    if (this.held) this.hold(this.held, false);
+  }
+
+  /** The pointer no longer rests. */
+  private rests(): void {
+    clearTimeout(this.resting);
+    this.resting = 0;
   }
 
   private arrow(source: number, target: number) {
@@ -64,10 +98,10 @@ export class BodyMap extends View {
     const colour = partColour(source);
     const head = `head-${source}-${target}`;
     return svg`
-      <g class="arrow" style=${swatchStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
+      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${swatchStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
         @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetCoupling(source, target)}>
-        <title>${name(source)} to ${name(target)}: weight ${weight(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker.</title>
+        <title>${name(source)} to ${name(target)}: weight ${shareWord(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
           markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" fill=${colour} /></marker>
         <path class="grip" d=${path} />

@@ -3,20 +3,27 @@ import { html, nothing } from "lit";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
-import { clipTitle, short, weight } from "../ui/format";
-import { icon } from "../ui/icons";
+import { clipTitle, short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import "../terms/term";
 import { swatchStyle, View } from "../ui/view";
 import "./body-map";
+import type { BodyStore } from "./body-store";
 import "./couplings.css";
 import type { ModelStore } from "./model-store";
+import "./presets-view";
+import type { ReadingsStore } from "./readings-store";
+import "./readings-view";
+import "./share-bar";
+import { isOff, shareWord } from "./shares";
 import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
   declare settings: SettingsStore;
   declare engine: EngineStore;
+  declare body: BodyStore;
+  declare readings: ReadingsStore;
 
   protected override stores() {
     return [this.model, this.settings, this.engine];
@@ -38,13 +45,14 @@ export class CouplingsView extends View {
     const changed = model.isChanged(source, target);
     const name = (part: number) => parts[part]?.name ?? "";
     const label = `${name(source)} to ${name(target)}`;
+    const classes = `${changed ? "changed" : ""} ${isOff(w) ? "off" : ""}`;
     return html`
-      <td style=${swatchStyle(partColour(source))} class=${changed ? "changed" : ""}>
+      <td style=${swatchStyle(partColour(source))} class=${classes}>
         <div class="slider">
           <span class="fill" style="--at:${placeOf(alpha).toFixed(4)}"></span>
           <span class="tick" style="--at:${placeOf(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
           <input type="range" min=${WEAKEST} max=${STRONGEST} step="0.01" .value=${strengthOf(alpha).toFixed(2)}
-            aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weight(w)}; learned ${short(learned)}"
+            aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${shareWord(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
             title="${label}: drag to change, double click to reset"
             @input=${(event: Event) => model.setCoupling(source, target, alphaOf((event.target as HTMLInputElement).valueAsNumber))}
@@ -53,7 +61,7 @@ export class CouplingsView extends View {
         </div>
         <div class="numbers">
           <span title="alpha, the variance of this prediction: small means influential"><i>α</i> <output data-testid="alpha-${source}-${target}">${short(alpha)}</output></span>
-          <span title="weight of this prediction; the weights into a part sum to 1"><i>w</i> <output data-testid="weight-${source}-${target}">${weight(w)}</output></span>
+          <span title="weight of this prediction; the weights into a part sum to 1"><i>w</i> <output data-testid="weight-${source}-${target}">${shareWord(w)}</output></span>
         </div>
       </td>`;
   }
@@ -66,9 +74,17 @@ export class CouplingsView extends View {
       <table class="couplings" data-parts=${parts.length}>
         <thead>
           <tr>
-            <td></td>
-            ${parts.map(({ name }, target) => html`<th scope="col"><small>predicts</small> ${head(name, target)}</th>`)}
+            <td><small>who decides</small></td>
+            ${parts.map(({ name }, target) => html`<th scope="col"><small>about</small> ${head(name, target)}</th>`)}
           </tr>
+          ${
+            parts.length > 1
+              ? html`<tr>
+            <td></td>
+            ${parts.map((_, target) => html`<td><pg-share-bar .model=${this.model} .target=${target}></pg-share-bar></td>`)}
+          </tr>`
+              : nothing
+          }
         </thead>
         <tbody>
           ${parts.map(
@@ -80,28 +96,6 @@ export class CouplingsView extends View {
           )}
         </tbody>
       </table>`;
-  }
-
-  private readings() {
-    const { model } = this;
-    const inferred = this.settings.values.reading === "re-inferred";
-    return html`
-      <fieldset class="readings">
-        <legend>When a slider moves, <pg-term of="expert" text="experts"></pg-term> <pg-term of="reading" text="stay or are re-inferred"></pg-term></legend>
-        <div class="segments">
-          <button type="button" aria-pressed=${inferred ? "false" : "true"} data-testid="reading-learned"
-            @click=${() => model.setReading("as learned")}>experts as learned</button>
-          <button type="button" aria-pressed=${inferred ? "true" : "false"} data-testid="reading-inferred"
-            @click=${() => model.setReading("re-inferred")}>experts re-inferred</button>
-        </div>
-        <p>${
-          inferred
-            ? "What the same data would have taught each part’s predictions under these couplings."
-            : "Only the weights change: each part predicts as before, and counts for more or less."
-        }</p>
-        <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.altered} @click=${() => model.resetCouplings()}>
-          ${icon("reset")} Reset all <kbd>0</kbd></button>
-      </fieldset>`;
   }
 
   private starts({ sequences }: ModelInfo) {
@@ -120,17 +114,18 @@ export class CouplingsView extends View {
     return html`
       <header class="panel-head">
         <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
-        <p class="hint">Which <pg-term of="part" text="part"></pg-term> predicts which. Right is strong: small
+        <p class="hint">Which <pg-term of="part" text="part"></pg-term> decides about which. Right is strong: small
           <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
         ${info ? this.starts(info) : nothing}
       </header>
       ${
         info
           ? html`
+          <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body}></pg-presets>
           <div class="couplings-body">
             ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
             <div class="table-box">${this.table(info)}</div>
-            ${this.readings()}
+            <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
           </div>`
           : html`<p class="empty">${
               this.engine.state === "failed"

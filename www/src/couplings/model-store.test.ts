@@ -7,6 +7,7 @@ import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 import { ModelStore } from "./model-store";
+import { START_PRESETS } from "./presets";
 
 let engine: FakeEngine;
 let settings: SettingsStore;
@@ -28,6 +29,9 @@ async function begin(fragment = "", sequences = 1): Promise<void> {
   await settled();
 }
 beforeEach(() => begin());
+
+/** The weight that the rollout on the stage was made with. */
+const weightOf = (source: number, target: number) => model.rollout?.weights[source]?.[target];
 
 const clip = () => ({
   kind: "clip" as const,
@@ -60,7 +64,31 @@ describe("a coupling", () => {
     ];
     expect(engine.rollouts.slice(before)).toEqual([{ frames: 300, sequence: 0, alpha, reading: "re-inferred" }]);
     await settled();
-    expect([model.alpha(0, 1), model.weight(0, 1), model.learnedAlpha(0, 1)]).toEqual([7.123456789, 7.123456789, 4]);
+    expect([model.alpha(0, 1), weightOf(0, 1), model.learnedAlpha(0, 1)]).toEqual([7.123456789, 7.123456789, 4]);
+  });
+
+  it("changes its weight before the motion is there", () => {
+    engine.holding.add("rollout");
+    expect(model.weightsInto(1)).toEqual([0.2, 0.8]);
+    model.setCoupling(0, 1, 1);
+    expect(model.weight(0, 1)).toBe(0.5);
+  });
+
+  it("changes with its neighbour when their divider is moved: one rollout, and one that is back is no change", async () => {
+    const before = engine.rollouts.length;
+    model.moveDivider(1, 0, 0.5);
+    await settled();
+    expect(model.weightsInto(1).map((w) => w.toFixed(6))).toEqual(["0.500000", "0.500000"]);
+    expect([model.alpha(0, 1), model.alpha(1, 1)].map((alpha) => alpha.toFixed(6))).toEqual(["1.600000", "1.600000"]);
+    expect(model.isChanged(0, 0)).toBe(false);
+    model.moveDivider(1, 0, 0.2);
+    await settled();
+    expect(model.altered).toBe(false);
+    expect(engine.rollouts.length - before).toBe(2);
+    model.moveDivider(1, 0, 0.5);
+    model.setCoupling(0, 0, 3);
+    model.resetInto(1);
+    expect([model.isChanged(0, 0), model.isChanged(0, 1), model.isChanged(1, 1)]).toEqual([true, false, false]);
   });
 
   it("drops older changes that still wait", async () => {
@@ -112,7 +140,36 @@ describe("a coupling", () => {
     engine.holding.clear();
     model.setCoupling(0, 1, 9);
     await settled();
-    expect(model.weight(0, 1)).toBe(9);
+    expect(weightOf(0, 1)).toBe(9);
+  });
+});
+
+describe("presets", () => {
+  it("are those of its parts, and set couplings and reading at once", async () => {
+    expect(model.presets.map(({ name }) => name)).toContain("Upper on its own");
+    expect(model.preset?.id).toBe("as-learned");
+    model.setReading("as learned");
+    stage.showClip(clip());
+    const before = engine.rollouts.length;
+    model.takePreset(model.presets.find(({ name }) => name === "Upper on its own")!);
+    await settled();
+    expect([model.preset?.name, settings.values.reading, stage.clip]).toEqual([
+      "Upper on its own",
+      "re-inferred",
+      null,
+    ]);
+    expect(engine.rollouts.length - before).toBe(1);
+    model.setReading("as learned");
+    expect(model.preset).toBeNull();
+  });
+
+  it("of the model that comes with the page are its own, also when it is opened again", async () => {
+    await model.openStart(modelText(1));
+    expect(model.presets).toBe(START_PRESETS);
+    await model.open(modelText(2));
+    expect(model.presets).not.toBe(START_PRESETS);
+    await model.open(modelText(1));
+    expect(model.presets).toBe(START_PRESETS);
   });
 });
 
@@ -130,7 +187,7 @@ describe("another model", () => {
     stage.showClip(clip());
     await model.open(modelText(2), { couplings: "visitor", clip: true });
     await settled();
-    expect([model.alpha(0, 1), model.weight(0, 1), stage.clip]).toEqual([8, 8, "a"]);
+    expect([model.alpha(0, 1), weightOf(0, 1), stage.clip]).toEqual([8, 8, "a"]);
     expect(model.learned?.request.alpha).toBeNull();
   });
 
@@ -210,12 +267,12 @@ it("begins anew with couplings from the address", async () => {
     () => model.open(modelText(1), { couplings: "link", clip: false }),
   );
   await settled();
-  expect(model.weight(0, 1)).toBe(50);
+  expect(weightOf(0, 1)).toBe(50);
   bar.pages.push("alpha=1.0:3");
   settings.readAddress();
   model.restart();
   await settled();
-  expect([model.weight(0, 1), model.weight(1, 0)]).toEqual([4, 3]);
+  expect([weightOf(0, 1), weightOf(1, 0)]).toEqual([4, 3]);
   bar.pages.push("alpha=7.7:3");
   settings.readAddress();
   model.restart();
@@ -259,9 +316,9 @@ describe("a link", () => {
 
   it("to this model, or from before links named models, brings its couplings", async () => {
     await begin(`model=${id(1)}&alpha=0.1:8`);
-    expect([model.weight(0, 1), model.foreign]).toEqual([8, null]);
+    expect([weightOf(0, 1), model.foreign]).toEqual([8, null]);
     await begin("alpha=0.1:8");
-    expect([model.weight(0, 1), settings.values.model]).toEqual([8, id(1)]);
+    expect([weightOf(0, 1), settings.values.model]).toEqual([8, id(1)]);
   });
 
   it("follows the visitor's couplings from one model of a training to the next", async () => {

@@ -16,15 +16,14 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
+import { couplingsOf, isClose, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
+import { moveDivider, sharesOf } from "./shares";
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
 
 /** So many digits of a hash tell the models of a class apart. */
 const ID_DIGITS = 8;
-
-/** A coupling within half a percent of the learned one is back at it. */
-const BACK = 0.005;
 
 /** What stays as it is when another model is taken up. */
 export interface Keep {
@@ -50,6 +49,8 @@ export class ModelStore extends Store {
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
   #model: ModelView | null = null;
+  /** The hash of the model that the page opens with. */
+  #startModel: string | null = null;
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #foreign: Foreign | null = null;
@@ -119,9 +120,34 @@ export class ModelStore extends Store {
     return this.#settings.values.alpha[pair(source, target)] !== undefined;
   }
 
+  /** How much the predictions of all parts count for one, each 0 to 1. They follow the couplings at once. */
+  weightsInto(target: number): number[] {
+    return sharesOf(this.#alphasInto(target));
+  }
+
   /** How much the prediction of a part counts for another, 0 to 1. */
   weight(source: number, target: number): number {
-    return this.#rollout?.weights[source]?.[target] ?? 0;
+    return this.weightsInto(target)[source] ?? 0;
+  }
+
+  /** Sets of couplings to choose from. */
+  get presets(): readonly Preset[] {
+    const model = this.#model;
+    if (!model) return [];
+    return model.sha256 === this.#startModel ? START_PRESETS : presetsOf(model.info.parts.map(({ name }) => name));
+  }
+
+  /** The preset whose couplings are those now. */
+  get preset(): Preset | null {
+    const info = this.#model?.info;
+    return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
+  }
+
+  /** The coupling from one part to another that counts most now; null where there is but one part. */
+  strongestBetween(): { source: number; target: number } | null {
+    const parts = this.#model?.info.parts.map((_, part) => part) ?? [];
+    const pairs = parts.flatMap((source) => parts.flatMap((target) => (source === target ? [] : [{ source, target }])));
+    return pairs.sort((a, b) => this.weight(b.source, b.target) - this.weight(a.source, a.target))[0] ?? null;
   }
 
   /** What to ask the engine for the rollout on the stage. */
@@ -141,6 +167,13 @@ export class ModelStore extends Store {
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
   }
 
+  /** Opens the model that comes with the page, under the couplings of the address. */
+  async openStart(text: string): Promise<void> {
+    await this.open(text, { couplings: "link", clip: false });
+    this.#startModel = this.#model?.sha256 ?? null;
+    this.changed();
+  }
+
   /** Begins anew with the model as it was learned, under settings that came from the address. */
   restart(): void {
     if (!this.#model || !this.#learned) return;
@@ -148,17 +181,36 @@ export class ModelStore extends Store {
   }
 
   setCoupling(source: number, target: number, alpha: number): void {
-    if (!this.#model) return;
-    this.#changedAt = performance.now();
-    const isBack = Math.abs(Math.log(alpha / this.learnedAlpha(source, target))) < BACK;
+    this.#set([[source, target, alpha]]);
+  }
+
+  /** Moves the divider between the shares of two neighbouring sources of a part to a place between 0 and 1. */
+  moveDivider(target: number, divider: number, place: number): void {
+    const [left, right] = moveDivider(this.#alphasInto(target), divider, place);
+    this.#set([
+      [divider, target, left],
+      [divider + 1, target, right],
+    ]);
+  }
+
+  takePreset(preset: Preset): void {
+    const alpha = this.#model && couplingsOf(preset, this.#model.info);
+    if (!alpha) return;
     this.#foreign = null;
-    this.#change({ alpha: isBack ? this.#without(source, target) : this.#with(source, target, alpha) });
+    this.#change({ alpha, reading: preset.reading });
     this.#stage.endClip();
     this.#rollOut();
   }
 
   resetCoupling(source: number, target: number): void {
-    this.#change({ alpha: this.#without(source, target) });
+    this.#change({ alpha: this.#without([pair(source, target)]) });
+    this.#rollOut();
+  }
+
+  /** Takes back all that was changed about a part. */
+  resetInto(target: number): void {
+    const sources = this.#alphasInto(target).keys();
+    this.#change({ alpha: this.#without([...sources].map((source) => pair(source, target))) });
     this.#rollOut();
   }
 
@@ -204,13 +256,28 @@ export class ModelStore extends Store {
     this.#settings.change({ ...change, model: aboutModel ? this.id : "" });
   }
 
-  #with(source: number, target: number, alpha: number): ChangedCouplings {
-    return { ...this.#settings.values.alpha, [pair(source, target)]: alpha };
+  #alphasInto(target: number): number[] {
+    return (this.#model?.info.parts ?? []).map((_, source) => this.alpha(source, target));
   }
 
-  #without(source: number, target: number): ChangedCouplings {
-    const { [pair(source, target)]: _, ...others } = this.#settings.values.alpha;
-    return others;
+  /** The visitor has changed couplings: from which source, to which target. */
+  #set(changes: readonly [source: number, target: number, alpha: number][]): void {
+    if (!this.#model) return;
+    this.#changedAt = performance.now();
+    this.#foreign = null;
+    const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
+    for (const [source, target, value] of changes) {
+      // Close to the learned one it is back at it.
+      if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
+    }
+    this.#change({ alpha });
+    this.#stage.endClip();
+    this.#rollOut();
+  }
+
+  #without(pairs: readonly string[]): ChangedCouplings {
+    const kept = Object.entries(this.#settings.values.alpha).filter(([pair]) => !pairs.includes(pair));
+    return Object.fromEntries(kept);
   }
 
   /** Asks for the rollout as learned, and then for the one under the couplings now. */

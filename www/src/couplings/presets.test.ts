@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { ModelView } from "../engine/protocol";
-import { couplingsOf, presetsOf, START_PRESETS } from "./presets";
+import { couplingsOf, INVITATION, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
 
 /** As much of a model as presets look at. */
 function info(names: string[], alpha: number[][]): ModelView["info"] {
@@ -21,25 +21,53 @@ it("the presets of the first model fit it, and one of them is as learned", () =>
   expect(changes.filter((changed) => Object.keys(changed ?? {}).length === 0)).toHaveLength(1);
 });
 
-it("any model has two presets for each part", () => {
+it("the head of the page invites to a preset that there is", () => {
+  expect(START_PRESETS.map(({ id }) => id)).toContain(INVITATION.preset);
+});
+
+it("a preset is on where its couplings and its reading are, as far as a link tells them", () => {
+  const parts = info(
+    ["lower", "upper"],
+    [
+      [1, 2],
+      [3, 4],
+    ],
+  );
+  const [learned, alone] = presetsOf(["lower", "upper"]) as [Preset, Preset];
+  expect(isPreset(learned, parts, { alpha: {}, reading: "as learned" })).toBe(true);
+  expect(isPreset(learned, parts, { alpha: { "1.0": 7 }, reading: "re-inferred" })).toBe(false);
+  expect(isPreset(alone, parts, { alpha: { "1.0": 1000.4 }, reading: "re-inferred" })).toBe(true);
+  expect(isPreset(alone, parts, { alpha: { "1.0": 1000 }, reading: "as learned" })).toBe(false);
+  expect(isPreset(alone, parts, { alpha: { "1.0": 900 }, reading: "re-inferred" })).toBe(false);
+  expect(isPreset(alone, parts, { alpha: { "1.0": 1000, "0.0": 2 }, reading: "re-inferred" })).toBe(false);
+});
+
+it("any model has as learned, and two presets for each part", () => {
   const names = ["legs", "trunk", "left arm"];
   const presets = presetsOf(names);
-  expect(presets.map(({ name }) => name).slice(4)).toEqual(["Left arm on its own", "Left arm follows the others"]);
-  expect(new Set(presets.map(({ id }) => id)).size).toBe(6);
+  expect(presets.map(({ name }) => name).slice(5)).toEqual(["Left arm on its own", "Left arm follows the others"]);
+  expect(new Set(presets.map(({ id }) => id)).size).toBe(7);
   const model = info(names, [
-    [1, 2, 3],
-    [4, 5, 6],
-    [7, 8, 9],
+    [0.1, 0.2, 0.3],
+    [0.4, 0.5, 0.6],
+    [0.7, 0.8, 0.9],
   ]);
-  expect(couplingsOf(presets[4]!, model)).toEqual({ "0.2": 3000, "1.2": 6000 });
-  expect(couplingsOf(presets[5]!, model)).toEqual({ "2.2": 9000 });
+  expect(presets.map((preset) => couplingsOf(preset, model))).toEqual([
+    {},
+    { "1.0": 400, "2.0": 700 },
+    { "0.0": 100 },
+    { "0.1": 200, "2.1": 800 },
+    { "1.1": 500 },
+    { "0.2": 300, "1.2": 600 },
+    { "2.2": 900 },
+  ]);
 });
 
 it("a model of one part has none, and one that lacks a part cannot take a preset", () => {
   expect(presetsOf(["body"])).toEqual([]);
   expect(
     couplingsOf(
-      presetsOf(["legs", "arms"])[0]!,
+      presetsOf(["legs", "arms"])[1]!,
       info(
         ["legs", "trunk"],
         [

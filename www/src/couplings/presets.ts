@@ -2,7 +2,7 @@
 // sense for any model.
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
-import type { ChangedCouplings } from "../settings/settings";
+import { type ChangedCouplings, limited } from "../settings/settings";
 
 export interface Preset {
   id: string;
@@ -30,6 +30,17 @@ export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, re
   reading: reading as Reading,
 }));
 
+/** What the head of the page invites to: a preset of the first model, and what its name promises. */
+export const INVITATION = { preset: "arms-go", promise: "and they fall out of step" };
+
+/** Couplings so close to each other are the same: a link rounds them to four digits. */
+const CLOSE = 0.005;
+
+/** Whether two coupling variances are the same for a visitor. */
+export function isClose(a: number, b: number): boolean {
+  return Math.abs(Math.log(a / b)) < CLOSE;
+}
+
 /** Presets for any model with these parts; none for a model of one part. */
 export function presetsOf(parts: readonly string[]): Preset[] {
   if (parts.length < 2) return [];
@@ -40,7 +51,7 @@ export function presetsOf(parts: readonly string[]): Preset[] {
     reading: "re-inferred",
     couplings,
   });
-  return parts.flatMap((target, place) => {
+  const changed = parts.flatMap((target, place) => {
     const others = parts.filter((part) => part !== target);
     const silent = (source: string) => ({ source, target, factor: SILENT });
     return [
@@ -58,9 +69,10 @@ export function presetsOf(parts: readonly string[]): Preset[] {
       ),
     ];
   });
+  return [preset("as-learned", "As learned", "The parts as training coupled them.", []), ...changed];
 }
 
-/** The couplings of a preset as settings know them; null where the model lacks a part. */
+/** The couplings of a preset as settings know them, within their limits; null where the model lacks a part. */
 export function couplingsOf({ couplings }: Preset, { parts, alpha }: ModelView["info"]): ChangedCouplings | null {
   const changed: Record<string, number> = {};
   for (const { source, target, factor } of couplings) {
@@ -70,7 +82,23 @@ export function couplingsOf({ couplings }: Preset, { parts, alpha }: ModelView["
     if (learned === undefined) return null;
     changed[`${from}.${to}`] = learned * factor;
   }
-  return changed;
+  return limited({ alpha: changed }).alpha ?? null;
+}
+
+/** Whether these couplings, read like this, are those of the preset. Without a change there is nothing to read. */
+export function isPreset(
+  preset: Preset,
+  info: ModelView["info"],
+  { alpha, reading }: { alpha: ChangedCouplings; reading: Reading },
+): boolean {
+  const wanted = couplingsOf(preset, info);
+  if (!wanted) return false;
+  const pairs = Object.keys(wanted);
+  return (
+    pairs.length === Object.keys(alpha).length &&
+    (pairs.length === 0 || preset.reading === reading) &&
+    pairs.every((pair) => isClose(alpha[pair] ?? Number.POSITIVE_INFINITY, wanted[pair] ?? 0))
+  );
 }
 
 function capital(name: string): string {

@@ -154,7 +154,8 @@ export class LatentPlot extends View {
   private picture(box: HTMLElement): LatentPicture | null {
     const { bodyPart: part, projection, turn, layers, playback } = this;
     const { model, rollout, learned, altered } = this.model;
-    const latents = rollout?.latents[part];
+    const { live } = this.stage;
+    const latents = live?.latents(part) ?? rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
     const { report } = this.pointing;
     const said = this.predictions.report;
@@ -173,20 +174,21 @@ export class LatentPlot extends View {
       part,
       colour: partColour(part),
       rollout: latents,
-      learned: altered ? (learned?.latents[part] ?? null) : null,
+      learned: altered || live ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
       poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
       dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
       outgoing: between((other) => inducing(part, other)),
       incoming: between((other) => inducing(other, part)),
       order: model.info.order,
-      frame: playback.frame,
+      frame: playback.frame - (live?.first ?? 0),
       live: this.stage.shown?.kind === "model",
       report,
       lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
-      predicted: said && { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+      predicted:
+        !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
       band: this.band,
-      behind: this.behind,
+      behind: live ? null : this.behind,
     };
   }
 

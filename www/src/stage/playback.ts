@@ -1,5 +1,6 @@
 // The clock of the stage: the motion that plays, which frame is now, and where the figure walks.
 import type { Motion } from "../engine/protocol";
+import type { LiveTrack } from "../scene/live-track";
 import { Walk } from "../scene/motion";
 import type { SettingsStore } from "../settings/settings-store";
 import { Store } from "../ui/store";
@@ -9,6 +10,8 @@ import { Player } from "./player";
 export class Playback extends Store {
   readonly #player = new Player();
   #walk: Walk | null = null;
+  /** What goes on arriving, in front of the walk. */
+  #live: LiveTrack | null = null;
 
   constructor(settings: SettingsStore) {
     super();
@@ -35,7 +38,7 @@ export class Playback extends Store {
 
   /** The figure's nodes now [nodes x 3]; null before the first motion. */
   get pose(): Float32Array | null {
-    return this.#walk?.at(this.#player.frame) ?? null;
+    return (this.#live ?? this.#walk)?.at(this.#player.frame) ?? null;
   }
 
   /**
@@ -44,10 +47,23 @@ export class Playback extends Store {
    */
   load(motion: Motion, { whole, goesOn }: { whole: boolean; goesOn: boolean }): void {
     const before = goesOn && this.#walk?.motion.nodes === motion.nodes ? (this.pose?.slice() ?? null) : null;
-    if (!before) this.#player.frame = 0;
+    if (!before || this.#live) this.#player.frame = 0;
+    this.#live = null;
     this.#walk = new Walk(motion, whole);
     this.#player.load(motion.frames, motion.frameTime, this.#walk.loop.end);
     if (before) this.#walk.standAt(this.#player.frame, before);
+    this.changed();
+  }
+
+  /** Plays what goes on arriving from its first frame on, from where the figure stands. Called again when frames have arrived. */
+  follow(track: LiveTrack): void {
+    if (this.#live !== track) {
+      const before = this.pose?.slice();
+      if (before) track.standAt(before);
+      this.#player.frame = track.first;
+    }
+    this.#live = track;
+    this.#player.follow(track.last, track.motion.frameTime);
     this.changed();
   }
 

@@ -9,13 +9,23 @@ export class Player {
   private frames = 1;
   private loopEnd = 0;
   private frameTime = 1 / 30;
+  /** Frames go on arriving: at the last one the clock waits. */
+  private endless = false;
 
   /** Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it. */
   load(frames: number, frameTime: number, loopEnd: number): void {
     this.frames = frames;
     this.frameTime = frameTime;
+    this.endless = false;
     this.loopEnd = Math.min(loopEnd, frames - 1);
     if (this.frame > this.last) this.frame = this.loops ? 0 : this.last;
+  }
+
+  /** Plays what goes on arriving, of which the newest frame is the `last`. */
+  follow(last: number, frameTime: number): void {
+    this.frames = last + 1;
+    this.frameTime = frameTime;
+    this.endless = true;
   }
 
   get last(): number {
@@ -26,6 +36,10 @@ export class Player {
   advance(seconds: number): number {
     if (!this.playing || this.last < 1) return 0;
     this.frame += (seconds * this.speed) / this.frameTime;
+    if (this.endless) {
+      this.frame = Math.min(this.frame, this.last);
+      return 0;
+    }
     if (!this.loops) {
       if (this.frame >= this.last) {
         this.frame = this.last;
@@ -44,7 +58,7 @@ export class Player {
   }
 
   play(): void {
-    if (!this.loops && this.frame >= this.last) this.frame = 0;
+    if (!this.loops && !this.endless && this.frame >= this.last) this.frame = 0;
     this.playing = true;
   }
 
@@ -56,7 +70,8 @@ export class Player {
   step(direction: 1 | -1): void {
     this.playing = false;
     const next = direction > 0 ? Math.floor(this.frame + 1e-6) + 1 : Math.ceil(this.frame - 1e-6) - 1;
-    this.frame = next < 0 ? this.last : next > this.last ? 0 : next;
+    const beyond = this.endless ? this.last : 0;
+    this.frame = next < 0 ? this.last : next > this.last ? beyond : next;
   }
 
   scrub(frame: number): void {

@@ -1,6 +1,7 @@
 // What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
+import type { LiveTrack } from "../scene/live-track";
 import type { Playback } from "./playback";
 
 /** What the stage plays. */
@@ -14,6 +15,8 @@ export interface Shown {
   motion: Motion;
   /** The key of the clip, when it is one. */
   clip?: string;
+  /** Whether the model's motion goes on arriving. */
+  live?: boolean;
 }
 
 /** What an inducing point stands for. */
@@ -24,13 +27,23 @@ export interface Marks {
   frames: Float64Array;
 }
 
+/** One of several motions of the model's body side by side. */
+export interface StageColumn {
+  title: string;
+  motion: Motion;
+}
+
 export class StageStore extends Store {
   readonly #playback: Playback;
   /** The clip in front; null: the model is seen. */
   #clip: Shown | null = null;
   #model: Shown | null = null;
+  /** The live motion in front of the model's clip. */
+  #live: Shown | null = null;
+  #track: LiveTrack | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
+  #columns: readonly StageColumn[] | null = null;
   #futures: readonly Motion[] = [];
 
   constructor(playback: Playback) {
@@ -39,12 +52,17 @@ export class StageStore extends Store {
   }
 
   get shown(): Shown | null {
-    return this.#clip ?? this.#model;
+    return this.#clip ?? this.#live ?? this.#model;
   }
 
   /** The key of the clip that is shown; null: the model is seen. */
   get clip(): string | null {
     return this.#clip?.clip ?? null;
+  }
+
+  /** The live motion that is shown; null: something else is. */
+  get live(): LiveTrack | null {
+    return this.shown?.live ? this.#track : null;
   }
 
   /** The motion as learned, beside the model's under other couplings. */
@@ -56,6 +74,11 @@ export class StageStore extends Store {
     return this.#marks;
   }
 
+  /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
+  get columns(): readonly StageColumn[] | null {
+    return this.#clip || this.#live || this.#marks ? null : this.#columns;
+  }
+
   /** Other motions that the model could make, shown faintly with its own. */
   get futures(): readonly Motion[] {
     return this.#futures;
@@ -65,7 +88,25 @@ export class StageStore extends Store {
   showModel(shown: Shown): void {
     const before = this.#model;
     this.#model = shown;
-    if (!this.#clip) this.#play(shown, before !== null);
+    if (!this.#clip && !this.#live) this.#play(shown, before !== null);
+    this.changed();
+  }
+
+  /** Shows a live motion in front of the model's; its frames go on arriving. */
+  showLive(track: LiveTrack): void {
+    if (!this.#model) return;
+    this.#clip = null;
+    this.#track = track;
+    this.#live = { ...this.#model, motion: track.motion, live: true };
+    this.#playback.follow(track);
+    this.changed();
+  }
+
+  /** Takes the live motion away; the model's clip plays from where the figure stands. */
+  endLive(): void {
+    if (!this.#live) return;
+    this.#live = null;
+    if (!this.#clip && this.#model) this.#play(this.#model, true);
     this.changed();
   }
 
@@ -88,6 +129,12 @@ export class StageStore extends Store {
   setGhost(ghost: Motion | null): void {
     if (ghost === this.#ghost) return;
     this.#ghost = ghost;
+    this.changed();
+  }
+
+  setColumns(columns: readonly StageColumn[] | null): void {
+    if (columns === this.#columns) return;
+    this.#columns = columns;
     this.changed();
   }
 

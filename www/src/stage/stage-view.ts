@@ -15,7 +15,8 @@ export class StageView extends View {
   declare playback: Playback;
   /** Whether time goes on here. */
   declare running: boolean;
-  private scene: Stage | null = null;
+  /** Null where there is no WebGL. */
+  scene: Stage | null = null;
   private problem = "";
 
   protected override stores() {
@@ -49,19 +50,27 @@ export class StageView extends View {
       before = now;
       if (!this.running) return;
       this.playback.advance(seconds);
-      this.scene?.draw(seconds);
+      if (!this.stage.columns) this.scene?.draw(seconds);
     };
     let timer = requestAnimationFrame(frame);
     this.whenLeaving(() => cancelAnimationFrame(timer));
   }
 
+  /** Several motions side by side, drawn by what comes when they are first asked for; where it does not come, the model walks alone. */
+  private columns() {
+    if (!this.stage.columns) return nothing;
+    import("./columns-view").catch(() => this.stage.setColumns(null));
+    return html`<pg-columns .stage=${this.stage} .playback=${this.playback}></pg-columns>`;
+  }
+
   protected override render() {
     return html`
-      <canvas
+      <canvas ?hidden=${this.stage.columns !== null}
         class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="stage"
         aria-label="A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus."
       ></canvas>
       ${this.problem ? html`<p class="stage-problem" role="alert">${this.problem}</p>` : nothing}
+      ${this.columns()}
       <ul class="stage-legend" aria-label="Parts">
         ${(this.stage.shown?.parts ?? []).map(
           ({ name }, part) => html`<li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,

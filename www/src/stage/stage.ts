@@ -17,6 +17,8 @@ const NEAR_HIGH = 5.6;
 /** In a low picture the words above the figure need more of it: the figure stands lower by this share of the height. */
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
+/** And a live one higher. */
+const HIGHER = 0.09;
 
 /** Pixels of the figure's shadow, each way. */
 const SHADOW = 1024;
@@ -52,8 +54,9 @@ export class Stage {
       resized: (width, height) => {
         const { camera } = this.viewport;
         camera.aspect = width / height;
-        if (height < LOW_PICTURE) camera.setViewOffset(width, height, 0, -LOWER * height, width, height);
-        else camera.clearViewOffset();
+        // A strip chart covers the lower end of a live picture.
+        const lower = this.store.shown?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
+        camera.setViewOffset(width, height, 0, -lower * height, width, height);
       },
       recoloured: () => this.recolour(),
     });
@@ -116,6 +119,7 @@ export class Stage {
     const before = this.figureOf;
     if (before === shown) return;
     this.figureOf = shown;
+    if (before?.live !== shown.live) this.viewport.resize();
     if (!before || !sameBody(before, shown)) {
       this.clear();
       this.figureOf = shown;
@@ -129,7 +133,7 @@ export class Stage {
   }
 
   private updateGhost(shown: Shown): void {
-    if (shown.kind === "model" && this.store.ghost) {
+    if (shown.kind === "model" && !shown.live && this.store.ghost) {
       this.ghost ??= this.make(shown, { kind: "ghost" });
     } else {
       this.ghost?.dispose();
@@ -187,6 +191,38 @@ export class Stage {
     );
     controls.update();
     this.placed = true;
+  }
+
+  /** The node of the figure nearest to a place in the picture, within so many pixels; null where there is none. */
+  nodeAt(x: number, y: number, within: number): number | null {
+    const { pose } = this.playback;
+    if (!pose) return null;
+    const { width, height } = this.viewport.size;
+    let best: { node: number; away: number } | null = null;
+    for (let node = 0; node < pose.length / 3; node++) {
+      const seen = new Vector3().fromArray(pose, 3 * node).project(this.viewport.camera);
+      const away = Math.hypot(((seen.x + 1) / 2) * width - x, ((1 - seen.y) / 2) * height - y);
+      if (away < (best?.away ?? within)) best = { node, away };
+    }
+    return best?.node ?? null;
+  }
+
+  /** How far, in metres, a node moves in the plane of the picture when it is dragged by so many pixels. */
+  dragged(node: number, dx: number, dy: number): [number, number, number] {
+    const { camera, size } = this.viewport;
+    const { pose } = this.playback;
+    if (!pose) return [0, 0, 0];
+    const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
+    const moved = new Vector3(seen.x + (2 * dx) / size.width, seen.y - (2 * dy) / size.height, seen.z).unproject(
+      camera,
+    );
+    const by = moved.sub(new Vector3().fromArray(pose, 3 * node));
+    return [by.x, by.y, by.z];
+  }
+
+  /** Whether a drag turns the camera. */
+  set turns(on: boolean) {
+    this.viewport.controls.enableRotate = on;
   }
 
   /** Draws when something changed. `seconds` since the last call. */
@@ -256,6 +292,6 @@ function placed(marked: Float32Array, pose: Float32Array): Float32Array {
 }
 
 /** Whether a figure made for one can show the other. */
-function sameBody(a: Shown, b: Shown): boolean {
+export function sameBody(a: Shown, b: Shown): boolean {
   return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }

@@ -1,5 +1,5 @@
 // The clock's controls: play, step, scrub, speed, loop; and the frames an inducing point speaks for.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
@@ -31,6 +31,7 @@ export class TimelineView extends View {
 
   /** Where the motion is the model's its length can be chosen; a clip has its own. */
   private length(frameTime: number, last: string) {
+    if (this.stage.shown?.live) return nothing;
     if (this.stage.shown?.kind !== "model") return html`<span> / ${last} s</span>`;
     const { frames } = this.settings.values;
     const { min, max } = SETTINGS.frames;
@@ -46,6 +47,21 @@ export class TimelineView extends View {
         step="1" .value=${seconds(frames)} @change=${change} /> s</label>`;
   }
 
+  /** The model's motion: a clip of some seconds, or live, without an end. */
+  private modes() {
+    const { shown } = this.stage;
+    if (shown?.kind !== "model") return nothing;
+    const live = shown.live === true;
+    const turn = (on: boolean) => () =>
+      live !== on && this.dispatchEvent(new CustomEvent("switch-live", { detail: on, bubbles: true }));
+    return html`
+      <div class="segments modes" role="group" aria-label="Clip or live">
+        <button type="button" aria-pressed=${live ? "false" : "true"} title="A motion of some seconds, again and again" @click=${turn(false)}>clip</button>
+        <button type="button" aria-pressed=${live ? "true" : "false"} data-testid="live-on" @click=${turn(true)}
+          title="The model goes on from here without an end: cut couplings and push parts while it moves">live</button>
+      </div>`;
+  }
+
   protected override render() {
     const { playback, settings } = this;
     const { playing, lastFrame } = playback;
@@ -59,9 +75,10 @@ export class TimelineView extends View {
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round step" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
         <button class="round step" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
+        ${this.modes()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
-          <input type="range" aria-label="Frame" data-testid="scrub" min="0" max=${lastFrame} step="1" .value=${String(frame)}
+          <input type="range" aria-label="Frame" data-testid="scrub" ?disabled=${this.stage.shown?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>

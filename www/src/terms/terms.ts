@@ -55,6 +55,12 @@ const TEXTS = {
       "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as the same data would have taught them under these couplings; often the motion then stays nearly the same, because other experts take over.",
     glossary: "reading",
   },
+  measured: {
+    title: "measures",
+    words:
+      "Taken from 20 seconds of this motion, without the first 5, in which it finds its pace: how far hands and feet swing, as a multiple of the motion as learned. In step means that each hand keeps its place in the cycle of the foot of the other side.",
+    glossary: "measures",
+  },
   part: {
     title: "part",
     symbol: "i, j",

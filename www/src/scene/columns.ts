@@ -1,12 +1,12 @@
-// Several figures in one picture, side by side under one clock and one camera, each with the real trial as its ghost.
+// Several figures in one picture, side by side under one clock and one camera, each with a ghost or without.
 import { Scene, Vector3 } from "three";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
-import { FigureView } from "../scene/figure";
-import { Ground } from "../scene/ground";
-import { Lights } from "../scene/lights";
-import { HERE, placeOnto, poseAt } from "../scene/motion";
-import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
-import { Viewport } from "../scene/viewport";
+import { FigureView } from "./figure";
+import { Ground } from "./ground";
+import { Lights } from "./lights";
+import { HERE, placeOnto, poseAt } from "./motion";
+import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "./standing";
+import { Viewport } from "./viewport";
 
 export interface Body {
   figure: Figure;
@@ -16,8 +16,9 @@ export interface Body {
 
 /** What one column shows. */
 export interface ColumnMotion {
-  predicted: Motion;
-  actual: Motion;
+  motion: Motion;
+  /** Laid onto the figure, and what the ground is fitted to. */
+  ghost: Motion | null;
 }
 
 /** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */
@@ -32,36 +33,47 @@ class Column {
   readonly #ground = new Ground();
   readonly #lights = new Lights(this.scene, SHADOW);
   readonly #figure: FigureView;
-  readonly #ghost: FigureView;
-  readonly #floor: number;
-  readonly #feet: number[];
+  readonly #ghost: FigureView | null;
+  #shown: ColumnMotion;
+  #floor = 0;
+  #feet: number[] = [];
   readonly #pose: Float32Array;
   readonly #ghostPose: Float32Array;
 
-  constructor(
-    { figure, joints, parts }: Body,
-    readonly motion: ColumnMotion,
-  ) {
-    const { predicted, actual } = motion;
-    this.#pose = poseAt(predicted, 0, HERE, new Float32Array(predicted.nodes * 3));
+  constructor({ figure, joints, parts }: Body, shown: ColumnMotion) {
+    const { motion, ghost } = shown;
+    this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
     this.#ghostPose = this.#pose.slice();
     this.#figure = new FigureView(figure, joints, parts, this.#pose, { kind: "solid" });
-    this.#ghost = new FigureView(figure, joints, parts, this.#pose, { kind: "ghost" });
-    this.#floor = floorOf(actual) - SOLE;
-    this.#feet = feetOf(actual, this.#floor + SOLE);
+    this.#ghost = ghost && new FigureView(figure, joints, parts, this.#pose, { kind: "ghost" });
+    this.scene.add(this.#ground.group, this.#figure.group);
+    if (this.#ghost) this.scene.add(this.#ghost.group);
+    this.#shown = shown;
+    this.take(shown);
+  }
+
+  get shown(): ColumnMotion {
+    return this.#shown;
+  }
+
+  /** Goes on with another motion of the same body, with a ghost if the one before had one. */
+  take(shown: ColumnMotion): void {
+    this.#shown = shown;
+    const ground = shown.ghost ?? shown.motion;
+    this.#floor = floorOf(ground) - SOLE;
+    this.#feet = feetOf(ground, this.#floor + SOLE);
     this.#ground.group.position.y = this.#floor;
-    this.scene.add(this.#ground.group, this.#ghost.group, this.#figure.group);
   }
 
   /** Poses figure and ghost; writes into `middle` where to look. */
   at(frame: number, middle: Vector3): void {
-    const { predicted, actual } = this.motion;
-    const [pose, ghost] = [this.#pose, this.#ghostPose];
-    poseAt(predicted, frame, HERE, pose);
-    poseAt(actual, frame, HERE, ghost);
-    poseAt(actual, frame, placeOnto(ghost, pose), ghost);
+    const { motion, ghost } = this.#shown;
+    const pose = poseAt(motion, frame, HERE, this.#pose);
     this.#figure.pose(pose);
-    this.#ghost.pose(ghost);
+    if (ghost) {
+      poseAt(ghost, frame, HERE, this.#ghostPose);
+      this.#ghost?.pose(poseAt(ghost, frame, placeOnto(this.#ghostPose, pose), this.#ghostPose));
+    }
     const [x = 0, , z = 0] = pose;
     this.#ground.follow(x, z);
     this.#ground.touch(pose, this.#feet, this.#floor);
@@ -71,7 +83,7 @@ class Column {
 
   dispose(): void {
     this.#figure.dispose();
-    this.#ghost.dispose();
+    this.#ghost?.dispose();
     this.#lights.dispose();
     this.#ground.dispose();
   }
@@ -89,7 +101,7 @@ export class Columns {
   constructor(readonly canvas: HTMLCanvasElement) {
     this.#viewport = new Viewport(canvas, {
       resized: (width, height) => this.#fit(width, height),
-      recoloured: () => this.#remake(this.#columns.map(({ motion }) => motion)),
+      recoloured: () => this.#remake(this.#columns.map(({ shown }) => shown)),
     });
     this.#viewport.renderer.autoClear = false;
     this.#viewport.controls.enableZoom = false;
@@ -99,8 +111,14 @@ export class Columns {
   show(body: Body, motions: readonly ColumnMotion[]): void {
     const [first] = motions;
     if (this.#columns.length === 0 && first) {
-      const angle = headingOf(first.actual) + 1.15;
+      const angle = headingOf(first.ghost ?? first.motion) + 1.15;
       this.#viewport.camera.position.set(Math.sin(angle), 0.1, Math.cos(angle));
+    }
+    const fit = (column: Column, i: number) => !column.shown.ghost === !motions[i]?.ghost;
+    if (body === this.#body && motions.length === this.#columns.length && this.#columns.every(fit)) {
+      motions.forEach((motion, i) => this.#columns[i]?.take(motion));
+      this.#viewport.changed();
+      return;
     }
     this.#body = body;
     this.#remake(motions);

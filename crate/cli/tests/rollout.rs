@@ -1,0 +1,94 @@
+//! `vcgpdm rollout` of the model that walks first on the page: cut, pushed, sampled, with variances.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/first/model.json");
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn rollout(folder: &Path, more: &[&str]) -> Output {
+    let out = folder.join("walk.bvh");
+    let latents = folder.join("latents.csv");
+    let paths = ["--out", out.to_str().unwrap(), "--latents", latents.to_str().unwrap()];
+    let mut program = Command::new(env!("CARGO_BIN_EXE_vcgpdm"));
+    program.args(["rollout", MODEL, "--frames", "90"]).args(paths).args(more).output().unwrap()
+}
+
+/// The latents of a rollout, a row a frame, without the header.
+fn latents(folder: &Path, more: &[&str]) -> Vec<String> {
+    let output = rollout(folder, more);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    rows(&folder.join("latents.csv"))
+}
+
+fn rows(path: &Path) -> Vec<String> {
+    fs::read_to_string(path).unwrap().lines().skip(1).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_cut_and_a_push_are_felt_from_their_frame_on() {
+    let folder = folder("disturbed");
+    let learned = latents(&folder, &[]);
+    for (option, from) in [("lower:upper@30-60", 30), ("0:1@45-50", 45)] {
+        let cut = latents(&folder, &["--cut", option]);
+        assert_eq!(cut[..from], learned[..from]);
+        assert_ne!(cut[from], learned[from]);
+    }
+    for option in ["upper@40=0.5,0,0", "1@40=3f"] {
+        let pushed = latents(&folder, &["--push", option]);
+        assert_eq!(pushed[..40], learned[..40]);
+        assert_ne!(pushed[40], learned[40]);
+    }
+    let coupling = ["--alpha", "lower:upper=5"];
+    let as_learned = latents(&folder, &coupling);
+    let re_inferred = latents(&folder, &[&coupling[..], &["--reading", "re-inferred"]].concat());
+    assert_ne!(as_learned, re_inferred);
+}
+
+#[test]
+fn samples_follow_from_their_seed_and_variances_grow_from_nothing() {
+    let folder = folder("uncertain");
+    let variances = folder.join("variances.csv");
+    let learned = latents(&folder, &[]);
+    let options = ["--samples", "2", "--seed", "7", "--variance", variances.to_str().unwrap()];
+    assert_eq!(latents(&folder, &options), learned, "the mean rollout stays what it was");
+    let (one, two) = (rows(&folder.join("latents-1.csv")), rows(&folder.join("latents-2.csv")));
+    assert_eq!((one.len(), two.len()), (90, 90));
+    assert_ne!(one, two);
+    assert!(folder.join("walk-2.bvh").exists());
+    latents(&folder, &["--samples", "1", "--seed", "8"]);
+    assert_eq!(rows(&folder.join("latents-1.csv")), two, "seeds count on");
+
+    let table = rows(&variances);
+    let variance = |frame: usize| -> f64 { table[frame].split(',').nth(3).unwrap().parse().unwrap() };
+    assert_eq!((variance(0), variance(1)), (0.0, 0.0));
+    assert!(variance(2) > 0.0 && variance(20) > variance(2));
+    // The latents themselves, up to how a number is written.
+    let mean: f64 = table[2].split(',').nth(2).unwrap().parse().unwrap();
+    let rolled: f64 = learned[2].split(',').nth(2).unwrap().parse().unwrap();
+    assert!((mean - rolled).abs() < 1e-6, "{mean} {rolled}");
+}
+
+#[test]
+fn what_does_not_fit_is_refused_in_words() {
+    let folder = folder("refused");
+    for (options, said) in [
+        (&["--cut", "lower:tail@3-9"][..], "expected two of the parts lower, upper"),
+        (&["--cut", "lower:upper@3-9", "1:1@3-9"], "nothing would say where it goes"),
+        (&["--push", "upper@3=1,2"], "expected a push of part 1 by 3 finite numbers"),
+        (&["--samples", "2"], "--seed"),
+        (&["--cut", "lower:upper@3-9", "--samples", "1", "--seed", "1"], "cannot be used with"),
+    ] {
+        let output = rollout(&folder, options);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{options:?}");
+        assert!(error.contains(said) && error.matches('\n').count() == 1, "{options:?}: {error}");
+    }
+}

@@ -1,0 +1,243 @@
+// The couplings panel: presets do what they say, sliders and bars move, both readings stand side by side.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { barriers, openSite, ready, saved } from "./site.mjs";
+
+/**
+ * @typedef {import("playwright-core").Page} Page
+ * @typedef {{ what: string, part?: string, from?: number, to?: number, is?: string }} Claim
+ * @typedef {{ id: string, name: string, sentence: string, holds: Claim[] }} Preset
+ */
+
+/** @type {Preset[]} */
+const presets = JSON.parse(readFileSync(at("www/first/presets.json"), "utf8"));
+const PARTS = ["lower", "upper"];
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** What the page says that it measured, when it is about the motion now. */
+async function measured(/** @type {Page} */ page) {
+  const words = page.locator("[data-testid=measured][data-current=yes]");
+  await words.waitFor();
+  const text = async (/** @type {string} */ testId) => {
+    const element = page.getByTestId(testId);
+    return (await element.count()) > 0 ? element.innerText() : "";
+  };
+  return {
+    parts: await Promise.all(PARTS.map((_, part) => text(`measured-${part}`))),
+    step: await text("measured-step"),
+    trouble: await text("measured-trouble"),
+  };
+}
+
+/** Whether the words on the page are what a claim says. */
+function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof measured>>} */ said) {
+  const { from = Number.NaN, to = Number.NaN } = claim;
+  const within = (/** @type {number} */ value) => value >= from && value <= to;
+  const words = said.parts[PARTS.indexOf(claim.part ?? "")] ?? "";
+  const still = said.trouble.startsWith("stands still");
+  switch (claim.what) {
+    case "health":
+      return claim.is === "moves on" ? said.trouble === "" : said.trouble.startsWith(claim.is ?? "?");
+    case "swing":
+      return within(still ? 0 : Number(/([\d.]+) × as far/.exec(words)?.[1]));
+    case "period": {
+      const [, now, learned] = /\(([\d.]+) s, not ([\d.]+) s\)/.exec(words) ?? [];
+      return within(Number(now) / Number(learned));
+    }
+    case "locking":
+      return said.step.startsWith(from >= 0.95 ? "hands and feet in step" : "hands and feet out of step");
+    case "walkingSpeed":
+      return still || within(Number(/walks ([\d.]+) × as fast/.exec(said.step)?.[1]));
+    default:
+      return false;
+  }
+}
+
+/** The coupling variances in the page's address, by "source.target". */
+async function alphasOf(/** @type {Page} */ page) {
+  await page.waitForTimeout(600);
+  const text = new URLSearchParams(new URL(page.url()).hash.slice(1)).get("alpha") ?? "";
+  const entries = text.split(",").filter(Boolean);
+  return new Map(entries.map((entry) => /** @type {[string, number]} */ ([entry.slice(0, 3), Number(entry.slice(4))])));
+}
+
+describe("a preset", () => {
+  it("of the first model does what its sentence says, measured on the motion that it makes", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    assert.equal(await page.getByTestId("preset-as-learned").getAttribute("aria-pressed"), "true");
+    for (const preset of presets) {
+      const button = page.getByTestId(`preset-${preset.id}`);
+      await button.click();
+      assert.equal(await button.getAttribute("aria-pressed"), "true", preset.name);
+      assert.equal(await page.locator(".preset[aria-pressed=true]").count(), 1);
+      assert.equal(await page.getByTestId("preset-sentence").innerText(), preset.sentence);
+      const said = await measured(page);
+      assert.ok(preset.holds.length > 0);
+      for (const claim of preset.holds)
+        assert.ok(holds(claim, said), `${preset.name}: ${JSON.stringify(claim)} against ${JSON.stringify(said)}`);
+    }
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("is what the head of the page invites to, and what it promises happens", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    assert.match(await page.getByTestId("lead").innerText(), /Let the arms go, and they fall out of step\./);
+    const weight = page.getByTestId("weight-0-1");
+    await page.getByTestId("lead-try").click();
+    // No waiting: what the couplings are is to be seen at once.
+    assert.equal(await weight.innerText(), "off");
+    assert.match((await measured(page)).step, /out of step/);
+    assert.match(await page.getByTestId("lead").innerText(), /fall out of step/);
+    assert.equal(await page.getByTestId("stage-title").innerText(), "Let the arms go");
+    await page.getByTestId("lead-back").click();
+    assert.match((await measured(page)).step, /in step/);
+    assert.match(await page.getByTestId("lead").innerText(), /never recorded/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("is no longer on when a coupling of it moves", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    await page.getByTestId("preset-arms-go").click();
+    await page.getByTestId("coupling-0-1").press("ArrowLeft");
+    assert.equal(await page.locator(".preset[aria-pressed=true]").count(), 0);
+    assert.match(await page.getByTestId("preset-sentence").innerText(), /of your own/);
+    await leave();
+  });
+});
+
+describe("a slider", () => {
+  it("moves by keyboard, its share in the bar with it, and says when it has no effect", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const [slider, weight] = [page.getByTestId("coupling-0-1"), page.getByTestId("weight-0-1")];
+    const divider = page.getByTestId("divider-1-0");
+    const before = Number(await weight.innerText());
+    await slider.focus();
+    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowRight");
+    const after = Number(await weight.innerText());
+    assert.ok(after > before + 0.05, `${before} to ${after}`);
+    assert.equal(await divider.getAttribute("aria-valuenow"), (100 * after).toFixed(0));
+    const paleness = () =>
+      page
+        .locator("td:has(> .slider [data-testid=coupling-0-1]) .fill")
+        .evaluate((fill) => getComputedStyle(fill).opacity);
+    const full = Number(await paleness());
+    await page.keyboard.press("Home");
+    assert.equal(await weight.innerText(), "off");
+    assert.ok(Number(await paleness()) < full / 2);
+    assert.match((await slider.getAttribute("aria-valuetext")) ?? "", /weight off/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("shows the weights that the motion is made with", async () => {
+    const { page, leave } = await site.visit({ settings: "alpha=0.1:0.05,1.0:0.02", reducedMotion: "reduce" });
+    await ready(page);
+    await measured(page);
+    const [header = "", first = ""] = (await saved(page, "save-latents")).text.split("\n");
+    const names = header.trim().split(",");
+    const values = first.trim().split(",");
+    for (const [i, source] of PARTS.entries())
+      for (const [j, target] of PARTS.entries()) {
+        const made = Number(values[names.indexOf(`weight_${source}_${target}`)]);
+        assert.equal(await page.getByTestId(`weight-${i}-${j}`).innerText(), made.toFixed(2), `${source} to ${target}`);
+      }
+    await leave();
+  });
+});
+
+describe("a divider", () => {
+  it("moves by pointer: one gains what the other loses, and how exact both are together stays", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const learned = await Promise.all(
+      [0, 1].map(async (j) => Number(await page.getByTestId(`alpha-${j}-1`).innerText())),
+    );
+    const bar = await page.getByTestId("shares-1").boundingBox();
+    const handle = await page.getByTestId("divider-1-0").boundingBox();
+    assert.ok(bar && handle);
+    const y = bar.y + bar.height / 2;
+    await page.mouse.move(handle.x + handle.width / 2, y);
+    await page.mouse.down();
+    await page.mouse.move(bar.x + 0.5 * bar.width, y, { steps: 4 });
+    await page.mouse.up();
+    const shares = await Promise.all(
+      [0, 1].map(async (j) => Number(await page.getByTestId(`weight-${j}-1`).innerText())),
+    );
+    assert.ok(
+      shares.every((share) => Math.abs(share - 0.5) < 0.03),
+      shares.join(),
+    );
+    const alphas = await alphasOf(page);
+    assert.deepEqual([...alphas.keys()].sort(), ["0.1", "1.1"]);
+    const combined = (/** @type {number[]} */ values) => 1 / values.reduce((sum, value) => sum + 1 / value, 0);
+    const [before, after] = [combined(learned), combined([...alphas.values()])];
+    // The page writes the learned ones with two digits.
+    assert.ok(Math.abs(after / before - 1) < 0.03, `${before} and ${after}`);
+    await page.getByTestId("shares-1").dblclick({ position: { x: 3, y: 12 } });
+    assert.equal((await alphasOf(page)).size, 0, "a double click takes it back");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("moves by keyboard, to its ends too, and is read out", async () => {
+    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    const divider = page.getByTestId("divider-1-0");
+    const now = async () => Number(await divider.getAttribute("aria-valuenow"));
+    const before = await now();
+    await divider.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await now(), before + 1);
+    await page.keyboard.press("PageUp");
+    assert.equal(await now(), before + 11);
+    await page.keyboard.press("Home");
+    assert.match((await divider.getAttribute("aria-valuetext")) ?? "", /^lower off, upper 1\.00$/);
+    await page.keyboard.press("Delete");
+    assert.equal(await now(), before);
+    assert.deepEqual(await barriers(page), []);
+    await leave();
+  });
+});
+
+describe("both readings", () => {
+  it("walk side by side when asked for, follow the couplings, and make room again", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("preset-arms-go").click();
+    const button = page.getByTestId("readings-beside");
+    await button.click();
+    const canvas = page.getByTestId("stage-columns");
+    await canvas.waitFor();
+    assert.deepEqual(await page.locator(".stage-columns li").allInnerTexts(), [
+      "Experts as learned",
+      "Experts re-inferred",
+    ]);
+    assert.ok(!(await page.getByTestId("stage").isVisible()));
+    await page.waitForFunction(
+      () => Number(document.querySelector("[data-testid=stage-columns]")?.getAttribute("data-frames-drawn")) > 2,
+    );
+    assert.match(await page.locator(".readings").innerText(), /Left: .*Right: /s);
+    await page.getByTestId("coupling-1-1").press("ArrowLeft");
+    await measured(page);
+    assert.deepEqual(await barriers(page), []);
+    await button.click();
+    await canvas.waitFor({ state: "detached" });
+    assert.ok(await page.getByTestId("stage").isVisible());
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

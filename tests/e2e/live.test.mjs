@@ -1,0 +1,117 @@
+// The live rollout: a coupling is cut for as long as it is held, a limb is dragged, and the figure goes on without a pause.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** What the strip chart says now: the newest frame, how far the second part is ahead of the first (turns), how many cuts. */
+async function now(/** @type {Page} */ page) {
+  const {
+    frame = "",
+    apart = "",
+    cuts = "",
+  } = await page.getByTestId("live").evaluate((element) => ({ ...element.dataset }));
+  return { frame: Number(frame), apart: Number(apart), cuts: Number(cuts) };
+}
+
+/** Waits until that is so; answers all that was seen on the way. */
+async function until(
+  /** @type {Page} */ page,
+  /** @type {(now: { frame: number, apart: number, cuts: number }) => boolean} */ so,
+) {
+  const seen = [];
+  for (let k = 0; k < 300; k++) {
+    const state = await now(page);
+    seen.push(state);
+    if (so(state)) return seen;
+    await page.waitForTimeout(100);
+  }
+  assert.fail(`it did not come to that in 30 seconds: ${JSON.stringify(seen.slice(-3))}`);
+}
+
+/** The middle of an arrow of the body map, in pixels of the page. */
+const middle = (/** @type {Page} */ page, /** @type {string} */ arrow) =>
+  page
+    .getByTestId(arrow)
+    .locator(".grip")
+    .evaluate((/** @type {SVGPathElement} */ path) => {
+      const at = path.getPointAtLength(path.getTotalLength() / 2).matrixTransform(path.getScreenCTM() ?? undefined);
+      return { x: at.x, y: at.y };
+    });
+
+describe("a live rollout", () => {
+  it("lets the arms fall out of step while the legs' arrow is held, and in step again when it is let go", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    const arrow = await middle(page, "arrow-0-1");
+    await page.mouse.move(arrow.x, arrow.y);
+    await page.mouse.down();
+    // Holding goes live by itself.
+    await page.getByTestId("live").waitFor();
+    const cut = await until(page, ({ apart, cuts }) => cuts === 1 && Math.abs(apart) > 0.3);
+    await page.mouse.up();
+    const free = await until(page, ({ apart, cuts }) => cuts === 0 && Math.abs(apart) < 0.03);
+    const frames = [...cut, ...free].map(({ frame }) => frame);
+    assert.ok(
+      frames.every((frame, k) => k === 0 || frame >= (frames[k - 1] ?? 0)),
+      "time goes on",
+    );
+    // In step again, and it stays so.
+    const { frame } = free.at(-1) ?? { frame: 0 };
+    for (const { apart } of await until(page, (now) => now.frame > frame + 60)) assert.ok(Math.abs(apart) < 0.1);
+
+    await page.getByRole("button", { name: "clip", exact: true }).click();
+    await page.getByTestId("live").waitFor({ state: "detached" });
+    assert.equal(await page.getByTestId("scrub").isEnabled(), true);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("is cut by a key as well, takes sliders over while it goes on, and a limb can be dragged", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    await page.getByTestId("stage").focus();
+    await page.keyboard.down("c");
+    await until(page, ({ cuts, apart }) => cuts === 1 && Math.abs(apart) > 0.2);
+    await page.keyboard.up("c");
+    await until(page, ({ cuts, apart }) => cuts === 0 && Math.abs(apart) < 0.05);
+
+    await page.getByTestId("coupling-0-1").focus();
+    for (let k = 0; k < 5; k++) await page.keyboard.press("PageDown");
+    await page.keyboard.press("Home");
+    await until(page, ({ apart }) => Math.abs(apart) > 0.3);
+    await page.keyboard.press("0");
+    await until(page, ({ apart }) => Math.abs(apart) < 0.05);
+
+    const before = await page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    const spot = await page.getByTestId("stage").evaluate((canvas) => {
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      const scene = /** @type {any} */ (canvas.closest("pg-stage")).scene;
+      for (let y = 0.2 * height; y < 0.7 * height; y += 6)
+        for (let x = 0.3 * width; x < 0.7 * width; x += 6)
+          if (scene.nodeAt(x, y, 8) !== null) return { x: left + x, y: top + y };
+      return null;
+    });
+    assert.ok(spot, "the figure is in the picture");
+    await page.mouse.move(spot.x, spot.y);
+    await page.mouse.down();
+    await page.mouse.move(spot.x + 30, spot.y - 20, { steps: 6 });
+    await page.mouse.up();
+    const after = await page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    assert.ok(after > before, "the push is marked");
+    const { frame } = await now(page);
+    await until(page, (state) => state.frame > frame + 10);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -1,0 +1,105 @@
+// What the body does under the couplings now, beside what it does as learned: measured a moment after the motion is there, so that no
+// slider waits for it.
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
+import { Store } from "../ui/store";
+import type { ModelStore } from "./model-store";
+
+/** Seconds of motion that are measured, and how many of its first are left out: in these it finds its new pace. As in docs/couplings.md. */
+const MEASURED = 20;
+const SETTLING = 5;
+
+/** Milliseconds after the last motion: while a slider is dragged nothing is measured. */
+const PAUSE = 150;
+
+export interface BodyReports {
+  now: BodyReport;
+  learned: BodyReport;
+}
+
+interface Question {
+  rollout: RolloutResult;
+  now: RolloutRequest;
+  learned: RolloutRequest;
+  first: number;
+}
+
+export class BodyStore extends Store {
+  readonly #model: ModelStore;
+  readonly #latest: Latest<Question, BodyReports | null>;
+  #reports: BodyReports | null = null;
+  #learned: BodyReport | null = null;
+  /** The motion that was measured, or is being measured. */
+  #asked: RolloutResult | null = null;
+  /** The motion of the last measures. */
+  #measured: RolloutResult | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(engine: EngineStore, model: ModelStore) {
+    super();
+    this.#model = model;
+    this.#latest = new Latest(
+      async ({ now, learned, first }) => {
+        if (!engine.engine) return null;
+        const { engine: running } = engine;
+        if (!this.#isOf(this.#learned, learned)) this.#learned = await running.bodyReport(learned, first);
+        return {
+          learned: this.#learned,
+          now: now.alpha ? await running.bodyReport(now, first) : this.#learned,
+        };
+      },
+      (reports, question) => this.#take(reports, question),
+      // A motion that cannot be measured is not spoken of; that it could not be made has been said.
+      () => {},
+    );
+    model.on(() => this.#follow());
+  }
+
+  /** The last measures; null before the first. */
+  get reports(): BodyReports | null {
+    return this.#reports;
+  }
+
+  /** Whether they are those of the motion under the couplings now, which may not be there yet. */
+  get isCurrent(): boolean {
+    const { rollout } = this.#model;
+    return rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest());
+  }
+
+  #isOf(report: BodyReport | null, { sequence, frames }: RolloutRequest): report is BodyReport {
+    const { model } = this.#model;
+    return (
+      report?.revision === model?.revision && report?.request.sequence === sequence && report.request.frames === frames
+    );
+  }
+
+  #follow(): void {
+    const { rollout } = this.#model;
+    if (rollout === this.#asked) return;
+    this.#asked = rollout;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#ask(), PAUSE);
+    this.changed();
+  }
+
+  #ask(): void {
+    const { rollout, model } = this.#model;
+    if (!rollout || !model) return;
+    const frames = (seconds: number) => Math.round(seconds / model.info.frameTime);
+    const now = { ...rollout.request, frames: Math.max(rollout.request.frames, frames(MEASURED)) };
+    const learned: RolloutRequest = { ...now, alpha: null, reading: "as learned" };
+    this.#latest.request({ rollout, now, learned, first: frames(SETTLING) });
+  }
+
+  #take(reports: BodyReports | null, { rollout }: Question): void {
+    if (!reports || reports.now.revision !== this.#model.model?.revision) return;
+    this.#reports = reports;
+    this.#measured = rollout;
+    this.changed();
+  }
+}
+
+function same(a: RolloutRequest, b: RolloutRequest): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

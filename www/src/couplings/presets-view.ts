@@ -1,0 +1,71 @@
+// Presets of the couplings, and what was measured on the motion that they make.
+import { html, nothing } from "lit";
+import type { Reading } from "../engine/protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import "../terms/term";
+import { partColour } from "../ui/palette";
+import { swatchStyle, View } from "../ui/view";
+import type { BodyStore } from "./body-store";
+import { measuredWords } from "./measured";
+import type { ModelStore } from "./model-store";
+import { START_PRESETS } from "./presets";
+import "./presets-view.css";
+
+/** More presets than those of the first model go into one row that scrolls. */
+const ONE_ROW = START_PRESETS.length;
+
+export class PresetsView extends View {
+  declare model: ModelStore;
+  declare settings: SettingsStore;
+  declare body: BodyStore;
+
+  protected override stores() {
+    return [this.model, this.settings, this.body];
+  }
+
+  private buttons() {
+    const { model } = this;
+    const now = model.preset;
+    return model.presets.map(
+      (preset) => html`
+      <button type="button" class="preset" aria-pressed=${preset === now || preset.id === now?.id ? "true" : "false"}
+        data-testid="preset-${preset.id}" @click=${() => model.takePreset(preset)}>${preset.name}</button>`,
+    );
+  }
+
+  private measured() {
+    const { reports, isCurrent } = this.body;
+    if (!reports) return nothing;
+    const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
+    const { parts, step, trouble } = measuredWords(reports.now, reports.learned, names);
+    const end = [
+      step && html`<span data-testid="measured-step">${step}</span>`,
+      trouble && html`<strong class="bad" data-testid="measured-trouble">${trouble}</strong>`,
+    ];
+    return html`
+      <p class="measured" role="status" data-testid="measured" data-current=${isCurrent ? "yes" : "no"}>
+        <span><pg-term of="measured" text="Measured"></pg-term>, beside as learned:</span>
+        ${parts.map(
+          ({ part, words }) => html`
+          <span class="limbs" data-testid="measured-${part}" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,
+        )}
+        ${end}
+      </p>`;
+  }
+
+  protected override render() {
+    const { model } = this;
+    if (model.presets.length === 0) return nothing;
+    return html`
+      <div class="presets" role="group" aria-label="Presets" ?data-many=${model.presets.length > ONE_ROW}>${this.buttons()}</div>
+      <div class="effect">
+        <p data-testid="preset-sentence">${model.preset?.sentence ?? ownWords(this.settings.values.reading)}</p>
+        ${this.measured()}
+      </div>`;
+  }
+}
+customElements.define("pg-presets", PresetsView);
+
+function ownWords(reading: Reading): string {
+  return `Couplings of your own, the experts ${reading}.`;
+}

@@ -1,0 +1,112 @@
+import { beforeEach, expect, it } from "vitest";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { LiveTrack } from "../scene/live-track";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { ModelStore } from "./model-store";
+import { ReadingsStore } from "./readings-store";
+
+let engine: FakeEngine;
+let model: ModelStore;
+let stage: StageStore;
+let readings: ReadingsStore;
+
+beforeEach(async () => {
+  engine = new FakeEngine();
+  const store = new EngineStore();
+  const settings = new SettingsStore(new FakeAddressBar());
+  stage = new StageStore(new Playback(settings));
+  model = new ModelStore(store, settings, stage, new NoticesStore());
+  readings = new ReadingsStore(store, model, stage);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1)),
+  );
+});
+
+const titles = () => stage.columns?.map(({ title }) => title);
+
+it("shows the same couplings in both readings, in the same places whichever is chosen", async () => {
+  model.setCoupling(0, 1, 8);
+  await settled();
+  readings.show(true);
+  await settled();
+  expect(titles()).toEqual(["Experts as learned", "Experts re-inferred"]);
+  expect(engine.rollouts.slice(-2).map(({ reading, alpha }) => [reading, alpha?.[0]?.[1]])).toEqual([
+    ["re-inferred", 8],
+    ["as learned", 8],
+  ]);
+  expect(stage.columns?.[1]?.motion).toBe(model.rollout?.motion);
+  model.setReading("as learned");
+  await settled();
+  expect(stage.columns?.[0]?.motion).toBe(model.rollout?.motion);
+  expect(stage.columns?.[1]?.motion).not.toBe(model.rollout?.motion);
+});
+
+it("follows the couplings, and shows no pair of which the halves have other ones", async () => {
+  readings.show(true);
+  expect(stage.columns?.map(({ motion }) => motion)).toEqual([model.learned?.motion, model.learned?.motion]);
+  model.setCoupling(0, 1, 8);
+  await settled();
+  engine.holding.add("rollout");
+  engine.held.length = 0;
+  const before = stage.columns;
+  model.setCoupling(0, 1, 9);
+  engine.held[0]?.end();
+  await settled();
+  // The motion under 9 is there, its other reading is not; then the coupling is 10.
+  model.setCoupling(0, 1, 10);
+  for (const call of engine.held.slice(1)) call.end();
+  await settled();
+  for (const call of engine.held.slice(3)) call.end();
+  await settled();
+  expect(stage.columns).not.toBe(before);
+  expect(model.rollout?.request.alpha?.[0]?.[1]).toBe(10);
+  expect(stage.columns?.some(({ motion }) => motion === model.rollout?.motion)).toBe(true);
+});
+
+it("is off again when it is asked to be, and while a clip is in front", async () => {
+  model.setCoupling(0, 1, 8);
+  readings.show(true);
+  await settled();
+  stage.showClip({ ...stage.shown!, kind: "clip", clip: "a" });
+  expect(stage.columns).toBeNull();
+  stage.endClip();
+  expect(titles()).toHaveLength(2);
+  readings.show(false);
+  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  model.setCoupling(0, 1, 9);
+  await settled();
+  expect(stage.columns).toBeNull();
+});
+
+it("makes room for a live motion, and ends one when it is asked for", async () => {
+  readings.show(true);
+  stage.showLive(new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 60));
+  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  readings.show(true);
+  expect([stage.shown?.live, titles()?.length]).toEqual([undefined, 2]);
+});
+
+it("leaves the one figure where the other reading fails", async () => {
+  model.setCoupling(0, 1, 8);
+  await settled();
+  engine.holding.add("rollout");
+  readings.show(true);
+  engine.held[0]?.fail(new Error("not positive definite"));
+  await settled();
+  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+});
+
+it("shows no figures of a model that was replaced", async () => {
+  model.setCoupling(0, 1, 8);
+  readings.show(true);
+  await settled();
+  engine.holding.add("rollout");
+  await model.open(modelText(2), { couplings: "visitor", clip: false });
+  expect(stage.columns?.every(({ motion }) => motion === model.rollout?.motion) ?? true).toBe(true);
+});

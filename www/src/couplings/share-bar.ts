@@ -1,0 +1,109 @@
+// Who decides where a part goes next: a bar of the shares of its sources, with a divider between each two that can be moved.
+import { html } from "lit";
+import { partColour } from "../ui/palette";
+import { swatchStyle, View } from "../ui/view";
+import type { ModelStore } from "./model-store";
+import "./share-bar.css";
+import { dividersOf, shareWord } from "./shares";
+
+/** How far a key moves a divider; without a number: to that end. */
+const STEPS: Record<string, number> = {
+  ArrowLeft: -0.01,
+  ArrowDown: -0.01,
+  ArrowRight: 0.01,
+  ArrowUp: 0.01,
+  PageDown: -0.1,
+  PageUp: 0.1,
+  Home: Number.NEGATIVE_INFINITY,
+  End: Number.POSITIVE_INFINITY,
+};
+
+/** Dividers nearer to each other than this lie on one spot: between them is a source that is off. */
+const ONE_SPOT = 0.01;
+
+interface Drag {
+  /** The dividers on the spot that was grabbed. The first of them goes to the left, the last to the right. */
+  first: number;
+  last: number;
+  /** Which of them it is, when that has shown. */
+  divider: number | null;
+  /** Where the pointer was, as a share of the bar, and where the dividers stood. */
+  from: number;
+  place: number;
+}
+
+export class ShareBar extends View {
+  declare model: ModelStore;
+  declare target: number;
+  private drag: Drag | null = null;
+
+  protected override stores() {
+    return [this.model];
+  }
+
+  private placeOf({ clientX, currentTarget }: PointerEvent): number {
+    const { left, width } = (currentTarget as Element).getBoundingClientRect();
+    return (clientX - left) / width;
+  }
+
+  private grab(event: PointerEvent): void {
+    const dividers = dividersOf(this.model.weightsInto(this.target));
+    const from = this.placeOf(event);
+    const distances = dividers.map((place) => Math.abs(place - from));
+    const place = dividers[distances.indexOf(Math.min(...distances))];
+    if (place === undefined) return;
+    event.preventDefault();
+    const bar = event.currentTarget as HTMLElement;
+    bar.setPointerCapture(event.pointerId);
+    const near = (other: number) => Math.abs(other - place) < ONE_SPOT;
+    this.drag = { first: dividers.findIndex(near), last: dividers.findLastIndex(near), divider: null, from, place };
+    bar.querySelectorAll<HTMLElement>(".divider")[this.drag.first]?.focus();
+  }
+
+  private move(event: PointerEvent): void {
+    const { drag } = this;
+    if (!drag) return;
+    const by = this.placeOf(event) - drag.from;
+    if (by === 0) return;
+    drag.divider ??= by < 0 ? drag.first : drag.last;
+    this.model.moveDivider(this.target, drag.divider, drag.place + by);
+  }
+
+  private drop(): void {
+    this.drag = null;
+  }
+
+  private keys(divider: number, place: number) {
+    return (event: KeyboardEvent) => {
+      const step = STEPS[event.key];
+      if (step !== undefined) this.model.moveDivider(this.target, divider, place + step);
+      else if (event.key === "Backspace" || event.key === "Delete") this.model.resetInto(this.target);
+      else return;
+      event.preventDefault();
+    };
+  }
+
+  protected override render() {
+    const { model, target } = this;
+    const names = (model.model?.info.parts ?? []).map(({ name }) => name);
+    const shares = model.weightsInto(target);
+    const said = (source: number) => `${names[source]} ${shareWord(shares[source] ?? 0)}`;
+    return html`
+      <div class="share-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
+        @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
+        @dblclick=${() => model.resetInto(target)}>
+        <div class="shares">${shares.map(
+          (share, source) => html`<i style="${swatchStyle(partColour(source))};flex-grow:${share.toFixed(5)}"></i>`,
+        )}</div>
+        ${dividersOf(shares).map(
+          (place, divider) => html`
+          <span class="divider" role="slider" tabindex="0" style="--at:${place.toFixed(5)}" data-testid="divider-${target}-${divider}"
+            aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"
+            aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * place).toFixed(0)}
+            aria-valuetext="${said(divider)}, ${said(divider + 1)}"
+            @keydown=${this.keys(divider, place)}></span>`,
+        )}
+      </div>`;
+  }
+}
+customElements.define("pg-share-bar", ShareBar);

@@ -1,0 +1,48 @@
+import { describe, expect, it } from "vitest";
+import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
+import { dividersOf, moveDivider, sharesOf, shareWord } from "./shares";
+
+const total = (alphas: readonly number[]) => alphas.reduce((sum, alpha) => sum + 1 / alpha, 0);
+
+it("the shares sum to 1, and the smaller variance has the larger one", () => {
+  const shares = sharesOf([0.1, 0.3, 10]);
+  expect(shares.reduce((sum, share) => sum + share)).toBeCloseTo(1, 12);
+  expect(shares[0]! / shares[1]!).toBeCloseTo(3, 12);
+  expect(dividersOf([0.2, 0.5, 0.3])).toEqual([0.2, 0.7]);
+});
+
+it("a share that has no effect is said to be off", () => {
+  expect([0, 0.0099, 0.01, 0.5].map(shareWord)).toEqual(["off", "off", "0.01", "0.50"]);
+});
+
+describe("a divider", () => {
+  const alphas = [0.1, 0.3, 0.6];
+
+  it("stands where it was moved to, and changes nothing but its two neighbours", () => {
+    const [second, third] = moveDivider(alphas, 1, 0.95);
+    const moved = [alphas[0]!, second, third];
+    expect(total(moved)).toBeCloseTo(total(alphas), 9);
+    const [before, after] = [sharesOf(alphas), sharesOf(moved)];
+    expect(after[0]).toBeCloseTo(before[0]!, 12);
+    expect(dividersOf(after)[1]).toBeCloseTo(0.95, 12);
+  });
+
+  it("moved to where it is changes nothing", () => {
+    const place = dividersOf(sharesOf(alphas))[0]!;
+    expect(moveDivider(alphas, 0, place).map((alpha) => alpha.toFixed(9))).toEqual(["0.100000000", "0.300000000"]);
+  });
+
+  it("stops at its neighbours, where one of the two is off, and keeps to the limits of alpha", () => {
+    for (const place of [-1, 0, 1, 2]) {
+      const moved = moveDivider(alphas, 0, place);
+      expect(moved.every((alpha) => alpha >= ALPHA_MIN * 0.999 && alpha <= ALPHA_MAX * 1.001)).toBe(true);
+      const shares = sharesOf([...moved, alphas[2]!]);
+      expect(shareWord(shares[place > 0.5 ? 1 : 0]!)).toBe("off");
+    }
+  });
+
+  it("cannot be moved where both are as weak as can be", () => {
+    const weakest = [ALPHA_MAX, ALPHA_MAX];
+    expect(moveDivider(weakest, 0, 0.9)).toEqual(weakest);
+  });
+});

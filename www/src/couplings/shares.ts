@@ -1,0 +1,54 @@
+// Who decides where a part goes next: the shares of its sources, and what moving the border between two of them means.
+import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
+import { weight } from "../ui/format";
+
+/** A source with a smaller share has no effect that could be seen. */
+const OFF = 0.01;
+
+/**
+ * The weights w of the sources of one part, from their coupling variances: alpha^i / alpha^{ji} with alpha^i = 1 / sum_j 1 / alpha^{ji}.
+ * The rule is the library's (`coupling_weights`); it stands here too because a bar follows its slider before the worker answers.
+ * `tests/e2e/couplings.test.mjs` holds it to the weights of the rollout.
+ */
+export function sharesOf(alphas: readonly number[]): number[] {
+  const combined = combinedOf(alphas);
+  return alphas.map((alpha) => combined / alpha);
+}
+
+function combinedOf(alphas: readonly number[]): number {
+  return 1 / alphas.reduce((sum, alpha) => sum + 1 / alpha, 0);
+}
+
+/** Where the dividers between the shares stand, from 0 to 1. */
+export function dividersOf(shares: readonly number[]): number[] {
+  let place = 0;
+  return shares.slice(0, -1).map((share) => {
+    place += share;
+    return place;
+  });
+}
+
+/**
+ * The variances of the sources `divider` and `divider + 1` when the divider between them is moved to `place`, 0 to 1. The two share
+ * out what they had together, w + w', so that 1 / alpha + 1 / alpha' = (w + w') / alpha^i stays, and with it alpha^i and the shares
+ * of all others: only who decides changes, not how exact the prediction has to be.
+ */
+export function moveDivider(alphas: readonly number[], divider: number, place: number): [number, number] {
+  const combined = combinedOf(alphas);
+  const shares = sharesOf(alphas);
+  const before = shares.slice(0, divider).reduce((sum, share) => sum + share, 0);
+  const both = (shares[divider] ?? 0) + (shares[divider + 1] ?? 0);
+  // Neither variance leaves its limits.
+  const [most, least] = [combined / ALPHA_MIN, combined / ALPHA_MAX];
+  const share = Math.max(least, both - most, Math.min(both - least, most, place - before));
+  return [combined / share, combined / (both - share)];
+}
+
+export function isOff(share: number): boolean {
+  return share < OFF;
+}
+
+/** A share as the table writes it. */
+export function shareWord(share: number): string {
+  return isOff(share) ? "off" : weight(share);
+}

@@ -1,0 +1,130 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { LiveStore } from "./live-store";
+
+let engine: FakeEngine;
+let playback: Playback;
+let stage: StageStore;
+let notices: NoticesStore;
+let model: ModelStore;
+let live: LiveStore;
+
+beforeEach(async () => {
+  engine = new FakeEngine();
+  const settings = new SettingsStore(new FakeAddressBar(""));
+  playback = new Playback(settings);
+  stage = new StageStore(playback);
+  notices = new NoticesStore();
+  const store = new EngineStore();
+  model = new ModelStore(store, settings, stage, notices);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1), { couplings: "link", clip: false }),
+  );
+  live = new LiveStore(store, settings, model, stage, playback, notices);
+});
+
+/** Lets so many seconds of the visitor's time pass. */
+async function pass(seconds: number): Promise<void> {
+  for (let k = 0; k < seconds * 60; k++) {
+    playback.advance(1 / 60);
+    await settled();
+  }
+}
+
+describe("a live rollout", () => {
+  it("ends when something else takes the stage", async () => {
+    await live.start();
+    stage.endLive();
+    expect(live.running).toBe(false);
+  });
+
+  it("begins where the figure stands, plays on without an end, and gives the clip back", async () => {
+    playback.scrub(40);
+    await live.start();
+    expect(stage.shown?.live).toBe(true);
+    expect(playback.playing).toBe(true);
+    await pass(20);
+    expect(playback.frame).toBeGreaterThan(19 * 30);
+    // What is kept does not grow.
+    expect(live.trace.length).toBeLessThanOrEqual(12 * 30);
+    expect(live.track?.latents(0)).toHaveLength(2 * (live.track?.motion.frames ?? 0));
+    live.stop();
+    await settled();
+    expect(stage.shown?.live).toBeUndefined();
+    expect(engine.live).toBeNull();
+    expect(playback.frame).toBeLessThan(playback.lastFrame + 1);
+  });
+
+  it("cuts a coupling for as long as it is held", async () => {
+    await live.hold(0, 1, true);
+    expect(live.running).toBe(true);
+    expect(live.isCut(0, 1)).toBe(true);
+    await pass(1);
+    await live.hold(0, 1, false);
+    await pass(1);
+    expect(engine.live?.changes).toEqual([
+      { kind: "cut", source: 0, target: 1, cut: true },
+      { kind: "cut", source: 0, target: 1, cut: false },
+    ]);
+    const [mark] = live.marks;
+    expect(mark?.kind === "cut" && (mark.to ?? 0) - mark.from).toBeGreaterThan(20);
+  });
+
+  it("keeps the last coupling into a part", async () => {
+    await live.hold(0, 1, true);
+    await live.hold(1, 1, true);
+    expect(live.isCut(1, 1)).toBe(false);
+    expect(notices.all.at(-1)?.title).toBe("This coupling stays");
+  });
+
+  it("takes the newest couplings over, and one push for a drag", async () => {
+    await live.start();
+    model.setCoupling(0, 1, 9);
+    model.setCoupling(0, 1, 20);
+    await settled();
+    live.pull(1, [0.1, 0, 0]);
+    live.pull(1, [0.1, 0, 0]);
+    live.push(0, [0.5, 0]);
+    await pass(0.5);
+    const changes = engine.live?.changes ?? [];
+    expect(changes.filter(({ kind }) => kind === "couplings")).toHaveLength(1);
+    expect(changes[0]).toMatchObject({
+      alpha: [
+        [1, 20],
+        [4, 1],
+      ],
+    });
+    expect(changes.filter(({ kind }) => kind === "pull")).toHaveLength(2);
+    expect(live.marks.map((mark) => mark.kind === "push" && mark.part)).toEqual([1, 0]);
+  });
+
+  it("ends with a clip on the stage, with another model, and when the model cannot go on", async () => {
+    await live.start();
+    stage.showClip({
+      kind: "clip",
+      clip: "a",
+      figure: { nodes: [] },
+      joints: [],
+      parts: [],
+      motion: { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 },
+    });
+    expect(live.running).toBe(false);
+    await live.start();
+    expect(stage.clip).toBeNull();
+    await model.open(modelText(2));
+    expect(live.running).toBe(false);
+    await live.start();
+    engine.live = null;
+    await pass(0.3);
+    expect(live.running).toBe(false);
+    expect(notices.all.at(-1)?.title).toBe("The live motion has ended");
+  });
+});

@@ -1,0 +1,261 @@
+// The live rollout: the model goes on from where the figure stands, while couplings are cut and parts are pushed.
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import type { LiveChange, LiveFrames } from "../engine/protocol";
+import { LiveTrack } from "../scene/live-track";
+import type { SettingsStore } from "../settings/settings-store";
+import type { Playback } from "../stage/playback";
+import type { StageStore } from "../stage/stage-store";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+
+/** Seconds that are kept, and that the strip chart shows. */
+export const SHOWN_SECONDS = 12;
+/** Frames that are there before the clock needs them: what the visitor does is seen so much later. */
+const LEAD = 3;
+/** Seconds that a picture takes at most: after a longer pause the clock does not go on by more. */
+const LONGEST = 0.25;
+
+/** Something that the visitor did, in frames from the start. */
+export type Mark =
+  | { kind: "cut"; source: number; target: number; from: number; to: number | null }
+  | { kind: "push"; part: number; from: number };
+
+/** What is known of one frame. */
+export interface TracePoint {
+  frame: number;
+  /** Where on the learned cycle each part is, in turns; empty where there is no cycle. */
+  phases: readonly number[];
+  /** How far from it, in radii of the part's cycle. */
+  distances: readonly number[];
+}
+
+export class LiveStore extends Store {
+  readonly #engine: EngineStore;
+  readonly #settings: SettingsStore;
+  readonly #model: ModelStore;
+  readonly #stage: StageStore;
+  readonly #playback: Playback;
+  readonly #notices: NoticesStore;
+  #track: LiveTrack | null = null;
+  #starting = false;
+  #trace: TracePoint[] = [];
+  #marks: Mark[] = [];
+  readonly #cuts = new Map<string, Extract<Mark, { kind: "cut" }>>();
+  /** What the next frames have to take in. */
+  #changes: LiveChange[] = [];
+  #busy = false;
+  /** When frames were last looked after. */
+  #filled = 0;
+  /** The couplings, and the model, that the worker knows of. */
+  #known = "";
+  #revision = 0;
+
+  constructor(
+    engine: EngineStore,
+    settings: SettingsStore,
+    model: ModelStore,
+    stage: StageStore,
+    playback: Playback,
+    notices: NoticesStore,
+  ) {
+    super();
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#model = model;
+    this.#stage = stage;
+    this.#playback = playback;
+    this.#notices = notices;
+    playback.on(() => void this.#fill());
+    model.on(() => this.#followCouplings());
+    stage.on(() => {
+      // A clip is in front, or both readings are asked for.
+      if (!stage.shown?.live) this.stop();
+    });
+  }
+
+  get running(): boolean {
+    return this.#track !== null;
+  }
+
+  get track(): LiveTrack | null {
+    return this.#track;
+  }
+
+  get trace(): readonly TracePoint[] {
+    return this.#trace;
+  }
+
+  get marks(): readonly Mark[] {
+    return this.#marks;
+  }
+
+  isCut(source: number, target: number): boolean {
+    return this.#cuts.has(`${source}.${target}`);
+  }
+
+  /** Goes on live from where the figure stands. */
+  async start(): Promise<void> {
+    const { engine } = this.#engine;
+    const { model } = this.#model;
+    if (!engine || !model || this.#track || this.#starting) return;
+    this.#starting = true;
+    try {
+      this.#stage.endClip();
+      const request = this.#model.rolloutRequest();
+      const frame = Math.min(Math.floor(this.#playback.frame), request.frames - 1);
+      await engine.startLive(request, frame);
+      this.#known = this.#couplings();
+      this.#revision = model.revision;
+      [this.#trace, this.#marks, this.#changes] = [[], [], []];
+      this.#cuts.clear();
+      const { info } = model;
+      const kept = Math.round(SHOWN_SECONDS / info.frameTime);
+      const { frameTime, figure, parts } = info;
+      const widths = parts.map(({ latent }) => latent);
+      const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
+      this.#take(track, await engine.advanceLive([], LEAD));
+      this.#track = track;
+      this.#stage.showLive(track);
+      this.#playback.play();
+    } catch (problem) {
+      this.#notices.addError("The live motion could not begin", messageOf(problem));
+    } finally {
+      this.#starting = false;
+    }
+    this.changed();
+  }
+
+  /** Back to the clip. */
+  stop(): void {
+    if (!this.#track) return;
+    this.#track = null;
+    this.#cuts.clear();
+    this.#stage.endLive();
+    void this.#engine.engine?.endLive();
+    this.changed();
+  }
+
+  /** Cuts a coupling for as long as it is held. */
+  async hold(source: number, target: number, held: boolean): Promise<void> {
+    const key = `${source}.${target}`;
+    if (held === this.#cuts.has(key)) return;
+    if (held) await this.start();
+    if (!this.#track) return;
+    const from = this.#track.last + 1;
+    if (held) {
+      const others = this.#model.model?.info.parts.some((_, other) => other !== source && !this.isCut(other, target));
+      if (!others) {
+        this.#notices.addError("This coupling stays", "Nothing else would say where the part goes next.");
+        return;
+      }
+      const mark = { kind: "cut" as const, source, target, from, to: null };
+      this.#cuts.set(key, mark);
+      this.#marks.push(mark);
+    } else {
+      const mark = this.#cuts.get(key);
+      if (mark) mark.to = from;
+      this.#cuts.delete(key);
+    }
+    this.#changes.push({ kind: "cut", source, target, cut: held });
+    this.changed();
+  }
+
+  /** Drags a node of the figure by so many metres, as it is seen. */
+  pull(node: number, by: readonly [number, number, number]): void {
+    if (!this.#track) return;
+    this.#changes.push({ kind: "pull", node, by: this.#track.turnedBack(by) });
+    this.#markPush(this.#partOf(node));
+  }
+
+  /** Moves a part by so much in each latent dimension. */
+  push(part: number, by: number[]): void {
+    if (!this.#track) return;
+    this.#changes.push({ kind: "push", part, by });
+    this.#markPush(part);
+  }
+
+  #partOf(node: number): number {
+    const { model } = this.#model;
+    const joint = model?.info.figure.nodes[node]?.joint ?? -1;
+    return model?.info.parts.findIndex(({ joints }) => joints.includes(joint)) ?? -1;
+  }
+
+  #markPush(part: number): void {
+    const from = (this.#track?.last ?? 0) + 1;
+    const last = this.#marks.at(-1);
+    // A drag is many small pushes: one mark for those that follow each other.
+    if (last?.kind === "push" && last.part === part && from - last.from < 10) last.from = from;
+    else this.#marks.push({ kind: "push", part, from });
+    this.changed();
+  }
+
+  #couplings(): string {
+    const { alpha, reading } = this.#model.rolloutRequest();
+    return JSON.stringify([alpha ?? this.#model.model?.info.alpha, reading]);
+  }
+
+  /** The visitor has moved a slider, or another model has been taken up. */
+  #followCouplings(): void {
+    if (!this.#track) return;
+    if (this.#model.model?.revision !== this.#revision) {
+      this.stop();
+      return;
+    }
+    const now = this.#couplings();
+    if (now === this.#known) return;
+    this.#known = now;
+    const { alpha, reading } = this.#model.rolloutRequest();
+    const learned = this.#model.model.info.alpha;
+    // Only the newest couplings matter.
+    this.#changes = this.#changes.filter(({ kind }) => kind !== "couplings");
+    this.#changes.push({ kind: "couplings", alpha: alpha ?? learned, reading });
+  }
+
+  /** Asks for frames before the clock needs them. */
+  async #fill(): Promise<void> {
+    const track = this.#track;
+    const { engine } = this.#engine;
+    if (!track || !engine || this.#busy) return;
+    // A slow machine, or twice the speed, needs more at once.
+    const now = performance.now();
+    const seconds = Math.min(LONGEST, (now - this.#filled) / 1000);
+    this.#filled = now;
+    const ahead = LEAD + (seconds * this.#settings.values.speed) / track.motion.frameTime;
+    if (track.last - this.#playback.frame >= ahead) return;
+    this.#busy = true;
+    const changes = this.#changes;
+    this.#changes = [];
+    try {
+      const frames = Math.max(1, Math.ceil(ahead + this.#playback.frame - track.last));
+      const next = await engine.advanceLive(changes, frames);
+      if (this.#track === track) {
+        this.#take(track, next);
+        this.#playback.follow(track);
+      }
+    } catch (problem) {
+      if (this.#track === track) {
+        this.#notices.addError("The live motion has ended", messageOf(problem));
+        this.stop();
+      }
+    } finally {
+      this.#busy = false;
+    }
+    this.changedSoon();
+  }
+
+  #take(track: LiveTrack, { motion, latents, phases, distances }: LiveFrames): void {
+    const before = track.last;
+    track.append(motion, latents);
+    const kept = Math.round(SHOWN_SECONDS / motion.frameTime);
+    const parts = latents.length;
+    for (let k = 0; k < motion.frames; k++) {
+      const place = (values: Float64Array) => [...values.subarray(k * parts, (k + 1) * parts)];
+      this.#trace.push({ frame: before + 1 + k, phases: place(phases), distances: place(distances) });
+    }
+    if (this.#trace.length > kept) this.#trace.splice(0, this.#trace.length - kept);
+    const first = this.#trace[0]?.frame ?? 0;
+    this.#marks = this.#marks.filter((mark) => (mark.kind === "cut" ? (mark.to ?? Infinity) : mark.from) >= first);
+  }
+}

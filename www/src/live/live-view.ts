@@ -1,0 +1,184 @@
+// Over the stage while it is live: what was done to the model, and a strip chart of phases and distances; limbs can be dragged.
+import { html, nothing } from "lit";
+import type { ModelStore } from "../couplings/model-store";
+import type { StageView } from "../stage/stage-view";
+import { onThemeChange, partColour } from "../ui/palette";
+import { View } from "../ui/view";
+import "./live.css";
+import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
+import { distanceLines, type Pieces, phaseLines, wordsOf } from "./strip";
+
+/** Pixels around a node in which a finger or the mouse takes hold of it. */
+const REACH = 26;
+/** A distance of so many radii is at the top of the chart. */
+const FARTHEST = 1.5;
+
+export class LiveView extends View {
+  declare live: LiveStore;
+  declare model: ModelStore;
+
+  protected override stores() {
+    return [this.live, this.model];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
+    const canvas = this.querySelector("canvas");
+    if (canvas) this.watchSize(canvas, () => this.requestUpdate());
+    const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
+    const picture = stage?.querySelector("canvas");
+    if (stage && picture) this.letDrag(stage, picture);
+  }
+
+  /** A node near the pointer follows it; anywhere else a drag turns the camera. */
+  private letDrag(stage: StageView, picture: HTMLCanvasElement): void {
+    let held: { node: number; x: number; y: number } | null = null;
+    const at = (event: PointerEvent) => {
+      const { left, top } = picture.getBoundingClientRect();
+      return { x: event.clientX - left, y: event.clientY - top };
+    };
+    const turn = (on: boolean) => {
+      if (stage.scene) stage.scene.turns = on;
+    };
+    // Before the camera's own listener, which is on the same element.
+    const capture = { capture: true };
+    const grab = (event: PointerEvent) => {
+      const { x, y } = at(event);
+      const node = this.live.running ? (stage.scene?.nodeAt(x, y, REACH) ?? null) : null;
+      if (node === null) return;
+      held = { node, x, y };
+      turn(false);
+      picture.setPointerCapture(event.pointerId);
+    };
+    const drag = (event: PointerEvent) => {
+      if (!held || !stage.scene) return;
+      const { x, y } = at(event);
+      this.live.pull(held.node, stage.scene.dragged(held.node, x - held.x, y - held.y));
+      held = { ...held, x, y };
+    };
+    const drop = () => {
+      held = null;
+      turn(true);
+    };
+    picture.addEventListener("pointerdown", grab, capture);
+    picture.addEventListener("pointermove", drag);
+    picture.addEventListener("pointerup", drop);
+    picture.addEventListener("pointercancel", drop);
+    this.whenLeaving(() => {
+      picture.removeEventListener("pointerdown", grab, capture);
+      picture.removeEventListener("pointermove", drag);
+      picture.removeEventListener("pointerup", drop);
+      picture.removeEventListener("pointercancel", drop);
+      turn(true);
+    });
+  }
+
+  private get names(): string[] {
+    return this.model.model?.info.parts.map(({ name }) => name) ?? [];
+  }
+
+  override updated(): void {
+    const canvas = this.querySelector("canvas");
+    if (canvas) drawStrip(canvas, this.live, this.model.model?.info.frameTime ?? 1 / 30);
+  }
+
+  protected override render() {
+    const { live, names } = this;
+    if (!live.running) return nothing;
+    const last = live.trace.at(-1);
+    const cycle = (last?.phases.length ?? 0) > 0;
+    const apart = phaseLines(live.trace).map((pieces) => pieces.at(-1)?.at(-1)?.value ?? 0);
+    const said =
+      wordsOf(live.marks, names) ??
+      "Hold an arrow of the body map to cut that coupling. Drag a hand or foot to push it.";
+    return html`
+      <div class="live-strip" data-testid="live" data-frame=${last?.frame ?? 0} data-apart=${apart.map((x) => x.toFixed(3)).join(" ")}
+        data-cuts=${live.marks.filter((mark) => mark.kind === "cut" && mark.to === null).length}>
+        <p role="status">${said}</p>
+        ${
+          cycle
+            ? html`
+          <canvas role="img" aria-label="Strip chart: how far ${names.slice(1).join(", ")} ${names.length > 2 ? "are" : "is"} ahead of ${names[0]}, and how far each part is from the learned cycle"></canvas>
+          <p class="strip-legend"><span>ahead of ${names[0]}, in turns</span><span>distance from the learned cycle</span></p>`
+            : html`<p>This motion does not repeat itself, so there is no phase to show.</p>`
+        }
+      </div>`;
+  }
+}
+customElements.define("pg-live", LiveView);
+
+/** Draws phase differences above, distances below, and what was done as bands and lines behind them. */
+function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number): void {
+  const ratio = Math.min(2, devicePixelRatio);
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  canvas.width = Math.max(1, width * ratio);
+  canvas.height = Math.max(1, height * ratio);
+  const draw = canvas.getContext("2d");
+  if (!draw) return;
+  draw.scale(ratio, ratio);
+  const kept = SHOWN_SECONDS / frameTime;
+  const last = live.trace.at(-1)?.frame ?? 0;
+  const x = (frame: number) => width - ((last - frame) / kept) * width;
+  const half = height / 2;
+  const ink = getComputedStyle(canvas).color;
+  for (const mark of live.marks) drawMark(draw, mark, x, last, height);
+  draw.strokeStyle = ink;
+  draw.globalAlpha = 0.35;
+  for (const y of [half / 2, height - 1])
+    line(
+      draw,
+      [
+        { x: 0, y },
+        { x: width, y },
+      ],
+      1,
+    );
+  draw.globalAlpha = 1;
+  const lines = (all: Pieces[], first: number, y: (value: number) => number) =>
+    all.forEach((pieces, k) => {
+      draw.strokeStyle = partColour(k + first);
+      for (const piece of pieces)
+        line(
+          draw,
+          piece.map(({ frame, value }) => ({ x: x(frame), y: y(value) })),
+          1.8,
+        );
+    });
+  lines(phaseLines(live.trace), 1, (value) => half / 2 - value * (half - 6));
+  lines(distanceLines(live.trace), 0, (value) => height - 2 - (Math.min(value, FARTHEST) / FARTHEST) * (half - 8));
+}
+
+function drawMark(
+  draw: CanvasRenderingContext2D,
+  mark: Mark,
+  x: (frame: number) => number,
+  last: number,
+  height: number,
+) {
+  const from = x(mark.from);
+  if (mark.kind === "push") {
+    draw.strokeStyle = mark.part < 0 ? "gray" : partColour(mark.part);
+    draw.setLineDash([3, 3]);
+    line(
+      draw,
+      [
+        { x: from, y: 0 },
+        { x: from, y: height },
+      ],
+      1.5,
+    );
+    draw.setLineDash([]);
+    return;
+  }
+  draw.fillStyle = partColour(mark.source);
+  draw.globalAlpha = 0.18;
+  draw.fillRect(from, 0, x(mark.to ?? last) - from, height);
+  draw.globalAlpha = 1;
+}
+
+function line(draw: CanvasRenderingContext2D, points: { x: number; y: number }[], width: number): void {
+  draw.lineWidth = width;
+  draw.beginPath();
+  for (const { x, y } of points) draw.lineTo(x, y);
+  draw.stroke();
+}

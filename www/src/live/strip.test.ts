@@ -1,0 +1,33 @@
+import { expect, it } from "vitest";
+import type { TracePoint } from "./live-store";
+import { distanceLines, phaseDifference, phaseLines, wordsOf } from "./strip";
+
+const point = (frame: number, ...phases: number[]): TracePoint => ({ frame, phases, distances: phases.map(() => 0.1) });
+
+it("takes the shorter way round between two phases", () => {
+  expect(phaseDifference(0.9, 0.1)).toBeCloseTo(-0.2);
+  expect(phaseDifference(0.1, 0.9)).toBeCloseTo(0.2);
+  expect(phaseDifference(0.3, 0.3)).toBeCloseTo(0);
+});
+
+it("breaks the line of a phase where it comes round again", () => {
+  const lines = phaseLines([point(0, 0, 0.4), point(1, 0, 0.48), point(2, 0, 0.55), point(3, 0, 0.6)]);
+  expect(lines).toHaveLength(1);
+  expect(lines[0]?.map((piece) => piece.map(({ frame }) => frame))).toEqual([
+    [0, 1],
+    [2, 3],
+  ]);
+});
+
+it("has nothing to say of a model without a cycle", () => {
+  const trace = [{ frame: 0, phases: [], distances: [] }];
+  expect(phaseLines(trace)).toEqual([]);
+  expect(distanceLines(trace)).toEqual([]);
+});
+
+it("names the coupling that is cut", () => {
+  const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
+  expect(wordsOf([cut], ["lower", "upper"])).toBe("upper does not hear lower");
+  expect(wordsOf([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
+  expect(wordsOf([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
+});

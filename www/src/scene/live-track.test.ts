@@ -1,0 +1,30 @@
+import { expect, it } from "vitest";
+import type { Motion } from "../engine/protocol";
+import { LiveTrack } from "./live-track";
+
+/** Frames of one node that walks along z, a metre a frame. */
+function walk(from: number, frames: number): Motion {
+  const positions = Float32Array.from({ length: frames * 6 }, (_, i) =>
+    i % 6 === 2 ? from + Math.floor(i / 6) : i % 6 === 5 ? from + Math.floor(i / 6) + 1 : 0,
+  );
+  return { positions, frames, nodes: 2, frameTime: 1 / 30 };
+}
+
+it("keeps the last frames under the numbers that they always had", () => {
+  const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
+  for (let frame = 0; frame < 50; frame += 5) track.append(walk(frame, 5));
+  expect(track.last).toBe(49);
+  expect(track.first).toBeGreaterThan(25);
+  expect(track.at(45.5)[2]).toBeCloseTo(45.5);
+  expect(track.at(track.first)[2]).toBeCloseTo(track.first);
+});
+
+it("stands where the figure stood, turned as it was, and turns displacements back", () => {
+  const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
+  track.append(walk(0, 3));
+  // Turned a quarter to the left: along x.
+  track.standAt(Float32Array.from([5, 0, 7, 6, 0, 7]));
+  expect([...track.at(2)].map((x) => Math.round(x))).toEqual([7, 0, 7, 8, 0, 7]);
+  const [x, y, z] = track.turnedBack([1, 0.5, 0]);
+  expect([x, y, z].map((value) => Math.round(value * 2) / 2)).toEqual([0, 0.5, 1]);
+});

@@ -1,0 +1,70 @@
+// A motion without an end, with its latents, of which the last seconds are kept.
+import type { Motion } from "../engine/protocol";
+import { HERE, type Placement, placeOnto, poseAt } from "./motion";
+
+export class LiveTrack {
+  /** The number of the first frame that is kept, counted from the start. */
+  first = 0;
+  readonly #motion: Motion;
+  readonly #kept: number;
+  readonly #pose: Float32Array;
+  /** The latent path of each part, and its dimensions. */
+  readonly #latents: { values: Float64Array; width: number }[];
+  #placement: Placement = HERE;
+
+  /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
+  constructor({ nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">, kept: number, widths: readonly number[] = []) {
+    this.#kept = kept;
+    this.#motion = { positions: new Float32Array(2 * kept * nodes * 3), frames: 0, nodes, frameTime };
+    this.#pose = new Float32Array(nodes * 3);
+    this.#latents = widths.map((width) => ({ values: new Float64Array(2 * kept * width), width }));
+  }
+
+  /** What is kept. The same object always, with more frames. */
+  get motion(): Motion {
+    return this.#motion;
+  }
+
+  /** The number of the newest frame; one before the first when there is none. */
+  get last(): number {
+    return this.first + this.#motion.frames - 1;
+  }
+
+  /** The latent path of a part in the frames that are kept [frames x Q]. */
+  latents(part: number): Float64Array | null {
+    const path = this.#latents[part];
+    return path ? path.values.subarray(0, this.#motion.frames * path.width) : null;
+  }
+
+  append({ positions, frames, nodes }: Motion, latents: readonly Float64Array[] = []): void {
+    const motion = this.#motion;
+    if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);
+    motion.positions.set(positions, motion.frames * nodes * 3);
+    this.#latents.forEach(({ values, width }, part) => values.set(latents[part] ?? [], motion.frames * width));
+    motion.frames += frames;
+  }
+
+  /** Lays the oldest frame onto a pose of the same figure. */
+  standAt(pose: Float32Array): void {
+    this.#placement = placeOnto(poseAt(this.#motion, 0, HERE, this.#pose), pose);
+  }
+
+  /** The pose at a frame, counted from the start; it need not be whole. */
+  at(frame: number): Float32Array {
+    return poseAt(this.#motion, frame - this.first, this.#placement, this.#pose);
+  }
+
+  /** A displacement as it is seen, in the axes of the motion itself. */
+  turnedBack([x, y, z]: readonly [number, number, number]): [number, number, number] {
+    const [c, s] = [Math.cos(this.#placement.yaw), Math.sin(this.#placement.yaw)];
+    return [c * x - s * z, y, s * x + c * z];
+  }
+
+  #forget(frames: number): void {
+    const motion = this.#motion;
+    motion.positions.copyWithin(0, frames * motion.nodes * 3, motion.frames * motion.nodes * 3);
+    for (const { values, width } of this.#latents) values.copyWithin(0, frames * width, motion.frames * width);
+    motion.frames -= frames;
+    this.first += frames;
+  }
+}

@@ -1,0 +1,80 @@
+// Several motions of the model's body side by side in place of one, each with its name, under the clock of the stage. Loaded when it is
+// first asked for.
+import { html, nothing } from "lit";
+import { Columns } from "../scene/columns";
+import { View } from "../ui/view";
+import "./columns-view.css";
+import type { Playback } from "./playback";
+import { sameBody } from "./stage";
+import type { Shown, StageColumn, StageStore } from "./stage-store";
+
+export class ColumnsView extends View {
+  declare stage: StageStore;
+  declare playback: Playback;
+  #columns: Columns | null = null;
+  /** What the columns show now, and the body that their figures were made for. */
+  #shown: readonly StageColumn[] | null = null;
+  #body: Shown | null = null;
+
+  protected override stores() {
+    return [this.stage];
+  }
+
+  protected override arrived(): void {
+    const canvas = this.querySelector("canvas");
+    if (!canvas) return;
+    try {
+      this.#columns = new Columns(canvas);
+    } catch {
+      // The stage says that nothing can be drawn here.
+      return;
+    }
+    this.keepDrawing(this.#columns);
+    this.whenLeaving(() => {
+      this.#columns?.dispose();
+      [this.#columns, this.#shown, this.#body] = [null, null, null];
+    });
+    this.show();
+  }
+
+  private keepDrawing(columns: Columns): void {
+    let [before, drawnAt] = [performance.now(), -1];
+    const draw = (now: number) => {
+      timer = requestAnimationFrame(draw);
+      const { frame, playing } = this.playback;
+      columns.draw(frame, frame !== drawnAt, (now - before) / 1000, playing);
+      [before, drawnAt] = [now, frame];
+    };
+    let timer = requestAnimationFrame(draw);
+    this.whenLeaving(() => cancelAnimationFrame(timer));
+  }
+
+  protected override updated(): void {
+    this.show();
+  }
+
+  /** Gives the columns the motions that they do not show yet. */
+  private show(): void {
+    const { columns, shown } = this.stage;
+    if (!this.#columns || !columns || !shown || columns === this.#shown) return;
+    // Motions of a body that is not on the stage yet, or not any more.
+    if (columns.some(({ motion }) => motion.nodes !== shown.motion.nodes)) return;
+    this.#shown = columns;
+    if (!this.#body || !sameBody(this.#body, shown)) this.#body = shown;
+    this.#columns.show(
+      this.#body,
+      columns.map(({ motion }) => ({ motion, ghost: null })),
+    );
+  }
+
+  protected override render() {
+    const { columns } = this.stage;
+    if (!columns) return nothing;
+    const titles = columns.map(({ title }) => title);
+    return html`
+      <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="stage-columns"
+        aria-label="${columns.length} figures side by side: ${titles.join(", ")}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+      <ol class="stage-columns" style="--columns:${columns.length}">${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
+  }
+}
+customElements.define("pg-columns", ColumnsView);
