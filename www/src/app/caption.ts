@@ -27,6 +27,7 @@ export function wordsNow(app: App): StageWords {
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
     altered: model.altered,
     preset: model.preset,
+    live: stage.shown?.live === true,
     beside: stage.columns !== null,
     learning: run && { iteration: run.steps.at(-1)?.iteration ?? null, seed: several ? run.settings.seed : null },
   });

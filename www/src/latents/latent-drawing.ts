@@ -5,7 +5,7 @@ import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
 import {
   drawPredictions,
-  drawStepBand,
+  type StepBand,
   type DrawnPredictions,
   layOut,
   type PredictionPicture,
@@ -46,6 +46,7 @@ export interface LatentPicture extends PlotView {
   lit: boolean;
   /** What is predicted about this part; null where that is not shown. */
   predicted: Pick<PredictionPicture, "report" | "weights"> | null;
+  band: StepBand;
   behind: Behind | null;
 }
 
@@ -74,7 +75,7 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   if (picture.training) drawTraining(draw, picture, plane, picture.training);
   if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
   if (live) picture.behind?.(draw, plane, part, frame);
-  if (said) drawStepBand(draw, plane, said, picture.colour);
+  if (said) picture.band.draw(draw, plane, said, { view: picture, colour: picture.colour, ratio });
   drawRollout(draw, picture, plane);
   if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
   const strength = predicted ? BESIDE_PREDICTIONS : 1;

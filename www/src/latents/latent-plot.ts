@@ -10,7 +10,7 @@ import { onThemeChange, partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
 import { type Behind, drawLatents, type LatentPicture } from "./latent-drawing";
 import { Plane } from "./plane";
-import type { DrawnPredictions } from "./prediction-drawing";
+import { type DrawnPredictions, StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
 import { type Projection, principalAxes, project, type Turn } from "./projection";
@@ -56,6 +56,7 @@ export class LatentPlot extends View {
   private projected: RolloutResult | null = null;
   private drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   private list: Mark[] = [];
+  private readonly band = new StepBand();
 
   constructor() {
     super();
@@ -65,11 +66,11 @@ export class LatentPlot extends View {
   }
 
   protected override stores() {
-    return [this.model, this.pointing, this.predictions, this.settings, this.stage];
+    return [this.model, this.pointing, this.settings, this.stage];
   }
 
   protected override arrived(): void {
-    this.whenLeaving(this.playback.on(() => this.paint()));
+    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paint()));
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
     if (box) this.watchSize(box, () => this.requestUpdate());
@@ -186,6 +187,7 @@ export class LatentPlot extends View {
       lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
       predicted:
         !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+      band: this.band,
       behind: live ? null : this.behind,
     };
   }

@@ -1,7 +1,7 @@
 // Draws the product of experts at one time: what each part predicts, what their product is, and the step that is taken.
 import type { PredictionsReport } from "../engine/protocol";
 import { partColour, theme } from "../ui/palette";
-import { type Ellipse, ellipseOf, type Plane } from "./plane";
+import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
 import { between, type Predicted, type PredictedPart, predictedAt } from "./predicted";
 import { type BandPoint, arrowHead, traceBand, traceEllipse } from "./shapes";
 
@@ -46,23 +46,65 @@ export function layOut(plane: Plane, picture: PredictionPicture): DrawnPredictio
   };
 }
 
-/** The path as wide as the model is sure of each step: one standard deviation of the product to each side. */
-export function drawStepBand(
-  draw: CanvasRenderingContext2D,
-  plane: Plane,
-  { report, part, path }: Pick<PredictionPicture, "report" | "part" | "path">,
-  colour: string,
-): void {
-  const variances = report.parts[part]?.product.variances ?? [];
-  const points = Array.from(variances, (variance, row): BandPoint => {
-    const [x, y] = plane.place(path, report.firstFrame + row);
+export interface BandLook {
+  view: PlotView;
+  colour: string;
+  ratio: number;
+}
+
+/**
+ * The path as wide as the model is sure of each step: one standard deviation of the product to each side. It stays the same while
+ * time goes on, so it is drawn once, on a canvas of its own.
+ */
+export class StepBand {
+  private canvas: HTMLCanvasElement | null = null;
+  private drawn: (BandLook & { report: PredictionsReport }) | null = null;
+
+  /** Draws it behind what follows; `view` and `ratio` as of the picture. */
+  draw(
+    draw: CanvasRenderingContext2D,
+    plane: Plane,
+    said: { report: PredictionsReport; part: number },
+    look: BandLook,
+  ): void {
+    const { report } = said;
+    const { view, colour, ratio } = look;
+    this.canvas ??= document.createElement("canvas");
+    const before = this.drawn;
+    if (
+      before?.report !== report ||
+      before.colour !== colour ||
+      before.ratio !== ratio ||
+      !sameView(before.view, view)
+    ) {
+      const { projection, turn, width, height } = view;
+      this.drawn = { report, colour, ratio, view: { projection, turn, width, height } };
+      [this.canvas.width, this.canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+      const band = this.canvas.getContext("2d");
+      if (!band) return;
+      band.scale(ratio, ratio);
+      band.globalAlpha = 0.16;
+      band.fillStyle = colour;
+      band.beginPath();
+      traceBand(band, stepBand(plane, report, said.part));
+      band.fill();
+    }
+    draw.globalAlpha = 1;
+    draw.drawImage(this.canvas, 0, 0, view.width, view.height);
+  }
+}
+
+function sameView(a: PlotView, b: PlotView): boolean {
+  return a.projection === b.projection && a.turn === b.turn && a.width === b.width && a.height === b.height;
+}
+
+function stepBand(plane: Plane, report: PredictionsReport, part: number): BandPoint[] {
+  const product = report.parts[part]?.product;
+  if (!product) return [];
+  return Array.from(product.variances, (variance, row): BandPoint => {
+    const [x, y] = plane.place(product.means, row);
     return { x, y, spread: plane.roundSpread(variance) };
   });
-  draw.beginPath();
-  traceBand(draw, points);
-  draw.globalAlpha = 0.16;
-  draw.fillStyle = colour;
-  draw.fill();
 }
 
 export function drawPredictions(

@@ -6,8 +6,10 @@ import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine
 import { Store } from "../ui/store";
 import { sameTimes } from "./predicted";
 
-/** Milliseconds from a new rollout to the question: while a slider is dragged its rollouts come first. */
-const PATIENCE = 60;
+/** Milliseconds without a new rollout before it is asked about: while a slider is dragged its rollouts come first. */
+const QUIET = 80;
+/** Milliseconds after which it is asked all the same, so that a dragged slider is followed. */
+const LONGEST = 300;
 
 export class PredictionsStore extends Store {
   readonly #model: ModelStore;
@@ -16,7 +18,9 @@ export class PredictionsStore extends Store {
   #report: PredictionsReport | null = null;
   /** The rollout that was asked about last, or is about to be. */
   #asked: RolloutResult | null = null;
-  #waiting = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Since when a rollout waits to be asked about. */
+  #since: number | null = null;
 
   constructor(engine: EngineStore, model: ModelStore) {
     super();
@@ -39,12 +43,13 @@ export class PredictionsStore extends Store {
    * not shown.
    */
   get report(): PredictionsReport | null {
-    return this.#shown ? this.#report : null;
+    return this.#report;
   }
 
   show(shown: boolean): void {
     this.#shown = shown;
-    this.#follow();
+    if (shown) this.#follow();
+    else this.#forget();
     this.changed();
   }
 
@@ -53,12 +58,25 @@ export class PredictionsStore extends Store {
     if (rollout === this.#asked || !this.#shown) return;
     this.#asked = rollout;
     if (this.#report && !this.#fits(this.#report)) this.#take(null);
-    if (!rollout || this.#waiting) return;
-    this.#waiting = true;
-    setTimeout(() => {
-      this.#waiting = false;
-      if (this.#asked) this.#reports.request(this.#asked.request);
-    }, PATIENCE);
+    clearTimeout(this.#timer);
+    if (!rollout) return;
+    const now = performance.now();
+    this.#since ??= now;
+    this.#timer = setTimeout(
+      () => this.#ask(rollout.request),
+      Math.max(0, Math.min(QUIET, this.#since + LONGEST - now)),
+    );
+  }
+
+  #forget(): void {
+    clearTimeout(this.#timer);
+    this.#reports.drop();
+    [this.#asked, this.#since, this.#report] = [null, null, null];
+  }
+
+  #ask(request: RolloutRequest): void {
+    this.#since = null;
+    this.#reports.request(request);
   }
 
   #fits({ revision, request }: PredictionsReport): boolean {

@@ -142,7 +142,7 @@ export class Stage {
   }
 
   private updateFutures(shown: Shown): void {
-    const count = shown.kind === "model" ? this.store.futures.length : 0;
+    const count = shown.kind === "model" && !shown.live ? this.store.futures.length : 0;
     for (const figure of this.futures.splice(count)) figure.dispose();
     while (this.futures.length < count)
       this.futures.push(this.make(shown, { kind: "future", index: this.futures.length }));

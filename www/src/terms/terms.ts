@@ -40,7 +40,13 @@ const TEXTS = {
   "product-of-experts": {
     title: "product of experts",
     words:
-      "The rule that combines the experts: their Gaussian predictions are multiplied, which gives their weighted mean, and the smaller the variance α the larger the weight. In the plots each prediction is a circle in its part’s colour, one standard deviation in radius; the product is black (white on a dark page), and those with a weight below 0.01 are dashed.",
+      "The rule that combines the experts: their Gaussian predictions are multiplied. The result is their weighted mean, and the expert with the smallest variance α has the largest weight.",
+    glossary: "product of experts",
+  },
+  predictions: {
+    title: "predictions, drawn",
+    words:
+      "Each part’s prediction of the state now is a circle in its colour, with a radius of one standard deviation; thin lines lead to their product in black (white on a dark page), dashed ones have a weight below 0.01 and are hardly heard. The arrow is the step from the state before, and the band around the path is as wide as the product is unsure.",
     glossary: "product of experts",
   },
   reading: {

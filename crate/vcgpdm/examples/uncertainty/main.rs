@@ -11,7 +11,7 @@ mod models;
 mod spread;
 
 use models::Trained;
-use spread::{Cloud, rms};
+use spread::{Cloud, Group, rms};
 use std::ops::Range;
 use vcgpdm::models::RolloutRequest;
 
@@ -39,9 +39,9 @@ fn print(model: &Trained) {
     let futures: Vec<_> = DRAWS.map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();
     let paths = model.rollout(&request).unwrap().latents;
     println!(
-        "| part | frame | seconds | deviation of futures | of the Gaussian | ratio | means apart | outside | out of time inside | outside |"
+        "| part | frame | deviation of futures | of the Gaussian | ratio | means apart | outside | out of time: inside | outside | off the path: inside | outside |"
     );
-    println!("{}|", "|---".repeat(10));
+    println!("{}|", "|---".repeat(11));
     for (part, spec) in model.body.layout.parts().iter().enumerate() {
         for t in FRAMES {
             let seen = Cloud::of(futures.iter().map(|future| future[part].row(t).transpose()).collect());
@@ -49,16 +49,18 @@ fn print(model: &Trained) {
             let known = rms(covariance.diagonal().iter().copied());
             let shift = (&seen.mean - &mean).component_div(&covariance.diagonal().map(f64::sqrt));
             let apart = rms(shift.iter().map(|apart| apart * apart));
-            let region = seen.region(&mean, covariance, &paths[part], t);
+            let [inside, outside] = seen.groups(&mean, covariance, &paths[part], t);
+            let off_path = |group: &Group| group.off_path().map_or("-".to_owned(), |off| format!("{off:.2}"));
             println!(
-                "| {} | {t} | {:.2} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {} | {} | {} |",
+                "| {} | {t} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {} | {} | {} | {} | {} |",
                 spec.name,
-                t as f64 * model.body.frame_time,
                 seen.deviation,
                 seen.deviation / known,
-                percent(region.outside, seen.count()),
-                percent(region.out_of_time_inside, seen.count() - region.outside),
-                percent(region.out_of_time_outside, region.outside),
+                percent(outside.count, inside.count + outside.count),
+                percent(inside.out_of_time, inside.count),
+                percent(outside.out_of_time, outside.count),
+                off_path(&inside),
+                off_path(&outside),
             );
         }
     }

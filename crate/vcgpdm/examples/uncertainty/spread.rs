@@ -19,11 +19,27 @@ pub struct Cloud {
     pub deviation: f64,
 }
 
-/// How many points are outside the region that holds 95 % of a Gaussian, and how many are out of time.
-pub struct Region {
-    pub outside: usize,
-    pub out_of_time_inside: usize,
-    pub out_of_time_outside: usize,
+/// Points inside or outside the region that holds 95 % of a Gaussian.
+#[derive(Default)]
+pub struct Group {
+    pub count: usize,
+    pub out_of_time: usize,
+    distances: Vec<f64>,
+}
+
+impl Group {
+    fn add(&mut self, (frame, distance): (usize, f64), t: usize) {
+        self.count += 1;
+        self.out_of_time += usize::from(frame.abs_diff(t) >= OUT_OF_TIME);
+        self.distances.push(distance);
+    }
+
+    /// The median distance from the path.
+    pub fn off_path(&self) -> Option<f64> {
+        let mut distances = self.distances.clone();
+        distances.sort_by(f64::total_cmp);
+        distances.get(distances.len() / 2).copied()
+    }
 }
 
 impl Cloud {
@@ -35,41 +51,31 @@ impl Cloud {
         Self { points, mean, deviation }
     }
 
-    pub fn count(&self) -> usize {
-        self.points.len()
-    }
-
-    /// The region is that of three latent dimensions; a point is early or late beside frame `t` of the path [frames x Q].
-    pub fn region(
+    /// The points inside and outside the region; a point is early or late beside frame `t` of the path [frames x Q].
+    pub fn groups(
         &self,
         mean: &DVector<f64>,
         covariance: &DMatrix<f64>,
         path: &DMatrix<f64>,
         t: usize,
-    ) -> Region {
+    ) -> [Group; 2] {
         assert_eq!(mean.len(), 3, "the region is that of three dimensions");
         let factor = covariance.clone().cholesky().unwrap();
-        let mut region = Region { outside: 0, out_of_time_inside: 0, out_of_time_outside: 0 };
+        let mut groups = [Group::default(), Group::default()];
         for x in &self.points {
             let apart = x - mean;
             let is_outside = apart.dot(&factor.solve(&apart)) > WITHIN_3;
-            let out_of_time = usize::from(nearest(x, path, t).abs_diff(t) >= OUT_OF_TIME);
-            if is_outside {
-                region.outside += 1;
-                region.out_of_time_outside += out_of_time;
-            } else {
-                region.out_of_time_inside += out_of_time;
-            }
+            groups[usize::from(is_outside)].add(nearest(x, path, t), t);
         }
-        region
+        groups
     }
 }
 
-/// The frame around `t` in which a path [frames x Q] comes nearest to a point.
-fn nearest(x: &DVector<f64>, path: &DMatrix<f64>, t: usize) -> usize {
-    let distance = |frame: usize| (path.row(frame).transpose() - x).norm_squared();
+/// The frame around `t` in which a path [frames x Q] comes nearest to a point, and how near.
+fn nearest(x: &DVector<f64>, path: &DMatrix<f64>, t: usize) -> (usize, f64) {
     let frames = t.saturating_sub(FARTHEST)..path.nrows().min(t + FARTHEST + 1);
-    frames.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or(t)
+    let distances = frames.map(|frame| (frame, (path.row(frame).transpose() - x).norm()));
+    distances.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((t, f64::NAN))
 }
 
 /// The root of the mean of squares.

@@ -1,0 +1,131 @@
+// What the latent plots show of predictions, futures and uncertainty, beside what the npm package computes.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { dist } from "../../scripts/site.mjs";
+import { openSite, ready } from "./site.mjs";
+
+/** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
+/** @typedef {{ frame: number, experts: Ellipse[], product: Ellipse, step: [number, number][] }} Drawn */
+
+/** @type {import("vcgpdm")} */
+const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const ALPHA = [
+  [0.02, 0.1],
+  [0.3, 0.1],
+];
+const FRAME = 40;
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** @param {number | undefined} a @param {number | undefined} b @param {number} tolerance */
+const close = (a, b, tolerance) =>
+  assert.ok(Math.abs((a ?? Number.NaN) - (b ?? Number.NaN)) <= tolerance, `${a} and ${b}`);
+
+/** @param {import("playwright-core").Page} page */
+async function drawn(page, /** @type {number} */ part) {
+  const canvas = page.locator(`[data-testid=latent-${part}] canvas`);
+  await page.waitForFunction(
+    ([part, frame]) => {
+      const text = document.querySelector(`[data-testid=latent-${part}] canvas`)?.getAttribute("data-predictions");
+      return text && JSON.parse(text).frame === frame;
+    },
+    [part, FRAME],
+  );
+  return /** @type {Drawn} */ (JSON.parse((await canvas.getAttribute("data-predictions")) ?? ""));
+}
+
+describe("the product of experts", () => {
+  it("is drawn as the package computes it, in 2-D and 3-D", async () => {
+    const settings = `alpha=${ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",")}&reading=learned`;
+    const { page, problems, leave } = await site.visit({ settings, reducedMotion: "reduce" });
+    await ready(page);
+    await page.getByTestId("scrub").fill(String(FRAME));
+    const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
+    const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
+    const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as learned" });
+    const [said, weights] = [rollout.predictions(), rollout.weights()];
+    const row = FRAME - said.firstFrame;
+    // The page asks when the rollout has stood for a moment.
+    await page.waitForTimeout(1000);
+    for (const plot of ["2-D", "3-D"]) {
+      await page.getByRole("button", { name: plot }).click();
+      for (const [part] of model.info().parts.entries()) {
+        const { experts, product, step } = await drawn(page, part);
+        const scale = product.major / Math.sqrt(said.variances(part)[row] ?? Number.NaN);
+        const sum = { x: 0, y: 0 };
+        for (const [source, { x, y, major, minor }] of experts.entries()) {
+          // Circles: a deviation is as many pixels for each of them.
+          close(major, scale * Math.sqrt(said.expertVariances(source, part)[row] ?? Number.NaN), 1e-6 * major);
+          close(minor, major, 1e-6 * major);
+          const weight = weights[source]?.[part] ?? Number.NaN;
+          sum.x += weight * x;
+          sum.y += weight * y;
+        }
+        // However the plot is turned: the product lies at the weighted mean, and there the step goes.
+        close(product.x, sum.x, 0.01);
+        close(product.y, sum.y, 0.01);
+        close(step[1]?.[0], product.x, 0.01);
+        close(step[1]?.[1], product.y, 0.01);
+        // The distance of two centres is that of the means, seen in full where a plot has as many axes as the part.
+        const [one, two] = [0, 1].map((source) => [...said.expertMeans(source, part).slice(3 * row, 3 * row + 3)]);
+        const apart = Math.hypot(...(one ?? []).map((mean, q) => mean - (two?.[q] ?? Number.NaN)));
+        const seen = Math.hypot(
+          (experts[0]?.x ?? 0) - (experts[1]?.x ?? 0),
+          (experts[0]?.y ?? 0) - (experts[1]?.y ?? 0),
+        );
+        assert.ok(seen <= scale * apart * 1.000001 && seen > 0.01 * scale * apart, `${seen} of ${scale * apart}`);
+      }
+    }
+    await page.getByRole("button", { name: "predictions", exact: true }).click();
+    await page.waitForFunction(() => !document.querySelector("[data-testid=latent-0] canvas[data-predictions]"));
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("what may come", () => {
+  it("shows five futures of a seed, and others of the next", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    await page.getByRole("button", { name: "futures", exact: true }).click();
+    const futures = page.getByTestId("futures").and(page.locator("[data-count='5']"));
+    await futures.waitFor();
+    assert.match((await futures.textContent()) ?? "", /seeds 1 to 5/);
+    await page.getByTestId("other-futures").click();
+    await page.getByText("seeds 6 to 10").waitFor();
+    await page.getByRole("button", { name: "futures", exact: true }).click();
+    await page.getByTestId("futures").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("shows the band of moment matching, from the whole program", async () => {
+    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    await ready(page);
+    // The words below would make the plots smaller.
+    await page.addStyleTag({ content: ".outlook { display: none !important; }" });
+    await page.getByTestId("scrub").fill(String(FRAME));
+    await drawn(page, 1);
+    const plot = page.getByTestId("latent-1");
+    await page.mouse.move(0, 0);
+    const before = await plot.screenshot();
+    assert.ok(before.equals(await plot.screenshot()), "the plot stands still");
+    await page.getByRole("button", { name: "uncertainty", exact: true }).click();
+    await page
+      .getByTestId("uncertainty")
+      .and(page.locator("[data-known='1']"))
+      .waitFor({ state: "attached", timeout: 30_000 });
+    await page.mouse.move(0, 0);
+    assert.ok(!before.equals(await plot.screenshot()), "the band is drawn");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

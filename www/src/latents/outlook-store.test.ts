@@ -1,0 +1,100 @@
+import { beforeEach, expect, it } from "vitest";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeProgram } from "../engine/whole-engine.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { FUTURES, OutlookStore } from "./outlook-store";
+
+let engine: FakeEngine;
+let model: ModelStore;
+let stage: StageStore;
+let notices: NoticesStore;
+let whole: FakeProgram;
+let outlook: OutlookStore;
+beforeEach(async () => {
+  engine = new FakeEngine();
+  whole = new FakeProgram();
+  notices = new NoticesStore();
+  const settings = new SettingsStore(new FakeAddressBar());
+  const store = new EngineStore();
+  stage = new StageStore(new Playback(settings));
+  model = new ModelStore(store, settings, stage, notices);
+  outlook = new OutlookStore(store, model, stage, notices, () => Promise.resolve(whole));
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1)),
+  );
+});
+
+const part = { means: new Float64Array(4), covariances: new Float64Array(8) };
+const seeds = () => engine.held.filter(({ name }) => name === "futures").map(({ args }) => args.slice(1));
+
+it("puts five futures on the stage, and takes them away again", async () => {
+  outlook.show("futures", true);
+  await settled();
+  expect([outlook.futures.length, stage.futures.length]).toEqual([FUTURES, FUTURES]);
+  outlook.show("futures", false);
+  expect([outlook.futures.length, stage.futures.length]).toEqual([0, 0]);
+});
+
+it("draws others from the seeds that follow, and keeps its seed under other couplings", async () => {
+  engine.holding.add("futures");
+  outlook.show("futures", true);
+  engine.held.at(-1)?.end();
+  await settled();
+  outlook.drawOthers();
+  engine.held.at(-1)?.end();
+  await settled();
+  model.setCoupling(0, 1, 2);
+  await settled();
+  engine.held.at(-1)?.end();
+  await settled();
+  expect(seeds()).toEqual([
+    [FUTURES, 1],
+    [FUTURES, 1 + FUTURES],
+    [FUTURES, 1 + FUTURES],
+  ]);
+  expect(outlook.futures[0]?.request.alpha?.[0]?.[1]).toBe(2);
+});
+
+it("drops the futures of another model", async () => {
+  outlook.show("futures", true);
+  await settled();
+  engine.holding.add("futures");
+  await model.open(modelText(2));
+  expect(stage.futures.length).toBe(0);
+  engine.held.at(-1)?.end();
+  await settled();
+  expect(outlook.futures[0]?.revision).toBe(2);
+});
+
+it("asks the whole program for the moments of the rollout, with the model's document", async () => {
+  outlook.show("uncertainty", true);
+  await settled();
+  expect(whole.moments.map(({ request }) => request)).toEqual([
+    { text: modelText(1), request: model.rollout?.request },
+  ]);
+  whole.moments[0]?.end([part, part]);
+  await settled();
+  expect(outlook.moments?.length).toBe(2);
+  await model.open(modelText(2));
+  expect(outlook.moments).toBeNull();
+  await settled();
+  expect(whole.moments[1]?.request.text).toBe(modelText(2));
+});
+
+it("says why there is no band, and can be asked again", async () => {
+  whole.unreachable = "you are offline";
+  outlook.show("uncertainty", true);
+  await settled();
+  expect([outlook.isShown("uncertainty"), notices.all.at(-1)?.text]).toEqual([false, "you are offline"]);
+  whole.unreachable = "";
+  outlook.show("uncertainty", true);
+  await settled();
+  expect(whole.moments.length).toBe(1);
+});

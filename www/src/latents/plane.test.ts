@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import { deviationAcross, ellipseOf, Plane } from "./plane";
+import { principalAxes, type Turn } from "./projection";
+
+/** A plot of a latent space of q dimensions whose axes are those of the latents: 43 pixels a unit. */
+function plane(q: number, turn: Turn = { about: 0, tilt: 0 }): Plane {
+  const axes = new Float64Array(3 * q);
+  for (let k = 0; k < Math.min(3, q); k++) axes[k * q + k] = 1;
+  const projection = { centre: new Float64Array(q), axes, reach: 1, dimensions: q };
+  return new Plane({ width: 100, height: 200, projection, turn });
+}
+
+describe("a Gaussian in a plot", () => {
+  it("is a circle of its deviation, from whatever side three equal dimensions are seen", () => {
+    for (const turn of [
+      { about: 0, tilt: 0 },
+      { about: 1.1, tilt: -0.7 },
+    ]) {
+      const { x, y, major, minor } = ellipseOf(
+        plane(3, turn).place(new Float64Array(3), 0),
+        plane(3, turn).roundSpread(0.25),
+      );
+      expect([x, y]).toEqual([50, 100]);
+      expect(major).toBeCloseTo(0.5 * 43, 10);
+      expect(minor).toBeCloseTo(0.5 * 43, 10);
+    }
+  });
+
+  it("is a circle in the principal axes of five dimensions", () => {
+    const points = Float64Array.from({ length: 100 }, (_, i) => Math.sin(i * i));
+    const projection = principalAxes(points, 5);
+    const seen = new Plane({ width: 100, height: 100, projection, turn: { about: 0.4, tilt: 0.2 } }).roundSpread(4);
+    const { major, minor } = ellipseOf([0, 0], seen);
+    expect(major).toBeCloseTo((2 * 43) / projection.reach, 8);
+    expect(minor).toBeCloseTo(major, 8);
+  });
+
+  it("is a disc seen from the side in two dimensions, and a line in one", () => {
+    const { major, minor } = ellipseOf([0, 0], plane(2, { about: 0, tilt: Math.PI / 3 }).roundSpread(1));
+    expect([major, minor / major]).toEqual([expect.closeTo(43, 10), expect.closeTo(0.5, 10)]);
+    const line = ellipseOf([0, 0], plane(1).roundSpread(1));
+    expect([line.major, line.minor, line.angle]).toEqual([expect.closeTo(43, 10), 0, 0]);
+  });
+
+  it("is an ellipse along its longest deviation, where dimensions differ", () => {
+    // Long along the first diagonal, which goes up on the page.
+    const covariances = Float64Array.of(9, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2.5, 1.5, 0, 1.5, 2.5, 0, 0, 0, 7);
+    const seen = plane(3).spread(covariances.slice(3), 1);
+    const { major, minor, angle } = ellipseOf([0, 0], seen);
+    expect(major).toBeCloseTo(2 * 43, 8);
+    expect(minor).toBeCloseTo(43, 8);
+    expect(angle).toBeCloseTo(-Math.PI / 4, 8);
+    expect(deviationAcross(seen, 1, -1)).toBeCloseTo(43, 8);
+    expect(deviationAcross(seen, 1, 1)).toBeCloseTo(2 * 43, 8);
+    expect(deviationAcross(seen, 0, 0)).toBe(0);
+  });
+});

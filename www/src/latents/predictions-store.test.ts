@@ -1,0 +1,91 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { PredictionsStore } from "./predictions-store";
+
+let engine: FakeEngine;
+let model: ModelStore;
+let predictions: PredictionsStore;
+beforeEach(async () => {
+  vi.useFakeTimers();
+  engine = new FakeEngine();
+  const settings = new SettingsStore(new FakeAddressBar());
+  const store = new EngineStore();
+  model = new ModelStore(store, settings, new StageStore(new Playback(settings)), new NoticesStore());
+  predictions = new PredictionsStore(store, model);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1)),
+  );
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+const asked = () => engine.held.filter(({ name }) => name === "predictions").map(({ args }) => args[0]);
+
+it("are asked for when the rollout has stood for a moment", async () => {
+  expect(predictions.report).toBeNull();
+  await vi.advanceTimersByTimeAsync(100);
+  expect(predictions.report?.request).toEqual(model.rollout?.request);
+});
+
+it("are asked for now and then while a coupling moves, and are of the last rollout in the end", async () => {
+  await vi.advanceTimersByTimeAsync(100);
+  engine.holding.add("predictions");
+  for (let i = 0; i < 40; i++) {
+    model.setCoupling(0, 1, 2 + 0.1 * i);
+    await vi.advanceTimersByTimeAsync(20);
+    // What was known of the rollout before is shown meanwhile.
+    expect(predictions.report).not.toBeNull();
+    engine.held.at(-1)?.end();
+  }
+  await vi.advanceTimersByTimeAsync(500);
+  engine.held.at(-1)?.end();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(asked().length).toBeGreaterThan(1);
+  expect(asked().length).toBeLessThan(8);
+  expect(predictions.report?.request).toEqual(model.rollout?.request);
+  expect(model.rollout?.request.alpha?.[0]?.[1]).toBeCloseTo(5.9, 10);
+});
+
+it("of another model, or of other times, are dropped", async () => {
+  await vi.advanceTimersByTimeAsync(100);
+  engine.holding.add("predictions");
+  model.setSeconds(4);
+  await vi.advanceTimersByTimeAsync(0);
+  expect(predictions.report).toBeNull();
+  await vi.advanceTimersByTimeAsync(100);
+  const late = engine.held.at(-1);
+  await model.open(modelText(2));
+  late?.end();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(predictions.report).toBeNull();
+});
+
+it("are neither asked for nor answered while they are not shown", async () => {
+  predictions.show(false);
+  const times = vi.spyOn(engine, "predictions");
+  model.setCoupling(0, 1, 2);
+  await vi.advanceTimersByTimeAsync(500);
+  expect([times.mock.calls.length, predictions.report]).toEqual([0, null]);
+  predictions.show(true);
+  await vi.advanceTimersByTimeAsync(500);
+  expect(predictions.report?.request.alpha?.[0]?.[1]).toBe(2);
+});
+
+it("stay away where they cannot be computed", async () => {
+  await vi.advanceTimersByTimeAsync(100);
+  engine.holding.add("predictions");
+  model.setCoupling(0, 1, 2);
+  await vi.advanceTimersByTimeAsync(100);
+  engine.held.at(-1)?.fail(new Error("no covariance"));
+  await vi.advanceTimersByTimeAsync(0);
+  expect(predictions.report).toBeNull();
+});
