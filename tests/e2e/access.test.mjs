@@ -30,7 +30,7 @@ describe("accessibility", () => {
   }
 
   it("reaches and works the main controls by keyboard alone", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=4000&fps=15" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=4000&fps=15" });
     await ready(page);
     const tabTo = async (/** @type {string} */ id) => {
       for (let i = 0; i < 120; i++) {

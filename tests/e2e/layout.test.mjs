@@ -106,7 +106,27 @@ describe("five parts by hand, trained several times", () => {
       );
     });
     assert.deepEqual(cut, []);
+    assert.deepEqual(await overprints(page), []);
+    // On a phone the table scrolls in its box, and nothing else does.
+    await page.setViewportSize({ width: 390, height: 844 });
+    assert.ok((await size(page)).scrollWidth <= 390, "the table widens the page");
     assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("the couplings of the first model", () => {
+  it("are all in view in a window of 1440x900, with what was measured", async () => {
+    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
+    await ready(page);
+    for (const preset of ["as-learned", "untrained-advice"]) {
+      await page.getByTestId(`preset-${preset}`).click();
+      await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+      const [needed = Infinity, room = 0] = await page
+        .locator("#panel-couplings")
+        .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
+      assert.ok(needed <= room, `${preset}: ${needed} of ${room} pixels`);
+    }
     await leave();
   });
 });

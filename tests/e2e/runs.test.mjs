@@ -85,11 +85,14 @@ describe("several trainings", () => {
     );
     const bounds = rows.map(({ cells }) => Number(cells[0]?.replace(/,/g, "").replace("\u2212", "-")));
     assert.ok(bounds.every(Number.isFinite) && new Set(bounds).size === 3, `bounds ${bounds}`);
-    const at = bounds.indexOf(Math.max(...bounds));
+    const highest = bounds.indexOf(Math.max(...bounds));
     assert.deepEqual(
       rows.map(({ best }) => best),
-      bounds.map((_, i) => i === at),
+      bounds.map((_, i) => i === highest),
     );
+    // One that keeps moving is preferred to higher bounds.
+    const moving = bounds.filter((_, i) => rows[i]?.cells.includes("done"));
+    const at = moving.length > 0 ? bounds.indexOf(Math.max(...moving)) : highest;
     assert.deepEqual(
       rows.map(({ chosen }) => chosen),
       bounds.map((_, i) => i === at),
@@ -141,7 +144,9 @@ describe("several trainings", () => {
     );
     const chosen = rows.filter(({ chosen }) => chosen);
     assert.equal(chosen.length, 1);
-    assert.ok(chosen[0]?.best);
+    const moves = (/** @type {typeof rows[number] | undefined} */ row) =>
+      row?.cells.some((cell) => cell === "done" || cell === "cancelled");
+    assert.ok(chosen[0]?.best || (moves(chosen[0]) && !moves(rows.find(({ best }) => best))), JSON.stringify(rows));
     assert.equal((await provenance(page)).settings.seed, chosen[0]?.seed);
     assert.deepEqual(problems, []);
     await leave();
@@ -228,7 +233,7 @@ describe("several trainings", () => {
 
 describe("the table of trainings", () => {
   it("keeps a training under other settings beside the first, tells what differs, and can be cleared", async () => {
-    const { page, problems, leave } = await visit(2, "iterations=10&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=1&iterations=10&fps=15");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
     await trainIsBack(page);

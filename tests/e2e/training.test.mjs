@@ -40,7 +40,7 @@ async function watchIterations(/** @type {Page} */ page) {
 
 describe("training", () => {
   it("shows progress and ends with another model", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=400&fps=20&dynamics=14" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=400&fps=20&dynamics=14" });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
@@ -60,7 +60,9 @@ describe("training", () => {
   });
 
   it("does not block the page, and keeps the best so far when it is cancelled", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=5000&dynamics=24&poses=24" });
+    const { page, problems, leave } = await site.visit({
+      settings: "trainings=1&iterations=5000&dynamics=24&poses=24",
+    });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
@@ -79,9 +81,73 @@ describe("training", () => {
   });
 });
 
+describe("after training", () => {
+  const POOR = "trainings=1&seed=1&iterations=10&fps=15&latent=1&dynamics=2&poses=2";
+
+  it("says that a model stands still, and trains anew with more points", async () => {
+    const { page, problems, leave } = await site.visit({ settings: POOR });
+    await ready(page);
+    const health = page.getByTestId("health");
+    assert.equal(await health.count(), 0, "the model that walks first keeps moving");
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    await health.getByText(/^The model stands still from \d/).waitFor();
+    assert.equal(await health.getByTestId("other-seeds").count(), 1);
+    await health.getByTestId("more-points").click();
+    await page.getByTestId("run").nth(1).waitFor();
+    await trainIsBack(page);
+    const { settings } = await provenance(page);
+    assert.deepEqual([settings.dynamicsIps, settings.poseIps], [20, 20]);
+    assert.equal(await page.getByTestId("setting-poseIps").inputValue(), "20");
+    assert.match((await page.getByTestId("run").first().textContent()) ?? "", /done, stands still from \d/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("goes on where it stopped, for as many iterations again", async () => {
+    const { page, problems, leave } = await site.visit({ settings: POOR });
+    await ready(page);
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    const first = await provenance(page);
+    const more = page.getByTestId("continue");
+    assert.equal(await more.textContent(), "Continue, 10 more");
+    await more.click();
+    await page.getByTestId("progress").filter({ hasText: "Iteration 20 of 20." }).waitFor();
+    const second = await provenance(page);
+    assert.deepEqual([first.iterations, second.iterations, second.settings.maxIterations], [10, 20, 20]);
+    assert.ok(second.bound > first.bound, `${first.bound} to ${second.bound}`);
+    assert.equal(await page.getByTestId("run").count(), 1);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("trains clips of other bones together, with the bones of the first", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
+    await ready(page);
+    const text = bvh();
+    const longer = text.replace(/OFFSET .*/g, (line) =>
+      line.replace(/-?\d+(\.\d+)?/g, (number) => String(1.1 * Number(number))),
+    );
+    await drop(page, { "mine.bvh": text, "taller.bvh": longer });
+    await page.getByTestId("clash").filter({ hasText: "its offset differs" }).waitFor();
+    assert.ok(await page.getByTestId("train").isDisabled());
+    await page.getByTestId("first-bones").click();
+    await page.getByTestId("bones").filter({ hasText: "with the bones of mine" }).waitFor();
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    assert.deepEqual(
+      (await trained(page)).sequences.map(({ name }) => name),
+      ["mine", "taller"],
+    );
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
 describe("own files", () => {
   it("trains on the frames of a dropped clip that were chosen", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=10&fps=15" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
     await ready(page);
     const text = bvh();
     await drop(page, { "mine.bvh": text });
@@ -97,7 +163,7 @@ describe("own files", () => {
     const frames = mine.cut(5, 45).resample(15).info().frames;
     assert.ok(frames < mine.resample(15).info().frames);
     const { sha256 } = mine.info();
-    assert.deepEqual((await trained(page)).sequences, [{ name: "mine", sha256, frames }]);
+    assert.deepEqual((await trained(page)).sequences, [{ name: "mine", sha256, frames, restsFrom: null }]);
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -127,7 +193,7 @@ describe("own files", () => {
   });
 
   it("opens a model that was saved: it moves as it did", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "iterations=8&fps=15" });
+    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=8&fps=15" });
     await ready(page);
     const [first, firstMotion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
     assert.match(first.name, /\.json$/);

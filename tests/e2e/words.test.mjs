@@ -20,8 +20,8 @@ describe("the first screen", () => {
     await ready(page);
     const lead = page.getByTestId("lead");
     const caption = page.locator(".stage-caption");
-    assert.match(await lead.innerText(), /never recorded.*from 5 clips/s);
-    assert.match(await caption.innerText(), /Made by the model\s+A rollout, learned from 5 clips/);
+    assert.match(await lead.innerText(), /never recorded.*from 3 clips/s);
+    assert.match(await caption.innerText(), /Made by the model\s+A rollout, learned from 3 clips/);
     assert.match(await page.getByTestId("progress").innerText(), /ticked sample clips and their body/);
     await page.locator(".made summary").click();
     await page

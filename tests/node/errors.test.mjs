@@ -42,6 +42,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
     "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n";
   const bytes = new TextEncoder().encode(other);
 
+  const longer = clip
+    .toBvh()
+    .replace(/OFFSET .*/g, (line) => line.replace(/-?\d+(\.\d+)?/g, (length) => String(1.1 * Number(length))));
+  const taller = Clip.read("taller.bvh", new TextEncoder().encode(longer));
+
   /** @type {[string, () => unknown, RegExp][]} */
   const cases = [
     ["clip", () => Clip.read("no.bvh", new Uint8Array()), /^no\.bvh/],
@@ -49,6 +54,8 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["clip", () => clip.cut(5, 5), /expected frames from 0 to 60/],
     ["clips", () => new Trainer(new TrainingSet(), settings), /expected at least one clip/],
     ["clips", () => clips.add(Clip.read("other.bvh", bytes)), /other\.bvh cannot be trained together with/],
+    ["bones", () => clips.add(taller), /taller\.bvh cannot be trained together with .* its offset differs/],
+    ["clips", () => Clip.read("other.bvh", bytes).withBonesOf(clip), /other\.bvh cannot be trained together with/],
     ["parts", () => new Trainer(clips, { ...settings, parts: [] }), /expected at least one part/],
     ["parts", () => new Trainer(clips, { ...settings, parts }), /./],
     ["settings", () => new Trainer(clips, { ...settings, latent: 0 }), /the latent dimension must be from 1 to 100/],
@@ -85,6 +92,8 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["results", () => results.merge(others), /^these results are of other trials/],
     ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
   ];
+  clips.add(taller.withBonesOf(clip));
+  assert.equal(clips.length, 3);
   const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/node/vcgpdm.d.ts"), "utf8")).types.get("ErrorCode");
   assert.ok(declared?.kind === "union");
   const codes = declared.options.map((option) => (option.kind === "literal" ? option.value : ""));

@@ -48,10 +48,27 @@ function train(/** @type {number} */ seed = 1) {
     assert.ok(progress.length <= 4 * maxIterations, "training ends");
     progress.push(trainer.step());
   }
-  return { model: trainer.model(), progress };
+  return { model: trainer.model(), progress, trainer };
 }
 
 const finite = (/** @type {ArrayLike<number>} */ numbers) => Array.from(numbers).every(Number.isFinite);
+
+it("goes on with a training that has used its iterations", () => {
+  const { progress, trainer } = train();
+  const before = progress.at(-1);
+  assert.equal(before?.reason, "iterations");
+  trainer.extend(8);
+  let last = trainer.step();
+  while (!last.done) last = trainer.step();
+  assert.deepEqual([last.iteration, last.maxIterations, last.reason], [16, 16, "iterations"]);
+  assert.ok(last.best > before.best, `${before.best} to ${last.best}`);
+});
+
+it("says which of several models is to be shown", () => {
+  const best = (/** @type {number[]} */ ranks, /** @type {number[]} */ bounds) =>
+    vcgpdm.bestToShow(Uint8Array.from(ranks), Float64Array.from(bounds));
+  assert.deepEqual([best([1, 2, 2], [30, 10, 20]), best([1, 1], [5, 5]), best([], [])], [2, 0, -1]);
+});
 
 describe("the package", () => {
   it("loads with import and with require, at the version of its package.json", () => {

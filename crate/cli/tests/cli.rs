@@ -361,6 +361,29 @@ fn training_that_cannot_begin_says_why() {
     assert!(!model.exists(), "nothing is left behind");
 }
 
+#[test]
+fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
+    let folder = folder("bones");
+    let taller = folder.join("taller.bvh");
+    json(&["clip", "sample:walk-2", "--out", text(&taller)]);
+    let written = fs::read_to_string(&taller).unwrap();
+    let longer = |line: &str| {
+        let Some(offset) = line.trim_start().strip_prefix("OFFSET") else { return format!("{line}\n") };
+        let numbers = offset.split_whitespace().map(|x| (1.1 * x.parse::<f64>().unwrap()).to_string());
+        format!("OFFSET {}\n", numbers.collect::<Vec<_>>().join(" "))
+    };
+    fs::write(&taller, written.lines().map(longer).collect::<String>()).unwrap();
+    let model = folder.join("model.json");
+    let mut arguments = vec!["train", "sample:walk-1", text(&taller), "--parts", "whole", "--fps", "15"];
+    arguments.extend(["--max-iterations", "5", "--out", text(&model)]);
+    let refused = fails(&arguments);
+    assert!(refused.contains("its offset differs") && refused.contains("--first-bones"), "{refused}");
+    arguments.push("--first-bones");
+    let warnings = json(&arguments)["warnings"].to_string();
+    assert!(warnings.contains("the way of the root is scaled by 0.9"), "{warnings}");
+    assert!(model.exists());
+}
+
 /// Recorded clips are not part of the project; this one looks where they may lie.
 #[test]
 fn real_clips_are_told_and_written_back() {

@@ -4,7 +4,7 @@ use crate::body::BodyInfo;
 use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use vcgpdm::models::same_body;
+use vcgpdm::models::{same_body, with_bones_of};
 use vcgpdm::motion::parts::PartsPreset;
 use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
@@ -87,6 +87,7 @@ impl Clip {
     }
 
     /// The clip's name.
+    #[cfg(feature = "comparison")]
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {
         self.clip.name.clone()
@@ -115,8 +116,16 @@ impl Clip {
     }
 
     /// The clip at about another frame rate.
+    #[cfg(feature = "comparison")]
     pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
+    }
+
+    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same tree; as it is where the
+    /// bodies are the same.
+    #[wasm_bindgen(js_name = withBonesOf)]
+    pub fn with_bones_of(&self, other: &Clip) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: with_bones_of(&self.clip, &other.clip)? })
     }
 
     /// The clip as the text of a BVH file.
@@ -146,7 +155,8 @@ impl TrainingSet {
         TrainingSet::default()
     }
 
-    /// Adds a clip. Throws the reason when its body differs from the first clip's; the set stays as it was.
+    /// Adds a clip. Throws the reason when its body differs from the first clip's, with the code "bones" where only its bones do; the
+    /// set stays as it was.
     pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
         if let Some(first) = self.clips.first() {
             same_body(first, &clip.clip)?;
@@ -156,6 +166,7 @@ impl TrainingSet {
     }
 
     /// How many clips there are.
+    #[cfg(feature = "comparison")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.clips.len()

@@ -21,6 +21,7 @@ const TYPES: &str = r#"
 export type ErrorCode =
     | "clip"
     | "clips"
+    | "bones"
     | "parts"
     | "settings"
     | "training"
@@ -44,6 +45,8 @@ pub enum ErrorCode {
     Clip,
     /// Clips that do not go together.
     Clips,
+    /// Clips whose joints are the same but whose bones are not: `Clip.withBonesOf` makes them go together.
+    Bones,
     /// How the body is split.
     Parts,
     /// A setting.
@@ -69,6 +72,7 @@ impl ErrorCode {
         match self {
             ErrorCode::Clip => "clip",
             ErrorCode::Clips => "clips",
+            ErrorCode::Bones => "bones",
             ErrorCode::Parts => "parts",
             ErrorCode::Settings => "settings",
             ErrorCode::Training => "training",
@@ -157,6 +161,7 @@ impl LibraryError for TrainingError {
 impl LibraryError for DatasetError {
     fn code(&self) -> ErrorCode {
         match self {
+            DatasetError::Body { reason, .. } if reason.is_of_bones() => ErrorCode::Bones,
             DatasetError::Empty | DatasetError::Body { .. } => ErrorCode::Clips,
             DatasetError::Short { .. } | DatasetError::Clip(_) | DatasetError::Pose { .. } => ErrorCode::Clip,
             DatasetError::Parts(_) => ErrorCode::Parts,

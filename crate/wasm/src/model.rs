@@ -30,6 +30,8 @@ export interface SequenceInfo {
     name: string;
     sha256: string;
     frames: number;
+    /** Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not known. */
+    restsFrom: number | null;
 }
 
 /** How a model was made. */

@@ -66,11 +66,14 @@ export interface Measures {
 
 /** How a rollout ends. */
 export interface Health {
-    state: "moves on" | "stands still" | "leaves the training range" | "not finite";
+    /** It rests as recorded where the recording that it begins as comes to rest too, hardly later. */
+    state: "moves on" | "rests as recorded" | "stands still" | "leaves the training range" | "not finite";
     /** Seconds from the first frame to where it stands still or leaves. */
     from: number | null;
     /** The part that leaves the training range. */
     part: number | null;
+    /** How good to show: 2 where it moves on or rests as recorded, 0 where it is not finite. */
+    rank: number;
 }
 "#;
 
@@ -84,6 +87,15 @@ struct End {
     state: &'static str,
     from: Option<f64>,
     part: Option<usize>,
+    rank: u8,
+}
+
+/// Which of several models of the same data is to be shown: of those of the highest rank (`Health.rank` of their rollouts) the one of the
+/// highest bound. A place in the lists, which are as long; -1 where they are empty.
+#[wasm_bindgen(js_name = bestToShow)]
+pub fn best_to_show(ranks: &[u8], bounds: &[f64]) -> i32 {
+    let models = ranks.iter().copied().zip(bounds.iter().copied());
+    vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32)
 }
 
 /// A rolled-out motion.
@@ -149,13 +161,15 @@ impl Rollout {
     /// How it ends: moving on, standing still, far from what the model was trained on.
     #[wasm_bindgen(unchecked_return_type = "Health")]
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
-        let (state, from, part) = match self.model.health(&self.rollout, &self.positions)? {
+        let health = self.model.health(&self.rollout, self.request.sequence, &self.positions)?;
+        let (state, from, part) = match health {
             Health::MovesOn => ("moves on", None, None),
             Health::StandsStill { from } => ("stands still", Some(from), None),
+            Health::RestsAsRecorded { from } => ("rests as recorded", Some(from), None),
             Health::LeavesTraining { from, part } => ("leaves the training range", Some(from), Some(part)),
             Health::NotFinite => ("not finite", None, None),
         };
-        to_js(&End { state, from, part })
+        to_js(&End { state, from, part, rank: health.rank() })
     }
 
     /// The motion as the text of a BVH file.

@@ -81,6 +81,11 @@ impl Trainer {
         to_js(&self.training.step())
     }
 
+    /// Allows so many more iterations: training goes on where it stopped, as if they had been allowed from the beginning.
+    pub fn extend(&mut self, iterations: usize) {
+        self.training.extend(iterations);
+    }
+
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let model = TrainedModel::<Vcgpdm>::trained(&self.dataset, &self.training, self.frames_per_second)?;

@@ -6,6 +6,7 @@ import "../terms/term";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
+import { healthWords } from "./health-words";
 import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
 
 /** The clip that hides the model's motion, if one does. */
@@ -26,6 +27,7 @@ export function wordsNow(app: App): StageWords {
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
     altered: model.altered,
     preset: model.preset,
+    live: stage.shown?.live === true,
     beside: stage.columns !== null,
     learning: run && { iteration: run.steps.at(-1)?.iteration ?? null, seed: several ? run.settings.seed : null },
   });
@@ -53,7 +55,33 @@ export class CaptionView extends View {
   declare app: App;
 
   protected override stores() {
-    return wordStores(this.app);
+    return [...wordStores(this.app), this.app.body];
+  }
+
+  /** Where the motion on the stage is none any more: that it is so, and what helps. */
+  private healthNotice() {
+    const { stage, model, training, pointing, body, embedded } = this.app;
+    const { shown } = stage;
+    if (shown?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
+      return nothing;
+    const seconds = shown.motion.frames * shown.motion.frameTime;
+    const words = healthWords(body.reports.now.health, { seconds, parts: shown.parts, altered: model.altered });
+    if (!words) return nothing;
+    const run = training.chosen;
+    const points = run && training.morePoints(run);
+    const buttons = model.altered
+      ? html`<button class="small" @click=${() => model.resetCouplings()}>Couplings as learned</button>`
+      : run && !embedded && !training.busy && training.whyNot() === ""
+        ? html`${
+            points === null
+              ? nothing
+              : html`<button class="small" data-testid="more-points" title="Trains anew with ${points} points in each map"
+                @click=${() => void training.trainWithMorePoints(run)}>Train with more points</button>`
+          }
+          <button class="small" data-testid="other-seeds" title="Trains anew from the next seeds"
+            @click=${() => void training.trainOtherSeeds()}>Try other seeds</button>`
+        : nothing;
+    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
 
   protected override render() {
@@ -72,6 +100,7 @@ export class CaptionView extends View {
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`
             : nothing
         }
+        ${this.healthNotice()}
       </div>`;
   }
 }

@@ -8,6 +8,7 @@ const walking: OnStage = {
   point: null,
   altered: false,
   preset: null,
+  live: false,
   beside: false,
   learning: null,
 };
@@ -42,6 +43,7 @@ describe("the words about the stage", () => {
     const { title, lead } = stageWords({ ...walking, altered: true, preset });
     expect([title, lead]).toEqual([preset.name, preset.sentence]);
     expect(stageWords({ ...walking, altered: true, beside: true }).text).not.toMatch(/ghost/);
+    expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/ghost/);
     expect(stageWords({ ...walking, beside: true }).text).toMatch(/change a coupling/);
     expect(stageWords({ ...walking, altered: true, point: "A pose of lower" }).text).toBe("A pose of lower");
   });

@@ -15,6 +15,8 @@ export interface OnStage {
   altered: boolean;
   /** The preset that the couplings are of. */
   preset: { name: string; sentence: string } | null;
+  /** Whether the motion goes on arriving. */
+  live: boolean;
   /** Whether both readings of the couplings are seen side by side. */
   beside: boolean;
   /** The training whose model is on the stage; `iteration` is null before the first. */
@@ -63,10 +65,11 @@ function clipWords(clip: OnStage["clip"]): StageWords {
 }
 
 function modelWords(now: OnStage): { title: string; text: string } {
-  const { point, altered, preset, beside, learning, learnedFrom } = now;
+  const { point, altered, preset, beside, live, learning, learnedFrom } = now;
   if (point !== null) return { title: "What an inducing point stands for", text: point };
   if (altered) {
     const title = preset?.name ?? "Couplings changed";
+    if (live) return { title, text: "The model goes on live" };
     return { title, text: beside ? "The same couplings, read in two ways" : "The ghost moves as the model learned it" };
   }
   if (beside) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };

@@ -128,3 +128,25 @@ describe("ticked clips that do not go together", () => {
     expect(clips.clash).toBe("");
   });
 });
+
+describe("clips of one skeleton with other bones", () => {
+  beforeEach(async () => {
+    engine.longer.add(2);
+    await clips.checkClash();
+  });
+
+  it("go together with the bones of the first, until they are to have their own", async () => {
+    expect([clips.clash, clips.bonesClash]).toEqual(["their bones differ", true]);
+    await clips.setFirstBones(true);
+    expect([clips.clash, clips.bonesClash, clips.firstBones]).toEqual(["", false, true]);
+    expect(clips.toTrainOn.map(({ firstBones }) => firstBones)).toEqual([undefined, true]);
+    await clips.setFirstBones(false);
+    expect([clips.bonesClash, clips.toTrainOn[1]?.firstBones]).toEqual([true, undefined]);
+  });
+
+  it("are told from clips of other joints", async () => {
+    engine.odd.add(1);
+    await clips.setFirstBones(true);
+    expect([clips.clash, clips.bonesClash]).toEqual(["their bodies differ", false]);
+  });
+});

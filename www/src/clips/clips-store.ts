@@ -1,6 +1,6 @@
 // The clips: made by the project or opened by the visitor; ticked, cut and shown on the stage.
 import type { EngineStore } from "../engine/engine-store";
-import type { ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
+import type { Clash, ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { clipTitle, messageOf } from "../ui/format";
@@ -33,7 +33,8 @@ export class ClipsStore extends Store {
   readonly #stage: StageStore;
   #clips: readonly ClipEntry[] = [];
   #samplesLoaded = false;
-  #clash = "";
+  #clash: Clash | null = null;
+  #firstBones = false;
   #locked = false;
   #checks = 0;
   /** The made clips that were ticked when the visitor's own took their place. */
@@ -61,7 +62,22 @@ export class ClipsStore extends Store {
 
   /** Why the ticked clips cannot be trained on together; empty when they can. */
   get clash(): string {
-    return this.#clash;
+    return this.#clash?.words ?? "";
+  }
+
+  /** Whether only the bones of the ticked clips differ, so that those of the first would do for all. */
+  get bonesClash(): boolean {
+    return this.#clash?.bones ?? false;
+  }
+
+  /** Whether all ticked clips take the bones of the first of them. */
+  get firstBones(): boolean {
+    return this.#firstBones;
+  }
+
+  async setFirstBones(firstBones: boolean): Promise<void> {
+    this.#firstBones = firstBones;
+    await this.checkClash();
   }
 
   /** Whether a training uses the ticked clips, so that they cannot be changed now. */
@@ -77,7 +93,14 @@ export class ClipsStore extends Store {
 
   /** The ticked clips as a worker that trains reads them, with their titles. */
   get toTrainOn(): (TrainingClip & { title: string })[] {
-    return this.ticked.map(({ loaded, title, source, first, end }) => ({ id: loaded.id, title, source, first, end }));
+    return this.ticked.map(({ loaded, title, source, first, end }, place) => ({
+      id: loaded.id,
+      title,
+      source,
+      first,
+      end,
+      ...(this.#firstBones && place > 0 && { firstBones: true }),
+    }));
   }
 
   lock(locked: boolean): void {
@@ -179,11 +202,11 @@ export class ClipsStore extends Store {
     this.#checks += 1;
     const check = this.#checks;
     const ids = this.ticked.map(({ loaded }) => loaded.id);
-    let clash = "";
+    let clash: Clash | null = null;
     try {
-      if (ids.length > 1) await this.#engine.engine?.checkTogether(ids);
+      if (ids.length > 1) clash = (await this.#engine.engine?.checkTogether(ids, this.#firstBones)) ?? null;
     } catch (problem) {
-      clash = messageOf(problem);
+      clash = { words: messageOf(problem), bones: false };
     }
     // Other clips may have been ticked meanwhile.
     if (check !== this.#checks) return;

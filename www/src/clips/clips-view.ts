@@ -74,6 +74,22 @@ export class ClipsView extends View {
       </li>`;
   }
 
+  /** Where only the bones differ, what can be done about it; and how to undo it. */
+  private bones() {
+    const { clips } = this;
+    const { bonesClash, firstBones, ticked, locked } = clips;
+    const [first] = ticked;
+    const change = (to: boolean) => () => void clips.setFirstBones(to);
+    if (bonesClash) {
+      return html`<p class="hint">Their joints are the same, only their bones differ.
+        <button class="small" data-testid="first-bones" ?disabled=${locked} @click=${change(true)}>Use the first clip’s bones</button></p>`;
+    }
+    if (!firstBones || !first || ticked.length < 2) return nothing;
+    return html`<p class="hint" data-testid="bones">All ticked clips are trained on with the bones of ${first.title}: joint angles stay, the way over the
+      ground is scaled by the length of the legs.
+      <button class="small" ?disabled=${locked} @click=${change(false)}>Use their own bones</button></p>`;
+  }
+
   protected override render() {
     const { clips, notices } = this;
     const own = clips.all.filter(({ origin }) => origin === "own");
@@ -94,6 +110,7 @@ export class ClipsView extends View {
       </header>
       ${here.map((notice) => noticeCard(notices, notice))}
       ${clips.clash ? html`<p class="bad" role="alert" data-testid="clash">${clips.clash}</p>` : nothing}
+      ${this.bones()}
       ${
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`

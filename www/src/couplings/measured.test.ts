@@ -4,7 +4,7 @@ import { measuredWords } from "./measured";
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
-const MOVES_ON: Health = { state: "moves on", from: null, part: null };
+const MOVES_ON: Health = { state: "moves on", from: null, part: null, rank: 2 };
 const NAMES = ["lower", "upper"];
 
 function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5): BodyReport {
@@ -56,11 +56,11 @@ describe("what was measured", () => {
   });
 
   it("says how a motion ends that does not go on", () => {
-    const still = of(report([{ swing: 0 }, {}], { state: "stands still", from: 0.71, part: null }));
+    const still = of(report([{ swing: 0 }, {}], { state: "stands still", from: 0.71, part: null, rank: 1 }));
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
-    const away = of(report([{}, {}], { state: "leaves the training range", from: 3, part: 1 }));
+    const away = of(report([{}, {}], { state: "leaves the training range", from: 3, part: 1, rank: 1 }));
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
-    expect(of(report([{}, {}], { state: "not finite", from: null, part: null })).trouble).toMatch(/runs away/);
+    expect(of(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble).toMatch(/runs away/);
   });
 });

@@ -64,7 +64,8 @@ function speedWords(
   return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : `walks ${share.toFixed(2)} × as fast`;
 }
 
-function troubleWords({ state, from, part }: Health, names: readonly string[]): string {
+/** How a motion ends where it does not go on, in words to follow "it"; else empty. */
+export function troubleWords({ state, from, part }: Health, names: readonly string[]): string {
   const since = `from ${(from ?? 0).toFixed(1)} s on`;
   switch (state) {
     case "stands still":

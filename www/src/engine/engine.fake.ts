@@ -2,8 +2,10 @@
 import type { StartedEngine, TrainingWorker } from "./engine";
 import { Pool } from "./pool";
 import type {
+  Clash,
   ClipInfo,
   Engine,
+  Health,
   LiveChange,
   LiveFrames,
   LoadedClip,
@@ -12,6 +14,7 @@ import type {
   Motion,
   OpenedModel,
   PartSpec,
+  Report,
   RolloutRequest,
   RolloutResult,
   TrainingJob,
@@ -31,6 +34,9 @@ const parts: PartSpec[] = [
   { name: "lower", joints: [0] },
   { name: "upper", joints: [1] },
 ];
+
+export const MOVES_ON: Health = { state: "moves on", from: null, part: null, rank: 2 };
+export const STANDS_STILL: Health = { state: "stands still", from: 2.4, part: null, rank: 1 };
 
 function still(frames: number): Motion {
   return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };
@@ -57,7 +63,12 @@ function infoOf(text: string): ModelInfo {
       [4, 4],
       [4, 4],
     ],
-    sequences: Array.from({ length: sequences }, (_, i) => ({ name: `walk ${i}`, sha256: `${i}`, frames: 90 })),
+    sequences: Array.from({ length: sequences }, (_, i) => ({
+      name: `walk ${i}`,
+      sha256: `${i}`,
+      frames: 90,
+      restsFrom: null,
+    })),
     joints,
     figure,
     provenance: {
@@ -112,6 +123,10 @@ export class FakeEngine implements Engine {
   /** The clips that are open, and those that do not go with others. */
   readonly clips = new Set<number>();
   readonly odd = new Set<number>();
+  /** The clips of a body with longer bones. */
+  readonly longer = new Set<number>();
+  /** How rollouts end. */
+  health: Health = MOVES_ON;
   /** The live rollout, if there is one: what changed it, and its frames. */
   live: { changes: LiveChange[]; frames: number } | null = null;
   /** The document of the model that is held. */
@@ -160,9 +175,17 @@ export class FakeEngine implements Engine {
     return this.#answer("dropClip", [id], undefined);
   }
 
-  checkTogether(ids: number[]): Promise<void> {
-    if (ids.some((id) => this.odd.has(id))) return Promise.reject(new Error("their bodies differ"));
-    return this.#answer("checkTogether", [ids], undefined);
+  checkTogether(ids: number[], firstBones: boolean): Promise<Clash | null> {
+    const odd = ids.some((id) => this.odd.has(id)) && { words: "their bodies differ", bones: false };
+    const longer = ids.some((id) => this.longer.has(id)) && { words: "their bones differ", bones: true };
+    return this.#answer("checkTogether", [ids, firstBones], odd || (!firstBones && longer) || null);
+  }
+
+  bestToShow(ranks: number[], bounds: number[]): Promise<number> {
+    const places = ranks.map((_, place) => place);
+    const value = (place: number) => (ranks[place] ?? 0) * 1e9 + (bounds[place] ?? 0);
+    places.sort((a, b) => value(b) - value(a));
+    return this.#answer("bestToShow", [ranks, bounds], places[0] ?? -1);
   }
 
   openModel(text: string, frames: number): Promise<OpenedModel> {
@@ -199,7 +222,7 @@ export class FakeEngine implements Engine {
   bodyReport(request: RolloutRequest): ReturnType<Engine["bodyReport"]> {
     const limb = { swing: 0.2, period: 1, locking: 1 };
     const measures = { limbs: [], parts: [limb, limb], jointSpeed: 1, walkingSpeed: 1, footSlide: 0.1 };
-    const health = { state: "moves on" as const, from: null, part: null };
+    const { health } = this;
     return this.#answer("bodyReport", [request], { revision: this.#revision, request, measures, health });
   }
 
@@ -240,12 +263,16 @@ export class FakeEngine implements Engine {
   }
 }
 
-/** A training that a worker was asked for. */
+/** A training that a worker was asked for, or asked to go on with. */
 interface HeldTraining {
   job: TrainingJob;
+  /** The worker, counted from 0. */
+  worker: number;
+  /** Iterations to go on for; null: it begins. */
+  more: number | null;
   signal: AbortSignal;
   /** Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what the page did. */
-  report(iteration: number, bound: number, model?: string): boolean;
+  report(iteration: number, bound: number, model?: string, health?: Health): boolean;
   end(outcome: TrainingOutcome): void;
   fail(problem: Error): void;
   /** The worker itself dies. */
@@ -256,6 +283,8 @@ export class FakeTrainers {
   readonly trainings: HeldTraining[] = [];
   /** Workers that were let go. */
   dismissed = 0;
+  /** Workers that were started. */
+  hired = 0;
   readonly pool: Pool<TrainingWorker>;
 
   constructor(width: number) {
@@ -267,15 +296,22 @@ export class FakeTrainers {
     const broken = new Promise<never>((_, fail) => {
       die = fail;
     });
+    const number = this.hired;
+    this.hired += 1;
+    let last: TrainingJob | null = null;
+    const hold = (job: TrainingJob, more: number | null, send: Report, signal: AbortSignal) =>
+      new Promise<TrainingOutcome>((end, fail) => {
+        last = job;
+        const report = (iteration: number, bound: number, text?: string, health: Health = MOVES_ON) => {
+          const model = text === undefined ? null : { text, latents: [], health };
+          return send({ steps: [progress(iteration, bound)], elapsed: iteration, model }) === true;
+        };
+        this.trainings.push({ job, worker: number, more, signal, report, end, fail, die });
+      });
     const worker: TrainingWorker = {
-      train: (job, send, signal) =>
-        new Promise((end, fail) => {
-          const report = (iteration: number, bound: number, text?: string) => {
-            const model = text === undefined ? null : { text, latents: [] };
-            return send({ steps: [progress(iteration, bound)], elapsed: iteration, model }) === true;
-          };
-          this.trainings.push({ job, signal, report, end, fail, die });
-        }),
+      train: (job, send, signal) => hold(job, null, send, signal),
+      goOn: (more, send, signal) =>
+        last ? hold(last, more, send, signal) : Promise.reject(new Error("nothing to go on with")),
     };
     const dismiss = () => {
       this.dismissed += 1;

@@ -7,6 +7,8 @@ import type { Engine, Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome,
 /** Trains until it is done, or until the signal asks for the best so far. */
 export interface TrainingWorker {
   train(job: TrainingJob, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
+  /** Goes on with what it trained last, for so many iterations more. */
+  goOn(iterations: number, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
 }
 
 /** Compiles a program, once for all its workers. */
@@ -62,14 +64,12 @@ export async function cancellable<Result>(
 function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
   const { worker, broken } = open("training");
   const remote = Comlink.wrap<Trainee>(worker);
+  const heard = (signal: AbortSignal, work: () => Promise<TrainingOutcome>) =>
+    cancellable(signal, () => remote.cancelTraining(), work);
   return {
     worker: {
-      train: (job, report, signal) =>
-        cancellable(
-          signal,
-          () => remote.cancelTraining(),
-          () => remote.train(job, Comlink.proxy(report)),
-        ),
+      train: (job, report, signal) => heard(signal, () => remote.train(job, Comlink.proxy(report))),
+      goOn: (iterations, report, signal) => heard(signal, () => remote.goOn(iterations, Comlink.proxy(report))),
     },
     ready: remote.start(wasm),
     broken,

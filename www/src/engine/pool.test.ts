@@ -20,9 +20,9 @@ function scene(width: number, grace?: number, ready: (name: number) => Promise<u
   };
   const pool = new Pool(width, hire, grace);
   const ends = new Map<string, string>();
-  const ask = (job: string, signal?: AbortSignal) => {
+  const ask = (job: string, signal?: AbortSignal, on: Fake | null = null) => {
     const work = (worker: Fake) => new Promise<string>((end, fail) => begun.push({ job, worker, end, fail }));
-    void pool.run(work, signal).then(
+    void pool.run(work, signal, on).then(
       (result) => ends.set(job, result),
       (problem: Error) => ends.set(job, `failed: ${problem.message}`),
     );
@@ -165,4 +165,46 @@ it("waits for aborted work only so long", async () => {
   await vi.advanceTimersByTimeAsync(200);
   expect(ends.get("a")).toBe("failed: the worker did not stop within 5 seconds.");
   expect(workers[0]!.dismissed).toBe(true);
+});
+
+it("keeps a worker for the work that names it, and for no other", async () => {
+  const { pool, workers, ask, begun, at, ends } = scene(2);
+  ask("a");
+  await settle();
+  const { worker } = at("a");
+  pool.keep(worker);
+  at("a").end("A");
+  await settle();
+  for (const job of "bc") ask(job);
+  await settle();
+  expect([at("b").worker, at("c").worker].includes(worker)).toBe(false);
+  ask("d", undefined, worker);
+  ask("e");
+  at("b").end("B");
+  await settle();
+  expect([begun(), at("d").worker]).toEqual(["abcd", worker]);
+  for (const job of "cd") at(job).end(job);
+  await settle();
+  at("e").end("E");
+  await settle();
+  // The one that is kept stays, and one more for the next work.
+  expect([worker.dismissed, workers.filter(({ dismissed }) => !dismissed).length]).toEqual([false, 2]);
+  pool.letGo(worker);
+  expect(workers.filter(({ dismissed }) => !dismissed)).toHaveLength(1);
+  ask("f", undefined, worker);
+  await settle();
+  expect(ends.get("f")).toBe("failed: the worker that held it is gone.");
+});
+
+it("no longer keeps a worker that died", async () => {
+  const { pool, ask, at } = scene(1);
+  ask("a");
+  await settle();
+  const { worker } = at("a");
+  pool.keep(worker);
+  at("a").end("A");
+  await settle();
+  worker.die(new Error("out of memory"));
+  await settle();
+  expect([pool.keeps(worker), worker.dismissed]).toEqual([false, true]);
 });

@@ -12,6 +12,8 @@ export interface Hired<Worker> {
 
 interface Waiting<Worker> {
   work(worker: Worker): Promise<unknown>;
+  /** The worker that is to do it; null: any. */
+  on: Worker | null;
   signal: AbortSignal | undefined;
   done(result: unknown): void;
   failed(problem: unknown): void;
@@ -24,6 +26,8 @@ export class Pool<Worker> {
   private readonly idle: Hired<Worker>[] = [];
   private waiting: Waiting<Worker>[] = [];
   private busy = 0;
+  /** Workers that hold something that may be asked for again. */
+  private readonly kept = new Set<Worker>();
 
   constructor(
     /** How many workers work at once. */
@@ -34,16 +38,36 @@ export class Pool<Worker> {
 
   /**
    * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work under way is
-   * expected to hear the signal itself and to end early, with a result, before the grace is over.
+   * expected to hear the signal itself and to end early, with a result, before the grace is over. `on` names a worker that was kept.
    */
-  run<Result>(work: (worker: Worker) => Promise<Result>, signal?: AbortSignal): Promise<Result> {
+  run<Result>(
+    work: (worker: Worker) => Promise<Result>,
+    signal?: AbortSignal,
+    on: Worker | null = null,
+  ): Promise<Result> {
     return new Promise<Result>((resolve, reject) => {
       if (signal?.aborted) return reject(signal.reason);
-      const job: Waiting<Worker> = { work, signal, done: resolve as (result: unknown) => void, failed: reject };
+      if (on !== null && !this.keeps(on)) return reject(new Error("the worker that held it is gone."));
+      const job: Waiting<Worker> = { work, on, signal, done: resolve as (result: unknown) => void, failed: reject };
       this.waiting.push(job);
       signal?.addEventListener("abort", () => this.drop(job), { once: true });
       this.next();
     });
+  }
+
+  /** The worker does no other work and stays, until it is let go. */
+  keep(worker: Worker): void {
+    this.kept.add(worker);
+  }
+
+  /** Whether the worker is kept, and still there. */
+  keeps(worker: Worker): boolean {
+    return this.kept.has(worker);
+  }
+
+  letGo(worker: Worker): void {
+    this.kept.delete(worker);
+    this.next();
   }
 
   private drop(job: Waiting<Worker>): void {
@@ -54,27 +78,45 @@ export class Pool<Worker> {
 
   private next(): void {
     while (this.busy < this.width) {
-      const job = this.waiting.shift();
+      // What waits for one worker that is at work does not keep others waiting.
+      const at = this.waiting.findIndex(({ on }) => on === null || this.idle.some(({ worker }) => worker === on));
+      const [job] = at < 0 ? [] : this.waiting.splice(at, 1);
       if (!job) break;
       void this.attend(job);
     }
-    // One stays for the next work; the memory of the others is given back.
-    if (this.busy === 0) while (this.idle.length > 1) this.idle.pop()?.dismiss();
+    if (this.busy > 0) return;
+    // One stays for the next work; the memory of the others that are not kept is given back.
+    const [, ...spare] = this.idle.filter(({ worker }) => !this.kept.has(worker));
+    for (const hired of spare) this.forget(hired);
   }
 
-  private async attend({ work, signal, done, failed }: Waiting<Worker>): Promise<void> {
+  private forget(hired: Hired<Worker>): void {
+    this.kept.delete(hired.worker);
+    const at = this.idle.indexOf(hired);
+    if (at >= 0) this.idle.splice(at, 1);
+    hired.dismiss();
+  }
+
+  /** An idle worker: this one, or any that is not kept. */
+  private take(on: Worker | null): Hired<Worker> | null {
+    const fits = ({ worker }: Hired<Worker>) => (on === null ? !this.kept.has(worker) : worker === on);
+    const at = this.idle.findLastIndex(fits);
+    return at < 0 ? null : (this.idle.splice(at, 1)[0] ?? null);
+  }
+
+  private async attend({ work, on, signal, done, failed }: Waiting<Worker>): Promise<void> {
     this.busy += 1;
     const silence = patience(signal, this.grace);
     let hired: Hired<Worker> | null = null;
     try {
-      hired = this.idle.pop() ?? this.open();
+      hired = this.take(on) ?? this.open();
       const { worker, ready, broken } = hired;
       const result = await Promise.race([ready.then(() => work(worker)), broken, silence.promise]);
       this.idle.push(hired);
       done(result);
     } catch (problem) {
       // A worker whose work failed is not trusted again: the next work gets a fresh one.
-      hired?.dismiss();
+      if (hired) this.forget(hired);
       failed(problem);
     } finally {
       silence.end();
@@ -86,8 +128,8 @@ export class Pool<Worker> {
   private open(): Hired<Worker> {
     const hired = this.hire();
     hired.broken.catch(() => {
-      const at = this.idle.indexOf(hired);
-      if (at >= 0) this.idle.splice(at, 1)[0]?.dismiss();
+      // One that is at work is dismissed where its work fails.
+      if (this.idle.includes(hired)) this.forget(hired);
     });
     return hired;
   }

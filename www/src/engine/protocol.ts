@@ -144,6 +144,15 @@ export interface TrainingClip {
   source: ClipSource;
   first: number;
   end: number;
+  /** Whether it takes the bones of the first of the clips, where its own differ. */
+  firstBones?: boolean;
+}
+
+/** Why clips cannot be trained on together. */
+export interface Clash {
+  words: string;
+  /** Whether only their bones differ, so that those of the first would do for all. */
+  bones: boolean;
 }
 
 /** The inducing point that the visitor points at. */
@@ -166,13 +175,15 @@ export interface TrainedModel {
   text: string;
   /** Latent means of the training frames of each part [N x Q]. */
   latents: Float64Array[];
+  /** How its rollout ends; null where it has none. */
+  health: Health | null;
 }
 
 /** Sent about ten times a second while training. */
 export interface TrainingReport {
   /** One entry for each iteration since the last report. */
   steps: TrainingProgress[];
-  /** Seconds since the start. */
+  /** Seconds since it began, or since it went on. */
   elapsed: number;
   /** The best model so far: with the last report, and where the answer to an earlier one asked for it. */
   model: TrainedModel | null;
@@ -191,12 +202,17 @@ export interface TrainingOutcome {
 export interface TrainingJob {
   clips: TrainingClip[];
   settings: TrainingSettings;
+  /** The length of the rollout by which the model is judged. */
+  frames: number;
 }
 
 /** The face of a worker that trains, one model at a time. */
 export interface Trainee {
   start(wasm: WebAssembly.Module): Promise<unknown>;
+  /** The worker holds what it trained until the next training. */
   train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
+  /** Goes on with what it holds, for so many iterations more. */
+  goOn(iterations: number, report: Report): Promise<TrainingOutcome>;
   cancelTraining(): void;
 }
 
@@ -207,8 +223,10 @@ export interface Workbench {
   readClip(name: string, bytes: Uint8Array): LoadedClip;
   sampleClip(id: string): LoadedClip;
   dropClip(id: number): void;
-  /** Throws with the reason when these clips cannot be trained on together. */
-  checkTogether(ids: number[]): void;
+  /** Why these clips cannot be trained on together, all with the bones of the first where that is asked for; null: they can. */
+  checkTogether(ids: number[], firstBones: boolean): Clash | null;
+  /** Which of several models of the same data is to be shown, from the ranks of their rollouts' health and their bounds. */
+  bestToShow(ranks: number[], bounds: number[]): number;
   openModel(text: string, frames: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;

@@ -236,7 +236,8 @@ export const SETTINGS = {
   framesPerSecond: whole("fps", 30, 5, 60),
   seed: whole("seed", 1, 0, 4294967295),
   maxIterations: whole("iterations", 600, 10, 5000, 10),
-  trainings: whole("trainings", 1, 1, 20),
+  /** 0: as many as this machine has cores, a few at most. */
+  trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),
   start: whole("start", 0, 0, 99),
   model,

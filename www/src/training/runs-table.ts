@@ -4,7 +4,7 @@ import { duration, grouped, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
 import "../terms/term";
 import { View } from "../ui/view";
-import { bestBound, bestRun, type Column, dataOf, differences, type Run } from "./runs";
+import { bestBound, bestRun, type Column, dataOf, differences, endOfMotion, type Run } from "./runs";
 import "./runs-table.css";
 import type { TrainingStore } from "./training-store";
 import { phaseWords } from "./words";
@@ -21,7 +21,7 @@ export class RunsView extends View {
     const last = steps.at(-1);
     return state === "running"
       ? html`<progress max="1" .value=${last?.fraction ?? 0} aria-label="Training of seed ${settings.seed}" title=${last ? phaseWords(last.phase) : "setting up"}></progress>`
-      : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${state}</span>`;
+      : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${[state, endOfMotion(run)].filter(Boolean).join(", ")}</span>`;
   }
 
   private row(run: Run, columns: readonly Column[], best: boolean) {

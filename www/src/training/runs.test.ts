@@ -35,7 +35,18 @@ function step(iteration: number, best: number): TrainingProgress {
 function run(change: Partial<Run> = {}, iteration = 0, best = 0): Run {
   const clips = [{ id: 1, title: "walk", source: { sample: "walk" }, first: 0, end: 90 }];
   const steps = iteration > 0 ? [step(iteration, best)] : [];
-  return { id: 1, settings, clips, state: "running", steps, elapsed: 0, ending: "", model: null, ...change };
+  return {
+    id: 1,
+    settings,
+    clips,
+    state: "running",
+    steps,
+    elapsed: 0,
+    ending: "",
+    model: null,
+    portion: 100,
+    ...change,
+  };
 }
 
 it("finds the highest bound, and the first of equals", () => {

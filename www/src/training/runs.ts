@@ -8,6 +8,7 @@ export interface RunClip {
   source: ClipSource;
   first: number;
   end: number;
+  firstBones?: boolean;
 }
 
 /** One training: asked for, under way or over. */
@@ -24,6 +25,8 @@ export interface Run {
   ending: string;
   /** The newest model that the page has of it. */
   model: TrainedModel | null;
+  /** The iterations that it was first asked for: it goes on for as many again. */
+  portion: number;
 }
 
 export const isOver = ({ state }: Pick<Run, "state">): boolean => state !== "waiting" && state !== "running";
@@ -38,6 +41,16 @@ export function bestRun(runs: readonly Run[]): Run | null {
   return runs.reduce<Run | null>((best, run) => (best && bestBound(best) >= bestBound(run) ? best : run), null);
 }
 
+/** How the rollout of a run's model ends, in few words; empty where it moves on. */
+export function endOfMotion({ model }: Pick<Run, "model">): string {
+  const health = model?.health;
+  if (!model || health?.state === "moves on") return "";
+  if (!health || health.state === "not finite") return "breaks down";
+  if (health.state === "rests as recorded") return "rests as recorded";
+  const from = health.from === null ? "" : ` from ${health.from.toFixed(1)} s`;
+  return health.state === "stands still" ? `stands still${from}` : `gets far from its clips${from}`;
+}
+
 /** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */
 export function seedsFrom(first: number, count: number): number[] {
   return Array.from({ length: count }, (_, i) => (first + i) % 2 ** 32);
@@ -46,7 +59,11 @@ export function seedsFrom(first: number, count: number): number[] {
 /** What the bound is a bound of: two runs can be compared by it only when they explain the same numbers. */
 export function dataOf({ settings, clips }: Run): string {
   const joints = [...new Set(settings.parts.flatMap(({ joints }) => joints))].sort((a, b) => a - b);
-  return JSON.stringify([clips.map(({ id, first, end }) => [id, first, end]), settings.framesPerSecond, joints]);
+  return JSON.stringify([
+    clips.map(({ id, first, end, firstBones }) => [id, first, end, firstBones === true]),
+    settings.framesPerSecond,
+    joints,
+  ]);
 }
 
 export interface Column {

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { ClipsStore } from "../clips/clips-store";
 import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
+import { FakeEngine, FakeTrainers, modelText, STANDS_STILL, settled, started } from "../engine/engine.fake";
 import { EngineStore } from "../engine/engine-store";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
@@ -35,7 +35,7 @@ async function begin(fragment = "", workers = 2): Promise<void> {
   );
   await clips.loadSamples();
 }
-beforeEach(() => begin("seed=5"));
+beforeEach(() => begin("seed=5&trainings=1"));
 
 const states = () => training.runs.map(({ state }) => state).join(" ");
 const seedOnStage = () => model.model?.info.provenance.settings.seed;
@@ -225,6 +225,136 @@ describe("several trainings", () => {
     training.clear();
     expect([training.runs, training.chosen, training.charted]).toEqual([[], null, null]);
     expect(seedOnStage()).toBe(8);
+  });
+});
+
+describe("where nobody says how many", () => {
+  it("trains from as many seeds as there are cores, four at most", async () => {
+    for (const [cores, trainings] of [
+      [1, 1],
+      [3, 3],
+      [12, 4],
+    ] as const) {
+      await begin("seed=5", cores);
+      void training.start();
+      await settled();
+      expect([training.count, trainers.trainings.length]).toEqual([trainings, trainings]);
+    }
+  });
+
+  it("shows a model that keeps moving, and says why one of a higher bound is not shown", async () => {
+    await begin("seed=5", 2);
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -10, modelText(5), STANDS_STILL);
+    worker(1).report(9, -30, modelText(6));
+    for (const index of [0, 1]) worker(index).end(done);
+    await over;
+    expect(seedOnStage()).toBe(6);
+    expect(training.ending.words).toBe(
+      "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, of a higher bound, stands still from 2.4 s.",
+    );
+  });
+});
+
+describe("a run that stopped before its bound had settled", () => {
+  const used = { cancelled: false, reason: "iterations" as const };
+  const settledDown = { cancelled: false, reason: "settled" as const };
+
+  async function stopped(outcome: typeof used | typeof cancelled | typeof settledDown) {
+    const over = training.start();
+    await settled();
+    worker(0).report(600, -40, modelText(5));
+    worker(0).end(outcome);
+    await over;
+    const [run] = training.runs;
+    if (!run) throw new Error("no run");
+    return run;
+  }
+
+  it("goes on in the same worker for as many iterations again, and its course goes on", async () => {
+    const run = await stopped(used);
+    expect(training.canContinue(run)).toBe(true);
+    const over = training.continue(run);
+    await settled();
+    expect([states(), clips.locked, training.canContinue(run)]).toEqual(["running", true, false]);
+    expect([worker(1).more, worker(1).worker, worker(1).job]).toEqual([600, worker(0).worker, worker(0).job]);
+    worker(1).report(900, -20, modelText(7));
+    worker(1).end(used);
+    await over;
+    expect([states(), seedOnStage(), training.canContinue(run)]).toEqual(["done", 7, true]);
+    expect(run.steps.map(({ iteration }) => iteration)).toEqual([600, 900]);
+    expect([run.elapsed, run.settings.maxIterations, trainers.hired]).toEqual([1500, 1200, 1]);
+  });
+
+  it("can be cancelled, and goes on after that too, but not when its bound has settled", async () => {
+    const run = await stopped(cancelled);
+    const over = training.continue(run);
+    await settled();
+    training.cancel();
+    worker(1).end(cancelled);
+    await over;
+    expect([states(), training.canContinue(run)]).toEqual(["cancelled", true]);
+    const last = training.continue(run);
+    await settled();
+    worker(2).end(settledDown);
+    await last;
+    expect([states(), training.canContinue(run)]).toEqual(["done", false]);
+  });
+
+  it("is let go where the next training begins, or when it is removed", async () => {
+    const run = await stopped(used);
+    void training.start();
+    await settled();
+    expect([worker(1).worker, trainers.hired]).toEqual([0, 1]);
+    worker(1).end(used);
+    await settled();
+    expect(training.canContinue(run)).toBe(false);
+    const next = training.runs[1];
+    if (!next) throw new Error("no second run");
+    expect(training.canContinue(next)).toBe(true);
+    training.remove(next);
+    expect(training.canContinue(next)).toBe(false);
+  });
+
+  it("does not go on when its bound had settled", async () => {
+    const run = await stopped(settledDown);
+    expect(training.canContinue(run)).toBe(false);
+    await training.continue(run);
+    expect(trainers.trainings).toHaveLength(1);
+  });
+});
+
+describe("a model that does not keep moving", () => {
+  it("is trained anew with more points, as far as there are more", async () => {
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -10, modelText(5), STANDS_STILL);
+    worker(0).end(done);
+    await over;
+    for (const points of [20, 30, 40]) {
+      const run = training.runs.at(-1);
+      if (!run) throw new Error("no run");
+      const again = training.trainWithMorePoints(run);
+      await settled();
+      const { job, end } = worker(trainers.trainings.length - 1);
+      expect([job.settings.dynamicsIps, job.settings.poseIps, job.settings.seed]).toEqual([points, points, 5]);
+      end(done);
+      await again;
+    }
+    const last = training.runs.at(-1);
+    expect(last && training.morePoints(last)).toBeNull();
+  });
+
+  it("is trained anew from the next seeds", async () => {
+    await begin("seed=5&trainings=2");
+    const over = training.start();
+    await settled();
+    for (const index of [0, 1]) worker(index).end(done);
+    await over;
+    void training.trainOtherSeeds();
+    await settled();
+    expect(trainers.trainings.slice(2).map(({ job }) => job.settings.seed)).toEqual([7, 8]);
   });
 });
 

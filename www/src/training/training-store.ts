@@ -2,12 +2,13 @@
 import type { ClipsStore } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { Report, TrainingSettings } from "../engine/protocol";
+import type { TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { bestRun, isOver, type Run, seedsFrom } from "./runs";
+import { Kept, type Send } from "./kept";
+import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
 import { endingOfRuns, endingWords } from "./words";
 
@@ -32,11 +33,18 @@ const newSession = (): Session => ({
   staged: false,
 });
 
+/** So many seeds are trained from where nobody asks for a number, and there are as many cores. */
+const MOST_UNASKED = 4;
+
+/** So many inducing points are tried next where a model does not keep moving. */
+const POINTS = [20, 30, 40] as const;
+
 export class TrainingStore extends Store {
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
   readonly #clips: ClipsStore;
   readonly #staging: Staging;
+  readonly #kept: Kept;
   #status: "idle" | "running" | "cancelling" = "idle";
   #session = newSession();
   #ending = { words: "", failed: false };
@@ -56,6 +64,7 @@ export class TrainingStore extends Store {
     this.#settings = settings;
     this.#clips = clips;
     this.#staging = new Staging(model, notices);
+    this.#kept = new Kept(engine);
   }
 
   get status(): "idle" | "running" | "cancelling" {
@@ -101,6 +110,11 @@ export class TrainingStore extends Store {
     return this.#engine.pool?.width ?? 1;
   }
 
+  /** How many trainings a press of Train begins. */
+  get count(): number {
+    return this.#settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
+  }
+
   /** Why Train cannot be pressed now; empty when it can. */
   whyNot(): string {
     if (this.#engine.state === "loading") return "Getting ready";
@@ -117,13 +131,58 @@ export class TrainingStore extends Store {
     if (this.#status === "cancelling" || this.whyNot()) return;
     const runs = this.#newRuns();
     const begins = !this.busy;
-    if (begins) this.#begin(runs);
+    if (begins) {
+      this.#kept.letGoAll();
+      this.#begin(runs);
+    }
     this.#runs = [...this.#runs, ...runs];
     const session = this.#session;
     session.runs.push(...runs);
     this.changed();
-    session.work.push(...runs.map((run) => this.#carryOut(run, session.stop.signal)));
+    session.work.push(...runs.map((run) => this.#carryOut(run, session.stop.signal, (send) => this.#train(run, send))));
     if (begins) await this.#finish(session);
+  }
+
+  /** Whether the run stopped before its bound had settled, and its worker still holds it. */
+  canContinue(run: Run): boolean {
+    return !this.busy && this.#kept.has(run);
+  }
+
+  /** Goes on with a run where it stopped, for as many iterations again. */
+  async continue(run: Run): Promise<void> {
+    if (!this.canContinue(run)) return;
+    this.#begin([run]);
+    const session = this.#session;
+    session.runs.push(run);
+    run.state = "waiting";
+    run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + run.portion };
+    this.changed();
+    const more = (send: Send) => this.#kept.goOn(run, send);
+    session.work.push(this.#carryOut(run, session.stop.signal, more));
+    await this.#finish(session);
+  }
+
+  /** The next larger number of inducing points to try; null where the run has the most. */
+  morePoints(run: Run): number | null {
+    const { dynamicsIps, poseIps } = run.settings;
+    return POINTS.find((points) => points > Math.max(dynamicsIps, poseIps)) ?? null;
+  }
+
+  /** Trains anew with more inducing points than the run has. */
+  async trainWithMorePoints(run: Run): Promise<void> {
+    const points = this.morePoints(run);
+    if (points === null || this.busy) return;
+    this.#settings.change({ dynamicsIps: points, poseIps: points });
+    await this.start();
+  }
+
+  /** Trains anew from the seeds after those of the last press of Train. */
+  async trainOtherSeeds(): Promise<void> {
+    if (this.busy) return;
+    const last = this.#session.runs.at(-1)?.settings.seed ?? this.#settings.values.seed;
+    const [, next = 0] = seedsFrom(last, 2);
+    this.#settings.change({ seed: next });
+    await this.start();
   }
 
   /** Stops all runs. Each that has begun keeps its best so far. */
@@ -153,6 +212,7 @@ export class TrainingStore extends Store {
 
   remove(run: Run): void {
     if (!this.canRemove(run)) return;
+    this.#kept.letGo(run);
     this.#runs = this.#runs.filter((other) => other !== run);
     if (this.#chosen === run) {
       this.#chosen = null;
@@ -172,10 +232,9 @@ export class TrainingStore extends Store {
   }
 
   #newRuns(): Run[] {
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed, trainings } =
-      this.#settings.values;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed } = this.#settings.values;
     const { parts, toTrainOn: clips } = this.#clips;
-    return seedsFrom(seed, trainings).map((seed): Run => {
+    return seedsFrom(seed, this.count).map((seed): Run => {
       const settings: TrainingSettings = {
         parts,
         latent,
@@ -187,7 +246,8 @@ export class TrainingStore extends Store {
         maxIterations,
       };
       this.#lastId += 1;
-      return { id: this.#lastId, settings, clips, state: "waiting", steps: [], elapsed: 0, ending: "", model: null };
+      const fresh = { state: "waiting" as const, steps: [], elapsed: 0, ending: "", model: null };
+      return { id: this.#lastId, settings, clips, ...fresh, portion: maxIterations };
     });
   }
 
@@ -199,24 +259,37 @@ export class TrainingStore extends Store {
     this.#clips.lock(true);
   }
 
-  /** Carries one run out on a worker of the pool. Its failure is its own. */
-  async #carryOut(run: Run, signal: AbortSignal): Promise<void> {
+  /** Trains on a worker of the pool that is free. */
+  #train(run: Run, { report, signal, begun }: Send): Promise<TrainingOutcome> {
+    const { pool } = this.#engine;
+    if (!pool) throw new Error("The model cannot run in this browser.");
+    const { frames } = this.#settings.values;
+    return pool.run(async (worker) => {
+      begun();
+      const outcome = await worker.train({ clips: run.clips, settings: run.settings, frames }, report, signal);
+      const open = outcome.cancelled || outcome.reason === "iterations";
+      if (open) this.#kept.keep(run, worker, bestBound(run));
+      return outcome;
+    }, signal);
+  }
+
+  /** Carries one run out, from its beginning or from where it stopped. Its failure is its own. */
+  async #carryOut(run: Run, signal: AbortSignal, work: (send: Send) => Promise<TrainingOutcome>): Promise<void> {
+    const before = run.elapsed;
     const report: Report = ({ steps, elapsed, model }) => {
       if (run.state !== "running") return false;
       run.steps.push(...steps);
-      run.elapsed = elapsed;
+      run.elapsed = before + elapsed;
       if (model) run.model = model;
       this.changedSoon();
       return this.#follow(run);
     };
+    const begun = () => {
+      run.state = "running";
+      this.changed();
+    };
     try {
-      const { pool } = this.#engine;
-      if (!pool) throw new Error("The model cannot run in this browser.");
-      const outcome = await pool.run((worker) => {
-        run.state = "running";
-        this.changed();
-        return worker.train({ clips: run.clips, settings: run.settings }, report, signal);
-      }, signal);
+      const outcome = await work({ report, signal, begun });
       run.state = outcome.cancelled ? "cancelled" : "done";
       run.ending = endingWords(outcome);
     } catch (problem) {
@@ -234,13 +307,20 @@ export class TrainingStore extends Store {
       await Promise.all(session.work);
     }
     const kept = session.runs.filter(({ model }) => model !== null);
-    const best = bestRun(kept.filter(({ state }) => state !== "failed")) ?? bestRun(kept);
+    const best = (await this.#bestToShow(kept.filter(({ state }) => state !== "failed"))) ?? bestRun(kept);
     const { picked } = session;
     if (best && !picked) await this.#stage(best, session.staged);
     this.#status = "idle";
     this.#ending = endingOfRuns(session.runs, picked ? null : best);
     this.#clips.lock(false);
     this.changed();
+  }
+
+  /** Which of these runs is to be shown: the library chooses by how their rollouts end, and by their bounds. */
+  async #bestToShow(runs: readonly Run[]): Promise<Run | null> {
+    const ranks = runs.map(({ model }) => model?.health?.rank ?? 0);
+    const place = await this.#engine.engine?.bestToShow(ranks, runs.map(bestBound));
+    return runs[place ?? -1] ?? null;
   }
 
   /**

@@ -89,10 +89,19 @@ export class TrainingView extends View {
     if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
     if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
     const { ticked } = this.clips;
-    const { trainings } = this.settings.values;
+    const trainings = training.count;
     const models = trainings === 1 ? "A new model" : `${trainings} new models`;
     const sample = ticked.every(({ origin }) => origin === "made") ? "sample " : "";
     return `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
+  }
+
+  /** Where the run on the stage stopped before its bound had settled. */
+  private continueButton() {
+    const { training } = this;
+    const run = training.charted;
+    if (!run || !training.canContinue(run)) return nothing;
+    return html`<button data-testid="continue" title="Goes on where seed ${run.settings.seed} stopped, for ${run.portion} more iterations"
+      @click=${() => void training.continue(run)}>Continue, ${run.portion} more</button>`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
@@ -123,7 +132,8 @@ export class TrainingView extends View {
               <button data-testid="add" ?disabled=${cancelling}
               title="Trains with the settings below too, beside the others" @click=${() => void training.start()}>Add</button>`
             : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
-              @click=${() => void training.start()}>Train</button>`
+              @click=${() => void training.start()}>Train</button>
+              ${this.continueButton()}`
         }
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
@@ -145,7 +155,7 @@ export class TrainingView extends View {
             ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
             <button class="round" aria-label="New seed" title="New seed" ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
           </div>
-          ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores")}
+          ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores; 0: as many as cores, up to 4")}
           ${this.count("order", "Frames of history", "The order of the dynamics", "order", "p")}
           ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest", "iterations")}
         </div>

@@ -1,6 +1,6 @@
 // Words for what a training does and how it ended.
 import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
-import type { Run } from "./runs";
+import { bestBound, endOfMotion, type Run } from "./runs";
 
 const PHASES: Record<TrainingProgress["phase"], string> = {
   "couplings-kernels-inducing-points": "couplings, kernels and inducing points",
@@ -32,6 +32,14 @@ export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: s
     .filter((state) => count(state) > 0)
     .map((state) => `${count(state)} ${state}`);
   const soFar = count("cancelled") > 0 ? " so far" : "";
-  const shown = best ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage.` : "";
+  const shown = best ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage${whyShown(best, runs)}.` : "";
   return { words: `${counts.join(", ")}.${shown}`, failed: false };
+}
+
+/** Why this run is on the stage where another has a higher bound. */
+function whyShown(best: Run, runs: readonly Run[]): string {
+  const higher = runs.find((run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best));
+  const ends = higher ? endOfMotion(higher) : "";
+  if (!higher || !ends) return "";
+  return `: it ${endOfMotion(best) || "keeps moving"}, while seed ${higher.settings.seed}, of a higher bound, ${ends}`;
 }

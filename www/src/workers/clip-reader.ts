@@ -5,9 +5,10 @@ interface Freed {
   free(): void;
 }
 
-interface ClipLike extends Freed {
+interface ClipLike<Clip> extends Freed {
   info(): Pick<ClipInfo, "frames">;
-  cut(first: number, end: number): Freed;
+  cut(first: number, end: number): Clip;
+  withBonesOf(other: Clip): Clip;
 }
 
 interface SetLike extends Freed {
@@ -20,7 +21,7 @@ interface Package<Clip, TrainingSet> {
   TrainingSet: { new (): TrainingSet };
 }
 
-export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
+export class ClipReader<Clip extends ClipLike<Clip>, TrainingSet extends SetLike> {
   private readonly read = new Map<number, Clip>();
 
   constructor(private readonly from: Package<Clip, TrainingSet>) {}
@@ -47,23 +48,26 @@ export class ClipReader<Clip extends ClipLike, TrainingSet extends SetLike> {
     }
     const set = new this.from.TrainingSet();
     try {
-      for (const piece of chosen) {
-        const clip = await this.clip(piece);
-        if (piece.first <= 0 && piece.end >= clip.info().frames) {
-          set.add(clip);
-        } else {
-          const cut = clip.cut(piece.first, piece.end);
-          try {
-            set.add(cut);
-          } finally {
-            cut.free();
-          }
-        }
-      }
+      for (const piece of chosen) await this.add(set, piece, chosen[0]);
       return set;
     } catch (problem) {
       set.free();
       throw problem;
+    }
+  }
+
+  /** Adds the piece of a clip that was chosen, with the bones of the first clip where that is asked for. */
+  private async add(set: TrainingSet, piece: TrainingClip, first = piece): Promise<void> {
+    const whole = await this.clip(piece);
+    const moved = piece.firstBones ? whole.withBonesOf(await this.clip(first)) : null;
+    const isCut = piece.first > 0 || piece.end < whole.info().frames;
+    let cut: Clip | null = null;
+    try {
+      if (isCut) cut = (moved ?? whole).cut(piece.first, piece.end);
+      set.add(cut ?? moved ?? whole);
+    } finally {
+      cut?.free();
+      moved?.free();
     }
   }
 }

@@ -1,6 +1,6 @@
 // The clips that the worker holds for the page, each under a number. No DOM.
-import { type Clip, TrainingSet } from "vcgpdm/playground";
-import type { LoadedClip } from "../engine/protocol";
+import { type Clip, TrainingSet, type VcgpdmError } from "vcgpdm/playground";
+import type { Clash, LoadedClip } from "../engine/protocol";
 import { handOver } from "./hand-over";
 
 export class OpenClips {
@@ -25,11 +25,25 @@ export class OpenClips {
     this.#clips.delete(id);
   }
 
-  /** Throws with the reason when these clips cannot be trained on together. */
-  checkTogether(ids: readonly number[]): void {
+  /** Why these clips cannot be trained on together; null: they can. */
+  checkTogether(ids: readonly number[], firstBones: boolean): Clash | null {
+    const [first, ...others] = ids.map((id) => this.#clip(id));
+    if (!first) return null;
     const set = new TrainingSet();
     try {
-      for (const id of ids) set.add(this.#clip(id));
+      set.add(first);
+      for (const clip of others) {
+        const moved = firstBones ? clip.withBonesOf(first) : null;
+        try {
+          set.add(moved ?? clip);
+        } finally {
+          moved?.free();
+        }
+      }
+      return null;
+    } catch (problem) {
+      const { message, code } = problem as VcgpdmError;
+      return { words: message, bones: code === "bones" };
     } finally {
       set.free();
     }

@@ -1,6 +1,6 @@
 // The worker that shows, with the clips and the model; and the workers of the pool, which train. No DOM.
 import * as Comlink from "comlink";
-import init, { Clip, freshSeed, version } from "vcgpdm/playground";
+import init, { bestToShow, Clip, freshSeed, version } from "vcgpdm/playground";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
 import { OpenClips } from "./open-clips";
@@ -20,7 +20,8 @@ const workbench: Workbench = {
   readClip: (name, bytes) => clips.open(Clip.read(name, bytes)),
   sampleClip: (id) => clips.open(Clip.sample(id)),
   dropClip: (id) => clips.drop(id),
-  checkTogether: (ids) => clips.checkTogether(ids),
+  checkTogether: (ids, firstBones) => clips.checkTogether(ids, firstBones),
+  bestToShow: (ranks, bounds) => bestToShow(Uint8Array.from(ranks), Float64Array.from(bounds)),
   openModel: (text, frames) => model.open(text, frames),
   rollout: (request) => model.rollout(request),
   inducing: (point, request) => model.inducing(point, request),

@@ -1,6 +1,14 @@
 // What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
-import { Clip, Trainer, TrainingSet } from "vcgpdm/playground";
-import type { Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import { Clip, type Model, Trainer, TrainingSet } from "vcgpdm/playground";
+import type {
+  Health,
+  Report,
+  TrainedModel,
+  Trainee,
+  TrainingJob,
+  TrainingOutcome,
+  TrainingProgress,
+} from "../engine/protocol";
 import { ClipReader } from "./clip-reader";
 import { OneTask, type Task } from "./slices";
 
@@ -16,10 +24,28 @@ async function prepare(job: TrainingJob): Promise<Trainer> {
   }
 }
 
-function bestSoFar(trainer: Trainer, parts: number): TrainedModel {
+/** What the worker trained last: it can go on. */
+let held: { trainer: Trainer; job: TrainingJob } | null = null;
+
+function healthOf(model: Model, frames: number): Health | null {
+  try {
+    const rollout = model.rollout({ frames, sequence: 0 });
+    try {
+      return rollout.health();
+    } finally {
+      rollout.free();
+    }
+  } catch {
+    // What is not finite has no poses.
+    return null;
+  }
+}
+
+function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob): TrainedModel {
   const model = trainer.model();
   try {
-    return { text: model.toJson(), latents: Array.from({ length: parts }, (_, part) => trainer.latents(part)) };
+    const latents = settings.parts.map((_, part) => trainer.latents(part));
+    return { text: model.toJson(), latents, health: healthOf(model, frames) };
   } finally {
     model.free();
   }
@@ -27,37 +53,52 @@ function bestSoFar(trainer: Trainer, parts: number): TrainedModel {
 
 async function train(job: TrainingJob, report: Report, task: Task): Promise<TrainingOutcome> {
   const start = performance.now();
-  const trainer = await prepare(job);
-  try {
-    let steps: TrainingProgress[] = [];
-    let reason: TrainingProgress["reason"] = null;
-    let modelWanted = false;
-    const send = async (withModel: boolean) => {
-      const model = withModel ? bestSoFar(trainer, job.settings.parts.length) : null;
-      const sent = report({ steps, elapsed: (performance.now() - start) / 1000, model });
-      steps = [];
-      modelWanted = false;
-      modelWanted = await sent;
-    };
-    const step = () => {
-      const progress = trainer.step();
-      steps.push(progress);
-      reason = progress.reason;
-      return progress.done;
-    };
-    // The next slice does not wait for the page; the last report brings the model in any case.
-    const done = await task.inSlices(step, (last) => {
-      if (!last) void send(modelWanted);
-    });
-    // Waits until the page has it: reports and the outcome travel on different ports.
-    await send(true);
-    return { cancelled: !done, reason };
-  } finally {
-    trainer.free();
-  }
+  held?.trainer.free();
+  held = null;
+  held = { trainer: await prepare(job), job };
+  return follow(held, start, report, task);
+}
+
+async function goOn(iterations: number, report: Report, task: Task): Promise<TrainingOutcome> {
+  if (!held) throw new Error("There is no training to go on with.");
+  held.trainer.extend(iterations);
+  return follow(held, performance.now(), report, task);
+}
+
+/** Trains to the end, or until a cancel comes. */
+async function follow(
+  { trainer, job }: NonNullable<typeof held>,
+  start: number,
+  report: Report,
+  task: Task,
+): Promise<TrainingOutcome> {
+  let steps: TrainingProgress[] = [];
+  let reason: TrainingProgress["reason"] = null;
+  let modelWanted = false;
+  const send = async (withModel: boolean) => {
+    const model = withModel ? bestSoFar(trainer, job) : null;
+    const sent = report({ steps, elapsed: (performance.now() - start) / 1000, model });
+    steps = [];
+    modelWanted = false;
+    modelWanted = await sent;
+  };
+  const step = () => {
+    const progress = trainer.step();
+    steps.push(progress);
+    reason = progress.reason;
+    return progress.done;
+  };
+  // The next slice does not wait for the page; the last report brings the model in any case.
+  const done = await task.inSlices(step, (last) => {
+    if (!last) void send(modelWanted);
+  });
+  // Waits until the page has it: reports and the outcome travel on different ports.
+  await send(true);
+  return { cancelled: !done, reason };
 }
 
 export const trainee: Omit<Trainee, "start"> = {
   train: (job, report) => training.run((task) => train(job, report, task)),
+  goOn: (iterations, report) => training.run((task) => goOn(iterations, report, task)),
   cancelTraining: () => training.cancel(),
 };

@@ -12,7 +12,8 @@ use std::time::Instant;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source, TrainedModel,
+    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source,
+    TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -39,6 +40,10 @@ pub struct Arguments {
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
     #[arg(long, value_name = "CLIP:COUNT")]
     seed_frames: Vec<String>,
+    /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint angles stay, the way of the
+    /// root is scaled by the length of the legs.
+    #[arg(long)]
+    first_bones: bool,
     /// Keep a note in the model, such as an acknowledgement.
     #[arg(long, value_name = "TEXT")]
     note: Option<String>,
@@ -55,6 +60,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let (clip, count) = read_seed_frames(text)?;
         clips.push((clip, Some(count)));
     }
+    if arguments.first_bones {
+        let first = clips[0].0.clone();
+        for (clip, _) in &mut clips {
+            *clip = with_bones_of(clip, &first)?;
+        }
+    }
     let split = match (&arguments.parts, arguments.model) {
         (Some(split), _) => split,
         (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
@@ -69,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let settings = arguments.options.settings(kind)?;
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
-    let dataset = Dataset::new(&sources, &parts, arguments.fps)?;
+    let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
     let sequences = dataset.sequences.iter().zip(&sources);
     let sequences = sequences
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
@@ -116,6 +127,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             "reason": reason,
         }),
     })
+}
+
+/// The reason, and what helps where only the bones differ.
+fn with_hint(reason: DatasetError) -> Box<dyn Error> {
+    match &reason {
+        DatasetError::Body { reason: body, .. } if body.is_of_bones() => {
+            format!("{reason}; --first-bones gives all clips the bones of the first").into()
+        }
+        _ => reason.into(),
+    }
 }
 
 /// Writes where the training of a variational model starts, as the input of a case.

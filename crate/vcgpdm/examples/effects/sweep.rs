@@ -35,7 +35,9 @@ impl Effect {
     fn cell(&self) -> String {
         let Self { hands, feet, locking, .. } = self;
         match self.health {
-            Health::StandsStill { from } => format!("still from {from:.1} s"),
+            Health::StandsStill { from } | Health::RestsAsRecorded { from } => {
+                format!("still from {from:.1} s")
+            }
             Health::NotFinite => "not finite".to_owned(),
             Health::LeavesTraining { from, .. } => {
                 format!("{hands:.2} {feet:.2} {}, away from {from:.1} s", number(*locking))
@@ -88,7 +90,7 @@ fn roll(model: &Trained, alpha: DMatrix<f64>, reading: Reading) -> (Measures, He
     };
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
-    let health = model.health(&rollout, &positions).unwrap();
+    let health = model.health(&rollout, request.sequence, &positions).unwrap();
     let skeleton = model.body.mapping.skeleton();
     let settled = positions.len() / request.frames * frames(SETTLED);
     (measures(skeleton, &positions[settled..], frame_time), health)
@@ -163,7 +165,9 @@ pub fn print(model: &Trained) {
 pub fn words(health: Health) -> String {
     match health {
         Health::MovesOn => "moves on".to_owned(),
-        Health::StandsStill { from } => format!("stands still from {from:.1} s"),
+        Health::StandsStill { from } | Health::RestsAsRecorded { from } => {
+            format!("stands still from {from:.1} s")
+        }
         Health::LeavesTraining { from, .. } => format!("leaves the training range from {from:.1} s"),
         Health::NotFinite => "not finite".to_owned(),
     }

@@ -4,8 +4,8 @@ use crate::document::error::{FORMAT, VERSION};
 use crate::json::Value;
 use crate::models::variational::{BoundTerms, FittedExpert, Vcgpdm};
 use crate::models::{
-    Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, TmpSettings, TrainedModel,
-    VariationalSettings,
+    Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, SequenceInfo, TmpSettings,
+    TrainedModel, VariationalSettings,
 };
 use crate::motion::parts::PartSpec;
 
@@ -21,13 +21,7 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
         Model::DmpRhythmic(model) => model.to_value(),
     };
     let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields(spec)));
-    let sequences = Value::list(&body.sequences, |info| {
-        Value::object([
-            ("clip", Value::text(&info.name)),
-            ("sha256", Value::text(&info.sha256)),
-            ("frames", Value::whole(info.frames)),
-        ])
-    });
+    let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));
     let provenance = Value::object([
         ("engine", Value::text(&provenance.engine)),
         ("settings", settings),
@@ -48,6 +42,20 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
         ("model", fields),
         ("provenance", provenance),
     ])
+}
+
+/// Where a sequence came from, and where it comes to rest if it does.
+fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
+    let mut fields = vec![
+        ("clip".to_owned(), Value::text(&info.name)),
+        ("sha256".to_owned(), Value::text(&info.sha256)),
+        ("frames".to_owned(), Value::whole(info.frames)),
+    ];
+    // Absent otherwise, so that documents of before keep their hash when they are written again.
+    if let Some(seconds) = info.rests_from {
+        fields.push(("rests_from".to_owned(), Value::Number(seconds)));
+    }
+    fields
 }
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
@@ -82,13 +90,10 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
         ])
     });
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
-        Value::object([
-            ("clip", Value::text(&info.name)),
-            ("sha256", Value::text(&info.sha256)),
-            ("frames", Value::whole(info.frames)),
-            // The latent means of the first frames of each part.
-            ("start", Value::list(start, Value::matrix)),
-        ])
+        let mut fields = sequence_fields(info);
+        // The latent means of the first frames of each part.
+        fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
+        Value::Object(fields)
     });
     let provenance = Value::object([
         ("engine", Value::text(&provenance.engine)),

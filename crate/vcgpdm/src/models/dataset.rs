@@ -1,8 +1,9 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
 use crate::models::training_error::TrainingError;
+use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
-use crate::motion::pose::{PoseError, PoseMapping};
+use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::{BodyMismatch, Clip, ClipError};
 use crate::words::counted;
 use nalgebra::DMatrix;
@@ -19,7 +20,7 @@ pub struct Source<'a> {
 }
 
 /// Where a sequence came from.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SequenceInfo {
     /// The clip's name.
     pub name: String,
@@ -27,6 +28,8 @@ pub struct SequenceInfo {
     pub sha256: String,
     /// Frames of the sequence.
     pub frames: usize,
+    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not known.
+    pub rests_from: Option<f64>,
 }
 
 /// Why clips cannot be trained on together.
@@ -118,11 +121,20 @@ pub struct Dataset {
 ///
 /// The bodies differ; the error names both clips and says how.
 pub fn same_body(first: &Clip, clip: &Clip) -> Result<(), DatasetError> {
-    first.skeleton.same_body(&clip.skeleton).map_err(|reason| DatasetError::Body {
-        clip: clip.name.clone(),
-        first: first.name.clone(),
-        reason: Box::new(reason),
-    })
+    first.skeleton.same_body(&clip.skeleton).map_err(|reason| body_error(first, clip, reason))
+}
+
+/// The clip with the bones of `first`; see [`Clip::with_bones_of`].
+///
+/// # Errors
+///
+/// The joints differ; the error names both clips and says how.
+pub fn with_bones_of(clip: &Clip, first: &Clip) -> Result<Clip, DatasetError> {
+    clip.with_bones_of(first).map_err(|reason| body_error(first, clip, reason))
+}
+
+fn body_error(first: &Clip, clip: &Clip, reason: BodyMismatch) -> DatasetError {
+    DatasetError::Body { clip: clip.name.clone(), first: first.name.clone(), reason: Box::new(reason) }
 }
 
 /// Rates that differ by less than this are one rate.
@@ -182,13 +194,18 @@ impl Dataset {
             column.add_scalar_mut(-mean);
         }
         let y = layout.split(&stacked);
-        let info = |(clip, y): (&Clip, &DMatrix<f64>)| SequenceInfo {
-            name: clip.name.clone(),
-            sha256: clip.sha256.clone(),
-            frames: y.nrows(),
+        let frame_time = clips[0].frame_time;
+        let info = |(clip, y): (&Clip, &DMatrix<f64>)| {
+            // Rows of a recording are poses.
+            let positions = mapping.decode_positions(y, &RootStart::default()).unwrap_or_default();
+            SequenceInfo {
+                name: clip.name.clone(),
+                sha256: clip.sha256.clone(),
+                frames: y.nrows(),
+                rests_from: rests_from(mapping.skeleton(), &positions, frame_time),
+            }
         };
         let sequences = clips.iter().zip(&rows).map(info).collect();
-        let frame_time = clips[0].frame_time;
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
     }
 

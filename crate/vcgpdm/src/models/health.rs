@@ -5,11 +5,14 @@ use crate::models::rollout::Rollout;
 use crate::models::trained::TrainedModel;
 use crate::models::variational::Vcgpdm;
 use crate::motion::measures::still_from;
+use std::cmp::Ordering;
 
 /// A part has left the range of its training where its inducing points explain less than this share of the variance.
 const FAMILIAR: f64 = 0.5;
 /// A part has left for good when it is away for at least this long, to the end; in seconds.
 const AWAY_FOR: f64 = 1.0;
+/// A rollout may come to rest so much earlier than the recording that it begins as; in seconds.
+const EARLY: f64 = 0.5;
 
 /// How a rollout ends, in seconds from its first frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +21,11 @@ pub enum Health {
     MovesOn,
     /// No joint moves any more from here to the end; see [`still_from`](crate::motion::measures::still_from).
     StandsStill {
+        /// Seconds.
+        from: f64,
+    },
+    /// It comes to stand still, and so does the recording that it begins as, hardly later.
+    RestsAsRecorded {
         /// Seconds.
         from: f64,
     },
@@ -32,14 +40,42 @@ pub enum Health {
     NotFinite,
 }
 
+impl Health {
+    /// Of several models of one data set, how good to show is one whose rollout ends so; the higher the better. Those of one rank are
+    /// told apart by their bounds.
+    pub fn rank(&self) -> u8 {
+        match self {
+            Health::MovesOn | Health::RestsAsRecorded { .. } => 2,
+            Health::StandsStill { .. } | Health::LeavesTraining { .. } => 1,
+            Health::NotFinite => 0,
+        }
+    }
+}
+
+/// Which of several models of one data set is to be shown: of those of the highest [rank](Health::rank) the one of the highest bound, of
+/// equals the first. Each is a rank and a bound in nats; `None` without a model.
+pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize> {
+    let better = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
+    let first = |best: (usize, (u8, f64)), next: (usize, (u8, f64))| {
+        if better(next.1, best.1) == Ordering::Greater { next } else { best }
+    };
+    models.into_iter().enumerate().reduce(first).map(|(place, _)| place)
+}
+
 impl TrainedModel<Vcgpdm> {
-    /// How a rollout of this model ends, where `positions` are those that [`TrainedModel::positions`] gives for it. A rollout that
-    /// both stands still and is far from its training is said to stand still, for this can be seen.
+    /// How a rollout of this model that begins as the training sequence `sequence` ends, where `positions` are those that
+    /// [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its training is said to stand still,
+    /// for this can be seen.
     ///
     /// # Errors
     ///
     /// When a covariance of inducing points cannot be factorised.
-    pub fn health(&self, rollout: &Rollout, positions: &[f32]) -> Result<Health, NumericsError> {
+    pub fn health(
+        &self,
+        rollout: &Rollout,
+        sequence: usize,
+        positions: &[f32],
+    ) -> Result<Health, NumericsError> {
         let latents = &rollout.latents;
         if !latents.iter().all(|path| path.iter().all(|x| x.is_finite()))
             || !positions.iter().all(|place| place.is_finite())
@@ -48,7 +84,9 @@ impl TrainedModel<Vcgpdm> {
         }
         let frame_time = self.body.frame_time;
         if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
-            return Ok(Health::StandsStill { from });
+            let recorded = self.body.sequences.get(sequence).and_then(|info| info.rests_from);
+            let rests = recorded.is_some_and(|rest| from >= rest - EARLY);
+            return Ok(if rests { Health::RestsAsRecorded { from } } else { Health::StandsStill { from } });
         }
         let familiarity = self.model.familiarity(latents)?;
         let away = familiarity.iter().enumerate().filter_map(|(part, shares)| {
@@ -89,7 +127,7 @@ mod tests {
     }
 
     fn health(model: &TrainedModel<Vcgpdm>, rollout: &Rollout) -> Health {
-        model.health(rollout, &model.positions(rollout).unwrap()).unwrap()
+        model.health(rollout, 0, &model.positions(rollout).unwrap()).unwrap()
     }
 
     #[test]
@@ -103,6 +141,29 @@ mod tests {
         }
         let Health::StandsStill { from } = health(&model, &rollout) else { panic!("it stands still") };
         assert!((from - 2.0).abs() < 0.1, "{from}");
+    }
+
+    #[test]
+    fn what_rests_as_its_recording_does_is_no_failure() {
+        let (mut model, mut rollout) = walk();
+        let pose = rollout.y.row(60).into_owned();
+        for t in 60..rollout.y.nrows() {
+            rollout.y.set_row(t, &pose);
+        }
+        for (recorded, rests) in [(None, false), (Some(1.5), true), (Some(2.3), true), (Some(3.0), false)] {
+            model.body.sequences[0].rests_from = recorded;
+            let found = health(&model, &rollout);
+            assert_eq!(matches!(found, Health::RestsAsRecorded { .. }), rests, "{recorded:?} {found:?}");
+        }
+    }
+
+    #[test]
+    fn models_that_keep_moving_come_before_higher_bounds() {
+        let (moves, still) = (Health::MovesOn.rank(), Health::StandsStill { from: 2.0 }.rank());
+        let broken = Health::NotFinite.rank();
+        assert_eq!(best_to_show([]), None);
+        assert_eq!(best_to_show([(still, 30.0), (moves, 10.0), (moves, 20.0), (moves, 20.0)]), Some(2));
+        assert_eq!(best_to_show([(broken, 90.0), (still, 10.0), (still, 20.0)]), Some(2));
     }
 
     #[test]
@@ -124,6 +185,6 @@ mod tests {
         let (model, mut rollout) = walk();
         let positions = model.positions(&rollout).unwrap();
         rollout.latents[0][(7, 0)] = f64::NAN;
-        assert_eq!(model.health(&rollout, &positions).unwrap(), Health::NotFinite);
+        assert_eq!(model.health(&rollout, 0, &positions).unwrap(), Health::NotFinite);
     }
 }

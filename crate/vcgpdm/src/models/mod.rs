@@ -39,9 +39,9 @@ pub mod variational;
 
 pub use body::Body;
 pub use couplings::{CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights};
-pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body};
+pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body, with_bones_of};
 pub use flat::{Group, Kind, Parameters};
-pub use health::Health;
+pub use health::{Health, best_to_show};
 pub use kind::ModelKind;
 pub use latent_dynamics::LatentDynamics;
 pub use learner::Learner;

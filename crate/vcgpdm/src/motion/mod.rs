@@ -21,6 +21,7 @@
 //! ```
 
 mod anatomy;
+mod bones;
 pub mod bvh;
 mod clip;
 mod joint_names;

@@ -60,6 +60,14 @@ pub enum BodyMismatch {
     },
 }
 
+impl BodyMismatch {
+    /// Whether the joints are the same and only the bones differ: then [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) makes
+    /// one body of the two.
+    pub fn is_of_bones(&self) -> bool {
+        matches!(self, BodyMismatch::Offset { .. })
+    }
+}
+
 /// The most that an offset may differ, relative to the body's height. Files of one subject have equal offsets up to
 /// rounding; grown-ups recorded with the same joints differ by 2% and more in some bone.
 const SAME_BODY_TOLERANCE: f64 = 0.01;
@@ -72,6 +80,29 @@ impl Skeleton {
     ///
     /// A [`BodyMismatch`] that names the first difference, or the largest of the offsets.
     pub fn same_body(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
+        self.same_joints(other)?;
+        let height = self.height().max(f64::MIN_POSITIVE);
+        // The root's offset is not a bone: its place comes from its channels.
+        let differences =
+            (self.joints.iter().zip(&other.joints).enumerate().skip(1)).map(|(joint, (a, b))| {
+                (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
+            });
+        let worst = differences.max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((joint, difference)) = worst.filter(|(_, difference)| *difference > SAME_BODY_TOLERANCE) {
+            return Err(BodyMismatch::Offset {
+                joint,
+                name: self.joints[joint].name.clone(),
+                percent: (1000.0 * difference).round() / 10.0,
+                limit: 100.0 * SAME_BODY_TOLERANCE,
+                expected: self.joints[joint].offset,
+                found: other.joints[joint].offset,
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether the other has the same joints in the same places of the tree, whatever their bones.
+    pub(crate) fn same_joints(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
         for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate() {
             if a.name != b.name {
                 if self.joints.len() != other.joints.len() {
@@ -95,23 +126,6 @@ impl Skeleton {
         }
         if self.joints.len() != other.joints.len() {
             return Err(self.count_mismatch(other, None));
-        }
-        let height = self.height().max(f64::MIN_POSITIVE);
-        // The root's offset is not a bone: its place comes from its channels.
-        let differences =
-            (self.joints.iter().zip(&other.joints).enumerate().skip(1)).map(|(joint, (a, b))| {
-                (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
-            });
-        let worst = differences.max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((joint, difference)) = worst.filter(|(_, difference)| *difference > SAME_BODY_TOLERANCE) {
-            return Err(BodyMismatch::Offset {
-                joint,
-                name: self.joints[joint].name.clone(),
-                percent: (1000.0 * difference).round() / 10.0,
-                limit: 100.0 * SAME_BODY_TOLERANCE,
-                expected: self.joints[joint].offset,
-                found: other.joints[joint].offset,
-            });
         }
         Ok(())
     }
@@ -165,6 +179,7 @@ mod tests {
         ] {
             let message = first.same_body(&other).unwrap_err().to_string();
             assert!(message.contains(wanted), "{message}");
+            assert_eq!(first.same_body(&other).unwrap_err().is_of_bones(), wanted.contains("offset"));
         }
     }
 }

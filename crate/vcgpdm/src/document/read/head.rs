@@ -95,6 +95,10 @@ pub(super) fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, Field
         name: sequence.get("clip")?.text()?.to_owned(),
         sha256: sequence.get("sha256")?.text()?.to_owned(),
         frames: sequence.get("frames")?.whole()?,
+        rests_from: match sequence.optional("rests_from") {
+            Some(seconds) if *seconds.value() != Value::Null => Some(within(seconds, 0.0..=1e9, "seconds")?),
+            _ => None,
+        },
     })
 }
 

@@ -206,6 +206,15 @@ where
         Optimizer::new(start, boxes.into_iter(), evaluate)
     }
 
+    /// Allows so many more iterations. A search that ended because all were used goes on with the memory of its optimiser, as if they
+    /// had been allowed from the beginning; one that has settled stays settled.
+    pub fn extend(&mut self, iterations: usize) {
+        self.max_iterations = self.max_iterations.saturating_add(iterations);
+        if self.reason == Some(SearchEnd::Iterations) {
+            self.reason = None;
+        }
+    }
+
     /// Iterations so far.
     pub fn iteration(&self) -> usize {
         self.iteration

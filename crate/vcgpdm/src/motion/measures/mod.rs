@@ -15,7 +15,7 @@ use serde::Serialize;
 use track::Track;
 
 pub use limbs::Limb;
-pub use speed::still_from;
+pub use speed::{rests_from, still_from};
 
 /// A limb that swings less than this, in metres, has no phase: what is left is noise.
 const LEAST_SWING: f64 = 0.01;

@@ -9,6 +9,10 @@ use nalgebra::Vector3;
 const STILL: f64 = 0.1;
 /// A body stands still when it does so for at least this long, to the end; in seconds.
 const STILL_FOR: f64 = 1.0;
+/// Joints of a person who stands are slower than this, in metres a second.
+const SWAY: f64 = 0.2;
+/// A recording ends at rest when its body stands for at least this long, in seconds.
+const REST_FOR: f64 = 0.25;
 /// A body that gets on more slowly than this, in metres a second, does not walk.
 const WALKING: f64 = 0.1;
 /// Steps come and go within a second: the speed of walking is that over a whole one.
@@ -26,11 +30,25 @@ pub(super) fn of_joints(track: &Track) -> f64 {
 ///
 /// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
 pub fn still_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
+    slow_from(skeleton, positions, frame_time, STILL, STILL_FOR)
+}
+
+/// Seconds from the first frame to the one from which a recorded body comes to rest; `None`: it moves to its end. Who stands sways, and
+/// recordings are cut soon after: a joint may be twice as fast as where a rollout [stands still](still_from), and a quarter of a second
+/// is enough.
+///
+/// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
+pub fn rests_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
+    slow_from(skeleton, positions, frame_time, SWAY, REST_FOR)
+}
+
+/// Seconds to the frame from which no joint is as fast as `speed`, in metres a second, for at least `least` seconds, to the end.
+fn slow_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64, speed: f64, least: f64) -> Option<f64> {
     let track = Track::new(skeleton, positions, frame_time);
-    let still = |&frame: &usize| joint_speeds(&track, frame).all(|speed| speed < STILL);
-    let frames = (1..track.frames()).rev().take_while(still).count();
+    let slow = |&frame: &usize| joint_speeds(&track, frame).all(|found| found < speed);
+    let frames = (1..track.frames()).rev().take_while(slow).count();
     let seconds = frames as f64 * frame_time;
-    (seconds >= STILL_FOR).then(|| (track.frames() - 1 - frames) as f64 * frame_time)
+    (seconds >= least).then(|| (track.frames() - 1 - frames) as f64 * frame_time)
 }
 
 /// Speeds relative to the root of all nodes but the root, from the frame before to this one.

@@ -131,6 +131,14 @@ impl Trainer {
         self.progress()
     }
 
+    /// Allows so many more iterations, during training or after all are used: training goes on where it stopped, with what the
+    /// optimiser remembers. Where the first block of the [`schedule`] is as long for the sum as for the first number, the outcome is,
+    /// bit by bit, that of a training that was asked for the sum. A bound that no longer rises stays where it is.
+    pub fn extend(&mut self, iterations: usize) {
+        self.ascent.extend(iterations);
+        self.settings.max_iterations = self.ascent.max_iterations();
+    }
+
     /// How far training is.
     pub fn progress(&self) -> TrainingProgress {
         let (ascent, search) = (&self.ascent, self.ascent.search());

@@ -111,3 +111,41 @@ fn a_motionless_part_trains_without_nan() {
         assert!(trainer.step().best.is_finite());
     }
 }
+
+#[test]
+fn going_on_is_training_longer_from_the_beginning() {
+    let from = |iterations: usize| {
+        let settings = VariationalSettings { max_iterations: iterations, ..settings() };
+        let trainer = Trainer::new(loops(60), vec![60], &settings, 1).unwrap();
+        // The first block is as long for both.
+        Trainer::from_start(trainer.objective(), trainer.best(), schedule(60), &settings, 1).unwrap()
+    };
+    let (mut longer, mut resumed) = (from(60), from(30));
+    while !longer.step().done {}
+    let halfway = loop {
+        let progress = resumed.step();
+        if progress.done {
+            break progress;
+        }
+    };
+    assert_eq!((halfway.iteration, halfway.reason), (30, Some(SearchEnd::Iterations)));
+    resumed.extend(30);
+    let begun = resumed.progress();
+    assert_eq!((begun.done, begun.best, begun.max_iterations), (false, halfway.best, 60));
+    while !resumed.step().done {}
+    assert!(resumed.progress().best > halfway.best);
+    assert_eq!(resumed.progress(), longer.progress());
+    assert_eq!(resumed.best(), longer.best());
+    assert_eq!(resumed.settings(), longer.settings());
+}
+
+#[test]
+fn a_settled_training_does_not_go_on() {
+    let mut trainer = Trainer::new(loops(60), vec![60], &settings(), 1).unwrap();
+    trainer.extend(5000);
+    while !trainer.step().done {}
+    let settled = trainer.progress();
+    assert_eq!(settled.reason, Some(SearchEnd::Settled));
+    trainer.extend(10);
+    assert_eq!(trainer.step().iteration, settled.iteration);
+}

@@ -1,0 +1,168 @@
+//! Trains models of clips from several seeds, with more or fewer inducing points and parts, and counts those that keep moving:
+//!
+//! ```sh
+//! cargo run --release --example keeps_moving -- CLIP.bvh ... [--seeds 10] [--points 12,20,30] [--parts whole,lower-upper]
+//! ```
+//!
+//! Each clip is trained on alone. Without a clip the first bundled walk is used. A model keeps moving where its rollout does, or rests
+//! as the recording does; how each seed ends is on stderr.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use clap::Parser;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{
+    Dataset, Health, RolloutRequest, Source, TrainedModel, VariationalSettings, best_to_show,
+};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
+
+const FRAMES_PER_SECOND: f64 = 30.0;
+/// So many seeds are trained from together where nobody asks for another number.
+const GROUP: usize = 4;
+
+#[derive(Parser)]
+struct Arguments {
+    /// BVH files; absent: a bundled walk.
+    clips: Vec<PathBuf>,
+    /// Seeds, from 0.
+    #[arg(long, default_value_t = 10)]
+    seeds: u32,
+    /// Inducing points, of the dynamics as of the poses.
+    #[arg(long, value_delimiter = ',', default_values_t = [12, 20, 30])]
+    points: Vec<usize>,
+    /// Presets of parts.
+    #[arg(long, value_delimiter = ',', default_values_t = ["whole", "lower-upper", "legs-trunk-arms"].map(str::to_owned))]
+    parts: Vec<String>,
+    /// Orders of the dynamics.
+    #[arg(long, value_delimiter = ',', default_values_t = [2])]
+    orders: Vec<usize>,
+    /// Iterations at most.
+    #[arg(long, value_delimiter = ',', default_values_t = [600])]
+    iterations: Vec<usize>,
+    /// Frames of a rollout.
+    #[arg(long, default_value_t = 300)]
+    frames: usize,
+    /// So many trainings at a time.
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
+}
+
+impl Arguments {
+    /// Inducing points, order and iterations of each column of seeds.
+    fn settings(&self) -> Vec<(usize, usize, usize)> {
+        let mut all = Vec::new();
+        for &points in &self.points {
+            for &order in &self.orders {
+                all.extend(self.iterations.iter().map(|&iterations| (points, order, iterations)));
+            }
+        }
+        all
+    }
+}
+
+/// What one training ended in.
+#[derive(Clone, Copy)]
+struct Run {
+    bound: f64,
+    seconds: f64,
+    health: Health,
+}
+
+fn run(dataset: &Dataset, settings: &VariationalSettings, seed: u32, frames: usize) -> Run {
+    let begin = Instant::now();
+    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), settings, seed).unwrap();
+    while !trainer.step().done {}
+    let seconds = begin.elapsed().as_secs_f64();
+    let model = TrainedModel::<Vcgpdm>::trained(dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames, ..Default::default() }).unwrap();
+    let positions = model.positions(&rollout).unwrap();
+    let health = model.health(&rollout, 0, &positions).unwrap();
+    Run { bound: trainer.progress().best, seconds, health }
+}
+
+/// The runs of all seeds, several at a time.
+fn runs(seeds: u32, threads: usize, run: &(dyn Fn(u32) -> Run + Sync)) -> Vec<Run> {
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(vec![None; seeds as usize]));
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= seeds as usize {
+                        break;
+                    }
+                    let run = run(seed as u32);
+                    done.lock().unwrap()[seed] = Some(run);
+                }
+            });
+        }
+    });
+    done.into_inner().unwrap().into_iter().flatten().collect()
+}
+
+fn word(health: &Health) -> String {
+    match health {
+        Health::MovesOn => "moves".to_owned(),
+        Health::StandsStill { from } => format!("still {from:.1}"),
+        Health::LeavesTraining { from, .. } => format!("leaves {from:.1}"),
+        other => format!("{other:?}"),
+    }
+}
+
+fn read(file: &Path) -> Clip {
+    let name = file.file_name().unwrap().to_string_lossy();
+    bvh::read(&name, &std::fs::read(file).unwrap()).unwrap().into_clip()
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    let mut clips: Vec<Clip> = arguments.clips.iter().map(|file| read(file)).collect();
+    if clips.is_empty() {
+        clips.push(samples::clip("walk-1").unwrap());
+    }
+    println!(
+        "| clip | parts | points | p | iterations | seeds that keep moving | chosen of {GROUP} seeds | s |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
+    for clip in &clips {
+        for preset in &arguments.parts {
+            let presets = parts::presets(&clip.skeleton);
+            let Some(chosen) = presets.iter().find(|p| p.id == *preset) else { continue };
+            let sources = [Source { clip, first_frames: None }];
+            let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
+            eprintln!("{} rests from {:?} s", clip.name, dataset.sequences[0].rests_from);
+            for (points, order, iterations) in arguments.settings() {
+                let settings = VariationalSettings {
+                    latent: 3,
+                    order,
+                    dynamics_ips: points,
+                    pose_ips: points,
+                    max_iterations: iterations,
+                };
+                let train = |seed| run(&dataset, &settings, seed, arguments.frames);
+                let runs = runs(arguments.seeds, arguments.threads, &train);
+                let moves = |run: &Run| run.health.rank() == Health::MovesOn.rank();
+                let moving = runs.iter().filter(|run| moves(run)).count();
+                let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
+                let chosen = groups.iter().filter(|group| {
+                    let best = best_to_show(group.iter().map(|run| (run.health.rank(), run.bound)));
+                    best.is_some_and(|place| moves(&group[place]))
+                });
+                let chosen = chosen.count();
+                let each: Vec<String> =
+                    runs.iter().map(|run| format!("{} ({:.0})", word(&run.health), run.bound)).collect();
+                let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
+                eprintln!("{} {preset} {points}: {}", clip.name, each.join(", "));
+                println!(
+                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {seconds:.1} |",
+                    clip.name,
+                    runs.len(),
+                    groups.len()
+                );
+            }
+        }
+    }
+}

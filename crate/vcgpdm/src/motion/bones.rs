@@ -1,0 +1,156 @@
+//! A motion on a body of other bones.
+
+use crate::motion::clip::Clip;
+use crate::motion::same_body::BodyMismatch;
+use crate::motion::skeleton::Skeleton;
+use nalgebra::Vector3;
+
+impl Clip {
+    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same tree. The joint angles
+    /// stay. The way of the root is scaled as the height of the root above the lowest point of the body is, on average over the clip:
+    /// by the length of the legs as the motion uses them, and from one file's units to the other's. So feet that stand keep standing on
+    /// the ground, nearly: a leg that is bent elsewhere along its length reaches a little more or less far. A clip of the same body is
+    /// given back as it is; another gets a warning that says what was done.
+    ///
+    /// # Errors
+    ///
+    /// A [`BodyMismatch`] that names the first joint that differs in its name or its place in the tree.
+    pub fn with_bones_of(&self, other: &Clip) -> Result<Clip, BodyMismatch> {
+        other.skeleton.same_joints(&self.skeleton)?;
+        if other.skeleton.same_body(&self.skeleton).is_ok() {
+            return Ok(self.clone());
+        }
+        let mut clip = self.clone();
+        for (joint, of_other) in clip.skeleton.joints.iter_mut().zip(&other.skeleton.joints) {
+            joint.end_sites.clone_from(&of_other.end_sites);
+            // The root's offset is not a bone: it is where the root stands.
+            if joint.parent.is_some() {
+                joint.offset = of_other.offset;
+            }
+        }
+        let (before, after) = (self.root_height(&self.skeleton), self.root_height(&clip.skeleton));
+        let scale = if before > 0.0 && after > 0.0 { after / before } else { 1.0 };
+        let mut column = 0;
+        for (joint, own) in clip.skeleton.joints.iter_mut().zip(&self.skeleton.joints) {
+            if joint.parent.is_none() {
+                joint.offset = own.offset.map(|place| scale * place);
+            }
+            for channel in &own.channels {
+                if !channel.is_rotation() {
+                    // A position replaces the offset; what it adds to that is a movement.
+                    let (from, to) = (own.offset[channel.axis()], joint.offset[channel.axis()]);
+                    clip.values.column_mut(column).apply(|value| *value = to + scale * (*value - from));
+                }
+                column += 1;
+            }
+        }
+        // Rounded here: to write a number with so many digits takes code that nothing else on the page needs.
+        let rounded = (1000.0 * scale).round() / 1000.0;
+        let first = &other.name;
+        clip.warnings
+            .push(format!("The bones are those of {first}; the way of the root is scaled by {rounded}"));
+        Ok(clip)
+    }
+
+    /// Mean height of the root above the lowest point of a body with these bones and the joint angles of the clip, in file units.
+    fn root_height(&self, bones: &Skeleton) -> f64 {
+        let up = self.up_axis().to_y_up();
+        let offsets: Vec<Vector3<f64>> = bones.joints.iter().map(|joint| joint.offset.into()).collect();
+        let mut sum = 0.0;
+        for frame in 0..self.frames() {
+            let rotations = self.local_pose(frame).rotations;
+            let places = bones.forward_kinematics(&rotations, &offsets).positions;
+            let height = |place: &Vector3<f64>| (up * place).y;
+            sum += height(&places[0]) - places.iter().map(height).fold(f64::INFINITY, f64::min);
+        }
+        sum / self.frames().max(1) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{samples, stage::STAGE_HEIGHT};
+
+    /// The walk of another body, in other units: its thighs, shins and arms are longer or shorter by these factors.
+    fn other_body(walk: &Clip, thigh: f64, shin: f64, arm: f64, unit: f64) -> Clip {
+        let mut other = walk.clone();
+        for joint in &mut other.skeleton.joints {
+            let name = joint.name.to_lowercase();
+            let factor = if name.contains("foot") {
+                shin
+            } else if name.contains("leg") && !name.contains("up") {
+                thigh
+            } else if name.contains("arm") || name.contains("hand") {
+                arm
+            } else {
+                1.0
+            };
+            joint.offset = joint.offset.map(|x| unit * factor * x);
+            joint.end_sites.iter_mut().for_each(|end| *end = end.map(|x| unit * x));
+        }
+        other.name = "other.bvh".to_owned();
+        other
+    }
+
+    /// The lowest point of the body in each frame, in metres on a stage whose ground is that of the whole clip.
+    fn lowest(clip: &Clip) -> Vec<f64> {
+        let stage = clip.stage();
+        assert!((stage.metres_per_unit() * stage.height - STAGE_HEIGHT).abs() < 1e-9);
+        let nodes = clip.skeleton.figure().len();
+        let heights: Vec<f64> = clip.stage_positions().chunks(3).map(|place| f64::from(place[1])).collect();
+        heights.chunks(nodes).map(|frame| frame.iter().copied().fold(f64::INFINITY, f64::min)).collect()
+    }
+
+    #[test]
+    fn angles_stay_and_feet_stay_on_the_ground() {
+        let walk = samples::clip("walk-1").unwrap();
+        for (thigh, shin, arm, unit) in [(1.1, 1.06, 0.9, 1.0), (0.92, 0.95, 1.1, 2.54)] {
+            let other = other_body(&walk, thigh, shin, arm, unit);
+            let moved = walk.with_bones_of(&other).unwrap();
+            assert_eq!(other.skeleton.same_body(&moved.skeleton), Ok(()));
+            for frame in 0..walk.frames() {
+                assert_eq!(moved.local_pose(frame).rotations, walk.local_pose(frame).rotations);
+            }
+            for (after, before) in lowest(&moved).iter().zip(lowest(&walk)) {
+                assert!((after - before).abs() < 0.01, "{after} {before}");
+            }
+            // Longer legs take longer steps.
+            let way = |clip: &Clip| {
+                let root = |frame| clip.world_pose(frame).positions[0];
+                (root(clip.frames() - 1) - root(0)).norm()
+            };
+            let longer = way(&moved) / way(&walk) / unit;
+            assert!(longer > thigh.min(shin) - 0.03 && longer < thigh.max(shin) + 0.03, "{longer}");
+            assert!(
+                moved.warnings.iter().any(|warning| warning.contains("other.bvh")),
+                "{:?}",
+                moved.warnings
+            );
+        }
+    }
+
+    #[test]
+    fn the_same_body_is_left_alone_and_other_joints_are_refused() {
+        let walk = samples::clip("walk-1").unwrap();
+        assert_eq!(walk.with_bones_of(&samples::clip("walk-2").unwrap()).unwrap(), walk);
+        let mut other = other_body(&walk, 1.1, 1.1, 1.0, 1.0);
+        other.skeleton.joints[3].name = "tail".to_owned();
+        let refused = walk.with_bones_of(&other).unwrap_err();
+        assert!(matches!(refused, BodyMismatch::Name { joint: 3, .. }), "{refused}");
+    }
+
+    #[test]
+    fn a_joint_that_slides_slides_on_from_its_new_place() {
+        let mut walk = samples::clip("walk-1").unwrap().cut(0, 20).unwrap();
+        let last = walk.skeleton.joints.len() - 1;
+        walk.skeleton.joints[last].channels.insert(0, crate::motion::skeleton::Channel::Xposition);
+        let place = walk.skeleton.channel_starts()[last];
+        let own = walk.skeleton.joints[last].offset[0];
+        walk.values = walk.values.clone().insert_column(place, own);
+        let other = other_body(&walk, 1.1, 1.1, 0.8, 1.0);
+        let moved = walk.with_bones_of(&other).unwrap();
+        let kept = moved.values.column(place);
+        assert!(kept.iter().all(|value| (value - other.skeleton.joints[last].offset[0]).abs() < 1e-9));
+    }
+}

@@ -1,0 +1,19 @@
+import { expect, it } from "vitest";
+import { MOVES_ON, STANDS_STILL } from "../engine/engine.fake";
+import { healthWords } from "./health-words";
+
+const seen = { seconds: 10, parts: [{ name: "lower" }, { name: "upper" }], altered: false };
+
+it("says nothing of a motion that goes on, or rests as its recording does, or ends after what is shown", () => {
+  expect(healthWords(MOVES_ON, seen)).toBe("");
+  expect(healthWords({ ...STANDS_STILL, state: "rests as recorded", rank: 2 }, seen)).toBe("");
+  expect(healthWords({ ...STANDS_STILL, from: 12 }, seen)).toBe("");
+});
+
+it("says from when on there is none", () => {
+  expect(healthWords(STANDS_STILL, seen)).toBe("The model stands still from 2.4 s on.");
+  expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(/^With these couplings the model stands still/);
+  const away = { state: "leaves the training range" as const, from: 3, part: 1, rank: 1 };
+  expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
+  expect(healthWords({ ...away, state: "not finite", from: null }, seen)).toMatch(/^The model runs away/);
+});
