@@ -81,7 +81,13 @@ impl Learned {
 fn roll(model: &Trained, alpha: DMatrix<f64>, reading: Reading) -> (Measures, Health) {
     let frame_time = model.body.frame_time;
     let frames = |seconds: f64| (seconds / frame_time).round() as usize;
-    let request = RolloutRequest { frames: frames(SECONDS), sequence: 0, alpha: Some(alpha), reading };
+    let request = RolloutRequest {
+        frames: frames(SECONDS),
+        sequence: 0,
+        alpha: Some(alpha),
+        reading,
+        ..RolloutRequest::default()
+    };
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
     let health = model.health(&rollout, request.sequence, &positions).unwrap();
