@@ -4,7 +4,8 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { at, filesUnder, whenChanged } from "./run.mjs";
 
-const SECONDS = 3;
+/** A little more than one step of each foot: it plays again and again. */
+const SECONDS = 1.5;
 
 /** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth of a millimetre in ten seconds. */
 const DIGITS = 7;

@@ -8,6 +8,7 @@ const wasmPackage = (folder: string) =>
 
 /** What a visitor of the first view may ask for, in `src`: files without their ending, and whole rooms. */
 const WHEN_ASKED = [
+  "app/help",
   "app/saving",
   "app/stage-files",
   "clips/parts-editor",

@@ -5,6 +5,7 @@ import type { EngineStore } from "../engine/engine-store";
 import { clipTitle } from "../ui/format";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
+import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import "./help.css";
 
 const KEYS: [string, string][] = [
@@ -18,9 +19,6 @@ const KEYS: [string, string][] = [
   ["+ −", "on the stage: come closer, go away"],
   ["?", "this help"],
 ];
-
-export const ACKNOWLEDGEMENT =
-  "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
 
 export class HelpView extends View {
   declare model: ModelStore;

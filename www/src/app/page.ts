@@ -13,7 +13,8 @@ import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption";
 import "./header";
-import { ACKNOWLEDGEMENT, type HelpView } from "./help";
+import { ACKNOWLEDGEMENT } from "./acknowledgement";
+import type { HelpView } from "./help";
 import { openFiles } from "./open-files";
 
 const TABS = [
@@ -134,8 +135,16 @@ export class PageView extends View {
     return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
   }
 
-  openHelp(): void {
-    this.querySelector<HelpView>("pg-help")?.open();
+  /** The first time it is loaded. */
+  async openHelp(): Promise<void> {
+    try {
+      await import("./help");
+      const help = this.querySelector<HelpView>("pg-help");
+      await help?.updateComplete;
+      help?.open();
+    } catch {
+      this.app.notices.addError("Help could not be loaded", "Is this machine offline? Try again when it is online.");
+    }
   }
 
   private async showPlace(name: string): Promise<void> {
