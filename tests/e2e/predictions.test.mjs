@@ -10,7 +10,7 @@ import { openSite, ready } from "./site.mjs";
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
 /** @typedef {{ frame: number, experts: Ellipse[], product: Ellipse, step: [number, number][] }} Drawn */
 
-/** @type {import("vcgpdm")} */
+/** @type {typeof import("vcgpdm")} */
 const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
 const ALPHA = [
   [0.02, 0.1],

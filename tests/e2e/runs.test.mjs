@@ -178,7 +178,7 @@ describe("several trainings", () => {
   });
 
   it("run side by side under different settings", async () => {
-    const { page, problems, leave } = await visit(2, "iterations=4000&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=15");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
     await page.getByTestId("setting-dynamicsIps").fill("8");
