@@ -138,10 +138,8 @@ fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Bo
     write(&rollout, None)?;
     if let (Some(count), Some(seed)) = (arguments.samples, arguments.seed) {
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
-        for (k, seed) in seeds.enumerate() {
-            for rollout in model.sampled_rollouts(&request, [seed])? {
-                write(&rollout, Some(k + 1))?;
-            }
+        for (k, rollout) in model.sampled_rollouts(&request, seeds)?.enumerate() {
+            write(&rollout?, Some(k + 1))?;
         }
     }
     if let Some(path) = &arguments.variance {

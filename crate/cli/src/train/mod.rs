@@ -41,7 +41,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CLIP:COUNT")]
     seed_frames: Vec<String>,
     /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint angles stay, the way of the
-    /// root is scaled by the length of the legs.
+    /// root is scaled as its height above the ground is.
     #[arg(long)]
     first_bones: bool,
     /// Keep a note in the model, such as an acknowledgement.

@@ -33,6 +33,13 @@ pub struct RolloutRequest {
     pub pushes: Vec<Push>,
 }
 
+impl RolloutRequest {
+    /// The couplings that it asks for, where it asks for none those that were `learned`.
+    pub fn alpha_or<'a>(&'a self, learned: &'a DMatrix<f64>) -> &'a DMatrix<f64> {
+        self.alpha.as_ref().unwrap_or(learned)
+    }
+}
+
 /// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not listen to the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {

@@ -2,8 +2,8 @@
 //!
 //! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
 //! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
-//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does. [`samples`] are clips that the project
-//! makes itself.
+//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does.
+//! [`samples`] are clips that the project makes itself.
 //!
 //! ```
 //! use vcgpdm::motion::pose::PoseMapping;
