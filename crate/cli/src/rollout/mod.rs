@@ -72,7 +72,7 @@ impl From<ReadingOption> for Reading {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
     for path in [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()] {
-        path.map_or(Ok(()), |path| files::check_writable(path))?;
+        path.map_or(Ok(()), |path| files::check_writable(path, [arguments.model.as_path()]))?;
     }
     match model.into_vcgpdm() {
         Ok(model) => coupled(arguments, &model),

@@ -86,7 +86,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
     let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
     for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
-        files::check_writable(path)?;
+        let seed_frames =
+            arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
+        files::check_writable(
+            path,
+            arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new),
+        )?;
     }
     let begin = Instant::now();
     let seed = arguments.options.seed;

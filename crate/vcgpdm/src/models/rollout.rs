@@ -3,13 +3,11 @@
 use crate::gp::NumericsError;
 use crate::json::rows;
 use crate::models::couplings::{CouplingsError, Reading};
+use crate::models::sequences::MOST_FRAMES;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 use thiserror::Error;
-
-/// More frames than this would not be a motion but an accident.
-pub(crate) const MOST_FRAMES: usize = 1_000_000;
 
 /// What a rollout of a model with couplings is asked for.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]

@@ -40,7 +40,7 @@ pub mod stage;
 mod testing;
 
 pub(crate) use clip::sha256;
-pub use clip::{Clip, ClipError, MAX_VALUES};
+pub use clip::{Clip, ClipError};
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;

@@ -1,8 +1,6 @@
 //! Training on the project's own clips, natively; crate/wasm/tests runs the same in wasm.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "shared/training.rs"]
+#[path = "../shared/training.rs"]
 mod training;
 
 #[test]

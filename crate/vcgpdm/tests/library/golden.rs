@@ -1,8 +1,6 @@
 //! The golden cases, natively; crate/wasm/tests runs the same in wasm.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "shared/golden.rs"]
+#[path = "../shared/golden.rs"]
 mod golden;
 
 #[test]

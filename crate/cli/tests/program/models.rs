@@ -1,10 +1,9 @@
 //! Every kind of model from the terminal: trained, written, read back, rolled out and scored.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
+use crate::call::{fails, folder, prints, text};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, Sequence, Source,
@@ -16,37 +15,6 @@ const FPS: f64 = 12.0;
 const START_FRAMES: usize = 5;
 /// The beginning of a third walk.
 const SEQUENCE: usize = 2;
-
-fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
-}
-
-/// What a command that must succeed prints.
-fn prints(arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let err = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success() && err.is_empty(), "{arguments:?}: {err}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// The one line that a command that must fail says.
-fn fails(arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let err = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), err.lines().count()), (Some(1), 1), "{arguments:?}: {err}");
-    err
-}
-
-/// A folder of its own for each test.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("models").join(name);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().unwrap()
-}
 
 /// Trains two walks and the first frames of a third.
 fn train(out: &Path, more: &str) -> Value {
@@ -92,7 +60,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
         (ModelSettings::DmpDiscrete(DmpSettings { bases: 7 }), "whole", "--bases 7".to_owned()),
         (ModelSettings::DmpRhythmic(DmpSettings { bases: 6 }), "whole", "--bases 6".to_owned()),
     ];
-    let folder = folder("kinds");
+    let folder = folder("models-kinds");
     assert_eq!(cases.each_ref().map(|(candidate, ..)| candidate.kind()), ModelKind::ALL);
     for (candidate, preset, options) in cases {
         let id = candidate.kind().id();
@@ -166,7 +134,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
 
 #[test]
 fn the_kind_follows_the_parts_unless_one_is_named() {
-    let out = folder("default").join("model.json");
+    let out = folder("models-default").join("model.json");
     let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 1";
     assert_eq!(train(&out, &format!("--parts lower,upper {few}"))["kind"], "vcgpdm");
     assert_eq!(train(&out, &format!("--parts whole {few}"))["kind"], "vgpdm");
@@ -174,7 +142,7 @@ fn the_kind_follows_the_parts_unless_one_is_named() {
 
 #[test]
 fn options_of_other_kinds_are_refused_in_words() {
-    let out = folder("refused").join("model.json");
+    let out = folder("models-refused").join("model.json");
     for (more, said) in [
         (
             "--model gplvm",

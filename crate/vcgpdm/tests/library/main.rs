@@ -1,0 +1,12 @@
+//! The library from outside, as its users call it. One program: it is linked once.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod documents;
+mod examples;
+mod golden;
+mod live;
+mod primitives;
+mod real_clips;
+mod t_pose;
+mod training;
+mod uncertainty;
