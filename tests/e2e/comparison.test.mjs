@@ -188,7 +188,6 @@ describe("a comparison of models", () => {
     await tick(page, 4);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /11 of 11 trainings done/);
-    await page.getByTestId("compare-play").click(); // nothing else moves meanwhile
     /** What each figure's CSV begins with. */
     const figures = {
       "Distance from the real trial": /^trial,time \(s\),"vCGPDM, 4 \+ 4 inducing points \(cm\)"/,
