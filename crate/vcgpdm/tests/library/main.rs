@@ -7,6 +7,8 @@ mod golden;
 mod live;
 mod primitives;
 mod real_clips;
+#[path = "../shared/start_model.rs"]
+mod start_model;
 mod t_pose;
 mod training;
 mod uncertainty;
