@@ -1,5 +1,6 @@
 //! The flat vector that an optimiser sees of named parameters, and the boxes in which they are held.
 
+use crate::elementary::Elementary;
 use crate::gp::exp::exp;
 
 /// The blocks of parameters that a schedule can free or hold.
@@ -57,7 +58,7 @@ pub trait Parameters: Clone {
         self.visit(&mut |kind, values| {
             flat.extend(values.iter().map(|v| {
                 let held = v.clamp(kind.lowest, kind.highest);
-                if kind.positive { held.ln() } else { held }
+                if kind.positive { held.logarithm() } else { held }
             }));
         });
         flat
@@ -101,6 +102,10 @@ pub trait Parameters: Clone {
 impl Kind {
     /// The box of a flat entry of this kind.
     pub fn flat_box(&self) -> (f64, f64) {
-        if self.positive { (self.lowest.ln(), self.highest.ln()) } else { (self.lowest, self.highest) }
+        if self.positive {
+            (self.lowest.logarithm(), self.highest.logarithm())
+        } else {
+            (self.lowest, self.highest)
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! The library from outside, as its users call it. One program: it is linked once.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::disallowed_methods)]
 
 mod documents;
 mod examples;
