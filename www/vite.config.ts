@@ -18,6 +18,7 @@ const WHEN_ASKED = [
   "latents/outlook-drawing",
   "latents/outlook-store",
   "latents/outlook-view",
+  "latents/push-handle",
   "live/",
   "method/",
   "scene/columns",

@@ -3,6 +3,7 @@ import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
+import { between as pathAt } from "./predicted";
 import {
   drawPredictions,
   type StepBand,
@@ -250,16 +251,19 @@ function drawPoses(
   }
 }
 
+/** Where the state now is, in pixels; null without a path. */
+export function placeNow(picture: LatentPicture, plane: Plane): [number, number] | null {
+  const { rollout, frame, projection } = picture;
+  if (rollout.length === 0) return null;
+  const [x, y] = plane.place(pathAt(rollout, frame, projection.dimensions), 0);
+  return [x, y];
+}
+
 /** With predictions around it the marker is small, and without its halo, which could be taken for one of them. */
 function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, small: boolean): void {
-  const { rollout, frame } = picture;
-  const count = rows(rollout, picture);
-  if (count === 0) return;
-  const low = Math.min(count - 1, Math.floor(frame));
-  const a = plane.place(rollout, low);
-  const b = plane.place(rollout, Math.min(count - 1, low + 1));
-  const part = Math.min(1, frame - low);
-  const [x, y] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+  const now = placeNow(picture, plane);
+  if (!now) return;
+  const [x, y] = now;
   draw.fillStyle = picture.colour;
   if (!small) {
     draw.globalAlpha = 0.22;

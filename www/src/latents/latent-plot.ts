@@ -1,5 +1,5 @@
 // The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and keyboard.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { ModelStore } from "../couplings/model-store";
 import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
@@ -8,11 +8,12 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
-import { type Behind, drawLatents, type LatentPicture } from "./latent-drawing";
+import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
 import { Plane } from "./plane";
 import { type DrawnPredictions, StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
+import type { PushHandle } from "./push-handle";
 import { type Projection, principalAxes, project, type Turn } from "./projection";
 
 /** The inducing points that the plots show. */
@@ -205,6 +206,10 @@ export class LatentPlot extends View {
     const [width, height] = [Math.round(picture.width * picture.ratio), Math.round(picture.height * picture.ratio)];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.tell(canvas, drawLatents(draw, picture));
+    const handle = this.querySelector<PushHandle>("pg-push-handle");
+    const plane = new Plane(picture);
+    const now = handle && placeNow(picture, plane);
+    if (now) handle.place(plane, now);
   }
 
   /** What the picture shows, in numbers, as long as it stands still. */
@@ -298,6 +303,7 @@ export class LatentPlot extends View {
               @pointerenter=${point(to)} @pointerleave=${point(null)}
               @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
           )}
+          ${this.stage.live ? html`<pg-push-handle .part=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
         </div>
       </figure>
     `;

@@ -55,3 +55,24 @@ describe("a Gaussian in a plot", () => {
     expect(deviationAcross(seen, 0, 0)).toBe(0);
   });
 });
+
+describe("a step in a plot", () => {
+  it("is the latent step that is seen as it", () => {
+    for (const turn of [
+      { about: 0, tilt: 0 },
+      { about: 1.1, tilt: -0.7 },
+    ]) {
+      const plot = plane(3, turn);
+      const by = plot.latentStep(7, -4);
+      const [x, y, near] = plot.place(Float64Array.from(by), 0);
+      expect([x, y, near]).toEqual([expect.closeTo(57, 10), expect.closeTo(96, 10), expect.closeTo(0, 10)]);
+    }
+  });
+
+  it("is none in a dimension that is not seen", () => {
+    expect(plane(1).latentStep(43, 43)).toEqual([1]);
+    // Two dimensions seen along their plane: a drag upwards moves nothing.
+    const [right, up] = plane(2, { about: 0, tilt: Math.PI / 2 }).latentStep(43, -43);
+    expect([right, up]).toEqual([expect.closeTo(1, 10), expect.closeTo(0, 10)]);
+  });
+});

@@ -52,6 +52,13 @@ export class Plane {
     return this.place(histories, index * order + step);
   }
 
+  /** The step in the latent space `[Q]` that is seen as one in the plane, in pixels to the right and down. */
+  latentStep(right: number, down: number): number[] {
+    const q = this.view.projection.dimensions;
+    const share = (a: number) => this.steps[a]! * right + this.steps[q + a]! * down;
+    return Array.from({ length: q }, (_, a) => share(a) / this.scale ** 2);
+  }
+
   /** What is seen of a spread that is the same in all latent dimensions. */
   roundSpread(variance: number): Spread {
     const q = this.view.projection.dimensions;
