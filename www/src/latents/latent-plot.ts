@@ -14,7 +14,7 @@ import { type DrawnPredictions, StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
 import type { PushHandle } from "./push-handle";
-import { type Projection, principalAxes, project, type Turn } from "./projection";
+import { type Projection, principalAxes, type Turn } from "./projection";
 
 /** The inducing points that the plots show. */
 export interface Layers {
@@ -57,6 +57,10 @@ export class LatentPlot extends View {
   private projected: RolloutResult | null = null;
   private drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   private list: Mark[] = [];
+  /** The animation frame that is waited for. */
+  private frame = 0;
+  /** Whether buttons have come or must go elsewhere. */
+  private moved = false;
   private readonly band = new StepBand();
 
   constructor() {
@@ -71,7 +75,8 @@ export class LatentPlot extends View {
   }
 
   protected override arrived(): void {
-    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paint()));
+    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paintSoon()));
+    this.whenLeaving(() => cancelAnimationFrame(this.frame));
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
     if (box) this.watchSize(box, () => this.requestUpdate());
@@ -82,7 +87,6 @@ export class LatentPlot extends View {
     if (model && learned && this.projected !== learned) {
       const q = model.info.parts[this.bodyPart]?.latent ?? 0;
       this.projection = principalAxes(this.cloud(q), q, this.projection);
-      this.projection.reach = Math.max(this.projection.reach, this.reachOfMarks(this.projection));
       this.projected = learned;
     }
     if (this.settings.values.plot === "2d") this.turn = FLAT;
@@ -90,7 +94,10 @@ export class LatentPlot extends View {
     this.list = this.listMarks();
   }
 
-  /** The points that decide the axes and the scale: the rollout as learned, and the training latents. */
+  /**
+   * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing points do not: some lie
+   * far away, and would shrink the rest. These are drawn at the edge.
+   */
   private cloud(q: number): Float64Array {
     const { model, learned } = this.model;
     const path = learned?.latents[this.bodyPart] ?? new Float64Array(0);
@@ -99,22 +106,6 @@ export class LatentPlot extends View {
     cloud.set(path);
     cloud.set(training, path.length);
     return q > 0 ? cloud : new Float64Array(0);
-  }
-
-  /** How far out this part's inducing points lie, but no further than half again the path: one stray point must not shrink the rest. */
-  private reachOfMarks(projection: Projection): number {
-    const { model } = this.model;
-    const own = model?.dynamicsInducing[this.bodyPart]?.[this.bodyPart];
-    const at = new Float64Array(3);
-    let reach = 0;
-    for (const points of [model?.poseInducing[this.bodyPart], own?.inputs, own?.outputs]) {
-      if (!points) continue;
-      for (let i = 0; i < points.length / projection.dimensions; i++) {
-        const [x = 0, y = 0] = project(projection, points, i, at);
-        reach = Math.max(reach, Math.hypot(x, y));
-      }
-    }
-    return Math.min(reach, 1.5 * projection.reach);
   }
 
   private listMarks(): Mark[] {
@@ -148,8 +139,18 @@ export class LatentPlot extends View {
   }
 
   override updated(): void {
-    this.paint();
-    this.placeButtons();
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  /** Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. */
+  private paintSoon(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => {
+      this.paint();
+      if (this.moved) this.placeButtons();
+      this.moved = false;
+    });
   }
 
   private picture(box: HTMLElement): LatentPicture | null {
@@ -227,7 +228,7 @@ export class LatentPlot extends View {
     this.querySelectorAll<HTMLElement>("button.mark").forEach((button, i) => {
       const mark = this.list[i];
       if (!mark) return;
-      const [x, y] = plane.place(mark.points, mark.row);
+      const [x, y] = plane.inFrame(...plane.place(mark.points, mark.row));
       button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });
   }
@@ -252,8 +253,8 @@ export class LatentPlot extends View {
   private turnTo(turn: Turn): void {
     this.turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
     if (this.settings.values.plot === "2d") this.settings.change({ plot: "3d" });
-    this.paint();
-    this.placeButtons();
+    this.moved = true;
+    this.paintSoon();
   }
 
   private drop(): void {
@@ -303,7 +304,7 @@ export class LatentPlot extends View {
               @pointerenter=${point(to)} @pointerleave=${point(null)}
               @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
           )}
-          ${this.stage.live ? html`<pg-push-handle .part=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
+          ${this.stage.live ? html`<pg-push-handle .bodyPart=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
         </div>
       </figure>
     `;

@@ -20,8 +20,8 @@ export interface PushPart {
 }
 
 export class PushHandle extends View {
-  static override properties = { part: { type: Number }, name: {} };
-  declare part: number;
+  static override properties = { bodyPart: { type: Number }, name: {} };
+  declare bodyPart: number;
   declare name: string;
   private plane: Plane | null = null;
   private held: { x: number; y: number } | null = null;
@@ -38,7 +38,7 @@ export class PushHandle extends View {
 
   private push(dx: number, dy: number): void {
     if (!this.plane) return;
-    const detail: PushPart = { part: this.part, by: this.plane.latentStep(dx, dy) };
+    const detail: PushPart = { part: this.bodyPart, by: this.plane.latentStep(dx, dy) };
     this.dispatchEvent(new CustomEvent("push-part", { detail, bubbles: true }));
   }
 
@@ -72,7 +72,7 @@ export class PushHandle extends View {
 
   protected override render() {
     const label = `State of ${this.name} now. Drag it, or use the arrow keys, to push this part.`;
-    return html`<button type="button" aria-label=${label} title="Drag to push ${this.name}" data-testid="push-${this.part}"
+    return html`<button type="button" aria-label=${label} title="Drag to push ${this.name}" data-testid="push-${this.bodyPart}"
       @pointerdown=${this.grab} @pointermove=${this.drag} @pointerup=${this.drop} @pointercancel=${this.drop}
       @keydown=${this.keys}></button>`;
   }
