@@ -18,6 +18,7 @@ const WHEN_ASKED = [
   "latents/outlook-drawing",
   "latents/outlook-store",
   "latents/outlook-view",
+  "details/",
   "latents/push-handle",
   "live/",
   "method/",
@@ -26,6 +27,7 @@ const WHEN_ASKED = [
   "terms/card",
   "terms/terms",
   "training/runs-table",
+  "ui/dialog",
 ];
 const isAsked = (file: string) =>
   file.includes("/uplot/") ||

@@ -96,6 +96,12 @@ export class CaptionView extends View {
             : nothing
         }${text}</span>
         ${
+          model.rollout
+            ? html`<button class="link" data-testid="show-angles" title="Over time, against their speed or each other"
+                @click=${() => this.dispatchEvent(new CustomEvent("show-details", { detail: "angles", bubbles: true }))}>joint angles</button>`
+            : nothing
+        }
+        ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`
             : nothing
