@@ -9,7 +9,7 @@ const SECONDS = 1.5;
 
 /** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth of a millimetre in ten seconds. */
 const DIGITS = 7;
-/** Covariances of the inducing outputs say how sure the model is: this moves the deviations of predictions by 6 % at most, and no mean. */
+/** Fewer digits for the covariances of the inducing outputs. All rounding together moves the deviations of predictions by less than 6 %, which tests/node/uncertainty.test.mjs holds. */
 const COVARIANCE_DIGITS = 2;
 
 export function writeFirst() {

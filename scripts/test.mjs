@@ -12,12 +12,13 @@ const NATIVE = ["--workspace", "--exclude", "vcgpdm-wasm"];
 
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
-const nodeTests = (/** @type {string} */ folder) =>
+/** So many files at a time: a browser's tests mostly wait. */
+const nodeTests = (/** @type {string} */ folder, files = 1) =>
   run(
     process.execPath,
     "--test",
     "--test-reporter=spec",
-    "--test-concurrency=1",
+    `--test-concurrency=${files}`,
     "--test-timeout=600000",
     ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
   );
@@ -46,7 +47,7 @@ const STEPS = [
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", needs: "build", work: types },
   { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
-  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e") },
+  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
 ];
 
 async function format() {

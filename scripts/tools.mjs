@@ -48,11 +48,17 @@ async function toolchain(/** @type {"target" | "component"} */ kind, /** @type {
   return missing.length > 0 ? undefined : "there";
 }
 
+/** Building a tool takes longer than all that it does here: it need not be fast. */
+const QUICKLY = ["opt-level=1", 'lto="off"', "codegen-units=16"].flatMap((how) => [
+  "--config",
+  `profile.release.${how}`,
+]);
+
 /** A program of exactly this version: the one on the PATH, else built into .tools/. */
 async function cargoTool(/** @type {string} */ crate, /** @type {string} */ program, /** @type {string} */ version) {
   if (output(program, "--version")?.split(/\s+/).includes(version)) return "there";
   const install = (/** @type {string[]} */ ...more) =>
-    run("cargo", "install", crate, "--version", `=${version}`, "--root", at(".tools"), ...more);
+    run("cargo", "install", crate, "--version", `=${version}`, "--root", at(".tools"), ...QUICKLY, ...more);
   try {
     await install("--locked");
   } catch {

@@ -1,4 +1,4 @@
-// three.js without what the page cannot use: a seventh of what a visitor would download of it.
+// three.js without what the page cannot use: a tenth less to download.
 //
 // three's renderer names all it can do, so that a bundler must keep it: headsets, environment maps, the shaders of materials that
 // nobody makes here. Built from three's sources, these files are replaced, and the comments in the shaders are left out. A stub that

@@ -19,7 +19,7 @@ describe("accessibility", () => {
         { width: 1280, height: 800 },
         { width: 390, height: 844 },
       ]) {
-        const { page, leave } = await site.visit({ colorScheme, viewport, reducedMotion: "reduce" });
+        const { page, leave } = await site.visit({ colorScheme, viewport });
         await ready(page);
         assert.deepEqual(await barriers(page), []);
         await page.getByTestId("help").click();
@@ -30,7 +30,10 @@ describe("accessibility", () => {
   }
 
   it("reaches and works the main controls by keyboard alone", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=4000&fps=15" });
+    const { page, problems, leave } = await site.visit({
+      moving: true,
+      settings: "trainings=1&iterations=4000&fps=15",
+    });
     await ready(page);
     const tabTo = async (/** @type {string} */ id) => {
       for (let i = 0; i < 120; i++) {

@@ -41,7 +41,7 @@ async function tick(/** @type {import("playwright-core").Page} */ page, /** @typ
 describe("a comparison of models", () => {
   it("is loaded only when it is asked for", async () => {
     sent = [];
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     const later = () => sent.filter((path) => path.includes("on-demand"));
     assert.ok(sent.some((path) => path.endsWith(".wasm")));
@@ -126,7 +126,7 @@ describe("a comparison of models", () => {
   });
 
   it("plays up to four models side by side under one clock", async () => {
-    const { page, problems, leave } = await site.visit({ settings: `${SMALL}&heldout=2`, cores: 2 });
+    const { page, problems, leave } = await site.visit({ settings: `${SMALL}&heldout=2`, cores: 2, moving: true });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
     await page.getByTestId("compare").click();
@@ -150,7 +150,7 @@ describe("a comparison of models", () => {
 
   it("keeps what was found under other settings, and the stage moves after each comparison", async () => {
     const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page, problems, leave } = await site.visit({ settings, cores: 2, moving: true });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
     const stage = page.getByTestId("compare-stage");
@@ -188,7 +188,6 @@ describe("a comparison of models", () => {
     await tick(page, 4);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /11 of 11 trainings done/);
-    await page.getByTestId("compare-play").click(); // nothing else moves meanwhile
     /** What each figure's CSV begins with. */
     const figures = {
       "Distance from the real trial": /^trial,time \(s\),"vCGPDM, 4 \+ 4 inducing points \(cm\)"/,

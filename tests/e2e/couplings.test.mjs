@@ -71,7 +71,7 @@ async function alphasOf(/** @type {Page} */ page) {
 
 describe("a preset", () => {
   it("of the first model does what its sentence says, measured on the motion that it makes", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     assert.equal(await page.getByTestId("preset-as-learned").getAttribute("aria-pressed"), "true");
     for (const preset of presets) {
@@ -90,7 +90,7 @@ describe("a preset", () => {
   });
 
   it("is what the head of the page invites to, and what it promises happens", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     assert.match(await page.getByTestId("lead").innerText(), /Let the arms go, and they fall out of step\./);
     const weight = page.getByTestId("weight-0-1");
@@ -108,7 +108,7 @@ describe("a preset", () => {
   });
 
   it("is no longer on when a coupling of it moves", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("preset-arms-go").click();
     await page.getByTestId("coupling-0-1").press("ArrowLeft");
@@ -120,7 +120,7 @@ describe("a preset", () => {
 
 describe("a slider", () => {
   it("moves by keyboard, its share in the bar with it, and says when it has no effect", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     const [slider, weight] = [page.getByTestId("coupling-0-1"), page.getByTestId("weight-0-1")];
     const divider = page.getByTestId("divider-1-0");
@@ -144,7 +144,7 @@ describe("a slider", () => {
   });
 
   it("shows the weights that the motion is made with", async () => {
-    const { page, leave } = await site.visit({ settings: "alpha=0.1:0.05,1.0:0.02", reducedMotion: "reduce" });
+    const { page, leave } = await site.visit({ settings: "alpha=0.1:0.05,1.0:0.02" });
     await ready(page);
     await measured(page);
     const [header = "", first = ""] = (await saved(page, "save-latents")).text.split("\n");
@@ -161,7 +161,7 @@ describe("a slider", () => {
 
 describe("a divider", () => {
   it("moves by pointer: one gains what the other loses, and how exact both are together stays", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     const learned = await Promise.all(
       [0, 1].map(async (j) => Number(await page.getByTestId(`alpha-${j}-1`).innerText())),
@@ -194,7 +194,7 @@ describe("a divider", () => {
   });
 
   it("moves by keyboard, to its ends too, and is read out", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     const divider = page.getByTestId("divider-1-0");
     const now = async () => Number(await divider.getAttribute("aria-valuenow"));
@@ -215,7 +215,7 @@ describe("a divider", () => {
 
 describe("both readings", () => {
   it("walk side by side when asked for, follow the couplings, and make room again", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("preset-arms-go").click();
     const button = page.getByTestId("readings-beside");

@@ -14,7 +14,7 @@ const frames = (/** @type {string} */ bvh) => Number(/^Frames: (\d+)$/m.exec(bvh
 
 describe("saved files", () => {
   it("are of the clip on the stage, as it is trimmed, and of the model again when it is back", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     const model = await saved(page, "save-motion");
     assert.equal(frames(model.text), 300);
@@ -37,7 +37,7 @@ describe("saved files", () => {
   });
 
   it("have names that tell variants apart, and an account and a table that belong to them", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     const learned = await saved(page, "save-motion");
     const document = await saved(page, "save-model");
@@ -56,7 +56,7 @@ describe("saved files", () => {
   });
 
   it("are as long as the visitor says", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("length").fill("5");
     await page.getByTestId("length").press("Enter");
@@ -68,7 +68,7 @@ describe("saved files", () => {
 
 describe("a slider", () => {
   it("is stronger to the right and up, weakest at Home and strongest at End", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     const slider = page.getByTestId("coupling-1-1");
     const alpha = async () => Number(await page.getByTestId("alpha-1-1").innerText());

@@ -117,7 +117,7 @@ describe("five parts by hand, trained several times", () => {
 
 describe("the couplings of the first model", () => {
   it("are all in view in a window of 1440x900, with what was measured", async () => {
-    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
+    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 } });
     await ready(page);
     for (const preset of ["as-learned", "untrained-advice"]) {
       await page.getByTestId(`preset-${preset}`).click();
@@ -146,7 +146,7 @@ describe("a phone", () => {
 describe("targets", () => {
   it("are 24 pixels or more, or have that much room", async () => {
     for (const settings of ["", "view=compare", "view=synthetic", "view=method"]) {
-      const { page, leave } = await site.visit({ settings, reducedMotion: "reduce" });
+      const { page, leave } = await site.visit({ settings });
       if (settings === "") await ready(page);
       else await page.locator("main.on-demand .panel, main.on-demand .card").first().waitFor();
       const small = await barriers(page, ["target-size", "scrollable-region-focusable"]);

@@ -49,7 +49,7 @@ const middle = (/** @type {Page} */ page, /** @type {string} */ arrow) =>
 
 describe("a live rollout", () => {
   it("lets the arms fall out of step while the legs' arrow is held, and in step again when it is let go", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     const arrow = await middle(page, "arrow-0-1");
     await page.mouse.move(arrow.x, arrow.y);
@@ -76,7 +76,7 @@ describe("a live rollout", () => {
   });
 
   it("is cut by a key as well, takes sliders over while it goes on, and a limb can be dragged", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();

@@ -26,7 +26,7 @@ after(() => site?.close());
 
 describe("a first visit", () => {
   it("gets ready without an error and without asking another host", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     assert.equal(await page.locator("html").getAttribute("data-engine"), "ready");
     assert.ok(await changes(page.getByTestId("stage")), "the figure moves");
@@ -35,7 +35,7 @@ describe("a first visit", () => {
   });
 
   it(`transfers less than ${budget.firstVisit} bytes`, async (test) => {
-    const { page, leave } = await site.visit();
+    const { page, leave } = await site.visit({ moving: true });
     await ready(page);
     test.diagnostic(`${sent} bytes`);
     assert.ok(sent > 10_000 && sent < budget.firstVisit, `${sent} bytes`);
@@ -47,7 +47,7 @@ describe("a first visit", () => {
     wasm = new Promise((resolve) => {
       release = resolve;
     });
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     const stage = page.getByTestId("stage");
     await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset.framesDrawn) > 5);
     assert.ok(await changes(stage), "the figure moves");
@@ -64,7 +64,7 @@ describe("a first visit", () => {
   });
 
   it("says so when the wasm cannot be had, and the figure keeps walking", async () => {
-    const { page, leave } = await site.visit();
+    const { page, leave } = await site.visit({ moving: true });
     await page.route("**/*.wasm", (route) => route.abort());
     await page.reload();
     await page.waitForSelector("html[data-engine=failed]");
@@ -74,7 +74,7 @@ describe("a first visit", () => {
   });
 
   it("starts paused for those who want less motion", async () => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     await page.getByRole("button", { name: "Play" }).waitFor();
     const frame = await page.getByTestId("scrub").inputValue();

@@ -12,7 +12,7 @@ after(() => site?.close());
 
 describe("the clock", () => {
   it("plays, pauses, steps and scrubs", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.keyboard.press("Space");
     await page.getByRole("button", { name: "Play", exact: true }).waitFor();
@@ -31,7 +31,7 @@ describe("the clock", () => {
 
 describe("a coupling", () => {
   it("changes its weight and the motion when its slider is dragged, and comes back with 0", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     const slider = page.getByTestId("coupling-0-1");
     const weight = page.getByTestId("weight-0-1");
@@ -68,7 +68,7 @@ describe("a coupling", () => {
   });
 
   it("is in the address, so that a link brings it back", async () => {
-    const { page, leave } = await site.visit({ settings: "alpha=0.1:50" });
+    const { page, leave } = await site.visit({ settings: "alpha=0.1:50", moving: true });
     await ready(page);
     assert.equal(Number(await page.getByTestId("alpha-0-1").textContent()), 50);
     const linked = await saved(page, "save-motion");
@@ -78,7 +78,7 @@ describe("a coupling", () => {
   });
 
   it("redraws the motion while it is dragged", async (test) => {
-    const { page, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, leave } = await site.visit();
     await ready(page);
     const slider = page.getByTestId("coupling-0-1");
     await slider.focus();

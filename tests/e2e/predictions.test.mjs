@@ -45,7 +45,7 @@ async function drawn(page, /** @type {number} */ part) {
 describe("the product of experts", () => {
   it("is drawn as the package computes it, in 2-D and 3-D", async () => {
     const settings = `alpha=${ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",")}&reading=learned`;
-    const { page, problems, leave } = await site.visit({ settings, reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit({ settings });
     await ready(page);
     await page.getByTestId("scrub").fill(String(FRAME));
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
@@ -93,7 +93,7 @@ describe("the product of experts", () => {
 
 describe("what may come", () => {
   it("shows five futures of a seed, and others of the next", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByRole("button", { name: "futures", exact: true }).click();
     const futures = page.getByTestId("futures").and(page.locator("[data-count='5']"));
@@ -108,7 +108,7 @@ describe("what may come", () => {
   });
 
   it("shows the band of moment matching, from the whole program", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     // The words below would make the plots smaller.
     await page.addStyleTag({ content: ".outlook { display: none !important; }" });

@@ -269,7 +269,6 @@ describe("the table of trainings", () => {
       const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {
         colorScheme,
         viewport: { width: 390, height: 844 },
-        reducedMotion: "reduce",
       });
       await page.getByRole("tab", { name: "Training" }).click();
       await page.getByTestId("train").click();

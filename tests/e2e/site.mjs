@@ -19,11 +19,13 @@ export async function openSite(options = {}) {
 
   /**
    * A fresh visitor on the page, and what went wrong while they were there.
-   * @param {import("playwright-core").BrowserContextOptions & { settings?: string, cores?: number }} [options]
-   *   `settings` as in the page's address; `cores`: as many as the page shall believe the machine to have
+   * @param {import("playwright-core").BrowserContextOptions & { settings?: string, cores?: number, moving?: boolean }} [options]
+   *   `settings` as in the page's address; `cores`: as many as the page shall believe the machine to have; `moving`: whether the
+   *   figure walks from the beginning, which costs a core where no graphics card draws; a visitor who wants little motion else
    */
-  async function visit({ settings = "", cores = 0, ...options } = {}) {
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  async function visit({ settings = "", cores = 0, moving = false, ...options } = {}) {
+    const reducedMotion = moving ? "no-preference" : "reduce";
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion, ...options });
     const page = await context.newPage();
     if (cores > 0)
       await page.addInitScript(

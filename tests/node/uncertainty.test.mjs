@@ -44,6 +44,24 @@ describe("predictions", () => {
   });
 });
 
+describe("the model as it is sent to the page, with fewer digits", () => {
+  for (const reading of /** @type {const} */ (["as learned", "re-inferred"]))
+    it(`is as sure as the one it was made of, ${reading}`, () => {
+      const sent = installed.vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+      const alpha = model.info().alpha.map((row) => row.map((value) => value * 2));
+      const [full, short] = [model, sent].map((model) =>
+        model.rollout({ frames: 60, sequence: 0, alpha, reading }).predictions(),
+      );
+      for (const target of model.info().parts.keys()) {
+        const expected = full?.variances(target) ?? [];
+        assert.ok(expected.length > 0);
+        for (const [n, variance] of (short?.variances(target) ?? []).entries())
+          close(Math.sqrt(variance / (expected[n] ?? Number.NaN)), 1, 0.06);
+      }
+      sent.free();
+    });
+});
+
 describe("uncertain rollouts", () => {
   it("sampled follow from their seed, and spread as the moments say", () => {
     const options = { frames: 12, sequence: 0 };

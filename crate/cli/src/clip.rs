@@ -3,7 +3,7 @@
 use crate::files;
 use serde_json::json;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use vcgpdm::motion::bvh;
 
 /// Print what a clip holds as one JSON object, and write it back.
@@ -22,6 +22,9 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut clip = files::read_clip(&arguments.clip)?;
+    if let Some(out) = &arguments.out {
+        files::check_writable(out, [Path::new(&arguments.clip)])?;
+    }
     if let Some(fps) = arguments.fps {
         clip = clip.resample(fps)?;
     }
@@ -32,6 +35,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let channels: Vec<&str> = joint.channels.iter().map(|channel| channel.name()).collect();
         json!({ "name": joint.name, "parent": joint.parent, "offset": joint.offset, "channels": channels })
     });
+    let stage = clip.stage();
     files::print_json(&json!({
         "name": clip.name,
         "sha256": clip.sha256,
@@ -39,8 +43,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "channels": clip.skeleton.channel_count(),
         "frames": clip.frames(),
         "frame_time": clip.frame_time,
-        "height": clip.height(),
-        "up_axis": clip.up_axis().letter(),
+        "height": stage.height,
+        "up_axis": stage.up.letter(),
         "warnings": clip.warnings,
     }))
 }

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 use std::error::Error;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vcgpdm::motion::{Clip, bvh, samples};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -28,24 +28,72 @@ pub fn read_text(path: &Path) -> Result<String> {
     fs::read_to_string(path).map_err(|error| about(path, &error))
 }
 
-/// Writes a text file.
+/// Writes a text file. Where a file is there already it stays as it was until the new one is whole: a full disk, or an end in the
+/// middle, leaves the old one. A link goes on pointing where it pointed.
 pub fn write_text(path: &Path, text: &str) -> Result<()> {
-    fs::write(path, text).map_err(|error| about(path, &error))
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let known = fs::metadata(path).ok();
+    // A pipe or a device has no place beside it for a new file.
+    if known.as_ref().is_some_and(|known| !known.is_file()) {
+        return fs::write(path, text).map_err(|error| about(path, &error));
+    }
+    let new = beside(path);
+    let written = File::create(&new).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        if let Some(known) = &known {
+            file.set_permissions(known.permissions())?;
+        }
+        file.sync_all()?;
+        fs::rename(&new, path)
+    });
+    written.map_err(|error| {
+        // What is there of it helps nobody, and fills a disk that may be full.
+        let _ = fs::remove_file(&new);
+        about(path, &error)
+    })
 }
 
-/// Finds out early that a file could not be written, before minutes are spent on what should stand in it.
-pub fn check_writable(path: &Path) -> Result<()> {
-    let new = !path.exists();
-    fs::OpenOptions::new().append(true).create(true).open(path).map_err(|error| about(path, &error))?;
-    if new {
-        fs::remove_file(path).map_err(|error| about(path, &error))?;
+/// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and that it is none of
+/// the files that are read.
+pub fn check_writable<'a>(path: &Path, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
+    let place = fs::canonicalize(path);
+    if let Ok(place) = &place
+        && read.into_iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *place))
+    {
+        return Err(format!(
+            "{}: expected another file to write to than one that is read, which would be lost",
+            path.display()
+        )
+        .into());
     }
-    Ok(())
+    let place = place.unwrap_or_else(|_| path.to_owned());
+    if place.exists() {
+        fs::OpenOptions::new().append(true).open(&place).map_err(|error| about(path, &error))?;
+        if !place.is_file() {
+            return Ok(());
+        }
+    }
+    let new = beside(&place);
+    File::create(&new).and_then(|_| fs::remove_file(&new)).map_err(|error| about(path, &error))
+}
+
+/// Where a file's new text stands until it is whole: beside it, under a name of this process's own.
+fn beside(path: &Path) -> PathBuf {
+    let mut name = path.to_owned().into_os_string();
+    name.push(format!(".{}.new", std::process::id()));
+    name.into()
 }
 
 /// An error with the file it is about.
 pub fn about(path: &Path, error: &dyn Error) -> Box<dyn Error> {
     format!("{}: {error}", path.display()).into()
+}
+
+/// A text for a terminal: what would move the cursor, colour or clear the screen stands as its code. Names and words come from
+/// strangers' files.
+pub fn shown(text: &str) -> String {
+    let harmless = |c: char| c == '\n' || !c.is_control();
+    text.chars().map(|c| if harmless(c) { c.to_string() } else { c.escape_default().to_string() }).collect()
 }
 
 /// Prints one JSON object and a line end.
@@ -59,5 +107,15 @@ pub fn print(text: &str) -> Result<()> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("stdout: {error}").into()),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_terminal_is_not_told_what_to_do_by_a_file() {
+        assert_eq!(shown("a\u{1b}[2J\u{7}é\nb"), "a\\u{1b}[2J\\u{7}é\nb");
     }
 }

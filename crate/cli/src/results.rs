@@ -3,7 +3,7 @@
 
 use crate::files;
 use std::error::Error;
-use std::fs::{self, File};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use vcgpdm::evaluation::{Finished, Results, Setting};
 
@@ -25,9 +25,7 @@ impl Store {
     pub fn open(path: &Path, setting: Setting) -> Result<Self> {
         let mut store = Self { path: path.to_owned(), results: Results::new(setting) };
         let _lock = store.lock()?;
-        if path.exists() {
-            files::check_writable(path)?;
-        }
+        files::check_writable(path, [])?;
         store.take_over()?;
         Ok(store)
     }
@@ -39,7 +37,9 @@ impl Store {
     /// Keeps other processes out until it is dropped. The locked file stays beside the results for good: deleted while others
     /// wait for it, it would be one file for them and another for whoever comes next.
     fn lock(&self) -> Result<File> {
-        let path = self.beside("lock");
+        let mut path = self.path.clone().into_os_string();
+        path.push(".lock");
+        let path = PathBuf::from(path);
         let lock = File::create(&path).map_err(|error| files::about(&path, &error))?;
         lock.lock().map_err(|error| files::about(&path, &error))?;
         Ok(lock)
@@ -57,18 +57,7 @@ impl Store {
         let _lock = self.lock()?;
         self.take_over()?;
         self.results.add(finished)?;
-        // A new file takes the old one's place at once: nobody ever sees half of it. Its name is this process's own, so that a disk
-        // that cannot lock does not mix two processes' texts.
-        let new = self.beside(&format!("{}.new", std::process::id()));
-        files::write_text(&new, &(self.results.to_json()? + "\n"))?;
-        fs::rename(&new, &self.path).map_err(|error| files::about(&self.path, &error))
-    }
-
-    fn beside(&self, ending: &str) -> PathBuf {
-        let mut name = self.path.clone().into_os_string();
-        name.push(".");
-        name.push(ending);
-        name.into()
+        files::write_text(&self.path, &(self.results.to_json()? + "\n"))
     }
 }
 
@@ -76,6 +65,7 @@ impl Store {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use std::fs;
     use vcgpdm::evaluation::Job;
     use vcgpdm::models::{ModelSettings, TmpSettings};
     use vcgpdm::motion::samples;

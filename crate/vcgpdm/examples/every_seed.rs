@@ -8,12 +8,14 @@
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+#[path = "shared/seeds.rs"]
+mod seeds;
+
 use clap::Parser;
 use nalgebra::DMatrix;
+use seeds::each_seed;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::golden::Case;
@@ -253,23 +255,11 @@ fn problem(trials: &[Clip], preset: &str) -> Problem {
 
 /// The runs of a way, seed by seed, several at a time.
 fn runs(problem: &Problem, way: &Way, seeds: u32, threads: usize) -> Vec<Run> {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(vec![None; seeds as usize]));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= seeds as usize {
-                        break;
-                    }
-                    let run = run(problem, way, seed as u32);
-                    eprintln!("{}, {}, seed {seed}: {:.0}", way.start, way.schedule, run.bound);
-                    done.lock().unwrap()[seed] = Some(run);
-                }
-            });
-        }
-    });
-    done.into_inner().unwrap().into_iter().flatten().collect()
+    each_seed(seeds, threads, |seed| {
+        let run = run(problem, way, seed);
+        eprintln!("{}, {}, seed {seed}: {:.0}", way.start, way.schedule, run.bound);
+        run
+    })
 }
 
 /// Smallest, middle and largest.

@@ -8,10 +8,12 @@
 //! as the recording does; how each seed ends is on stderr.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+#[path = "shared/seeds.rs"]
+mod seeds;
+
 use clap::Parser;
+use seeds::each_seed;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{
@@ -83,26 +85,6 @@ fn run(dataset: &Dataset, settings: &VariationalSettings, seed: u32, frames: usi
     Run { bound: trainer.progress().best, seconds, health }
 }
 
-/// The runs of all seeds, several at a time.
-fn runs(seeds: u32, threads: usize, run: &(dyn Fn(u32) -> Run + Sync)) -> Vec<Run> {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(vec![None; seeds as usize]));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= seeds as usize {
-                        break;
-                    }
-                    let run = run(seed as u32);
-                    done.lock().unwrap()[seed] = Some(run);
-                }
-            });
-        }
-    });
-    done.into_inner().unwrap().into_iter().flatten().collect()
-}
-
 fn word(health: &Health) -> String {
     match health {
         Health::MovesOn => "moves".to_owned(),
@@ -143,7 +125,7 @@ fn main() {
                     max_iterations: iterations,
                 };
                 let train = |seed| run(&dataset, &settings, seed, arguments.frames);
-                let runs = runs(arguments.seeds, arguments.threads, &train);
+                let runs = each_seed(arguments.seeds, arguments.threads, train);
                 let moves = |run: &Run| run.health.rank() == Health::MovesOn.rank();
                 let moving = runs.iter().filter(|run| moves(run)).count();
                 let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();

@@ -7,7 +7,7 @@
 use crate::gp::{Gaussians, Kernel, NumericsError};
 use crate::json::rows;
 use crate::json::rows::{matrix_from_rows, rows_of};
-use crate::models::rollout::MOST_FRAMES;
+use crate::models::sequences::MOST_FRAMES;
 use crate::models::variational::{
     BoundTerms, Expert, InducingPosterior, Objective, Params, PartParams, Vcgpdm,
 };

@@ -97,13 +97,14 @@ impl Clip {
     #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
+        let stage = clip.stage();
         let info = ClipInfo {
             name: &clip.name,
             sha256: &clip.sha256,
             frames: clip.frames(),
             frame_time: clip.frame_time,
-            height: clip.height(),
-            up_axis: clip.up_axis().letter(),
+            height: stage.height,
+            up_axis: stage.up.letter(),
             warnings: &clip.warnings,
             presets: parts::presets(&clip.skeleton),
         };

@@ -27,8 +27,7 @@ impl LiveRollout {
     pub fn new(rollout: &Rollout, frame: usize) -> Result<LiveRollout, VcgpdmError> {
         let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
         let live = vcgpdm::models::LiveRollout::behind(&model, &rollout.rollout, frame, request.sequence)?;
-        let (alpha, reading) =
-            (request.alpha.as_ref().unwrap_or(&model.model.alpha).clone(), request.reading);
+        let (alpha, reading) = (request.alpha_or(&model.model.alpha).clone(), request.reading);
         let dynamics = model.model.dynamics_without(&[], &alpha, reading)?;
         Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })
     }

@@ -182,7 +182,7 @@ impl Model {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
         let rollouts = self.model.sampled_rollouts(&request, seeds)?;
-        rollouts.into_iter().map(|rollout| Rollout::new(&self.model, rollout, &request)).collect()
+        rollouts.map(|rollout| Rollout::new(&self.model, rollout?, &request)).collect()
     }
 
     /// What is known of the latents in every frame of a rollout, by moment matching.

@@ -93,7 +93,7 @@ export class App {
   /** Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot be loaded. */
   readonly openOutlook = () =>
     this.#outlook.get().catch(() => {
-      this.notices.addError("This could not be loaded", "Try again when you are online.");
+      this.notices.addNotLoaded("What may come");
       return null;
     });
 

@@ -112,10 +112,7 @@ export class PageView extends View {
       this.liveView ??= () => html`<pg-live .live=${live} .model=${this.app.model}></pg-live>`;
       return live;
     } catch {
-      this.app.notices.addError(
-        "The live motion could not be loaded",
-        "Is this machine offline? Try again when it is online.",
-      );
+      this.app.notices.addNotLoaded("The live motion");
       return null;
     }
   }
@@ -145,7 +142,7 @@ export class PageView extends View {
       await help?.updateComplete;
       help?.open();
     } catch {
-      this.app.notices.addError("Help could not be loaded", "Is this machine offline? Try again when it is online.");
+      this.app.notices.addNotLoaded("Help");
     }
   }
 

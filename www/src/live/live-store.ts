@@ -4,7 +4,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { LiveChange, LiveFrames } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
 import type { SettingsStore } from "../settings/settings-store";
-import type { Playback } from "../stage/playback";
+import { LONGEST_PICTURE, type Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -14,8 +14,6 @@ import { Store } from "../ui/store";
 export const SHOWN_SECONDS = 12;
 /** Frames that are there before the clock needs them: what the visitor does is seen so much later. */
 const LEAD = 3;
-/** Seconds that a picture takes at most: after a longer pause the clock does not go on by more. */
-const LONGEST = 0.25;
 
 /** Something that the visitor did, in frames from the start. */
 export type Mark =
@@ -220,7 +218,7 @@ export class LiveStore extends Store {
     if (!track || !engine || this.#busy) return;
     // A slow machine, or twice the speed, needs more at once.
     const now = performance.now();
-    const seconds = Math.min(LONGEST, (now - this.#filled) / 1000);
+    const seconds = Math.min(LONGEST_PICTURE, (now - this.#filled) / 1000);
     this.#filled = now;
     const ahead = LEAD + (seconds * this.#settings.values.speed) / track.motion.frameTime;
     if (track.last - this.#playback.frame >= ahead) return;

@@ -4,6 +4,7 @@ import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
 import type { PushPart } from "../latents/push-handle";
 import type { StageView } from "../stage/stage-view";
+import { cleared } from "../ui/canvas";
 import { onThemeChange, partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import "./live.css";
@@ -114,13 +115,9 @@ customElements.define("pg-live", LiveView);
 
 /** Draws phase differences above, distances below, and what was done as bands and lines behind them. */
 function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number): void {
-  const ratio = Math.min(2, devicePixelRatio);
-  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-  canvas.width = Math.max(1, width * ratio);
-  canvas.height = Math.max(1, height * ratio);
-  const draw = canvas.getContext("2d");
-  if (!draw) return;
-  draw.scale(ratio, ratio);
+  const paper = cleared(canvas);
+  if (!paper) return;
+  const { draw, width, height } = paper;
   const kept = SHOWN_SECONDS / frameTime;
   const last = live.trace.at(-1)?.frame ?? 0;
   const x = (frame: number) => width - ((last - frame) / kept) * width;

@@ -6,6 +6,9 @@ import type { SettingsStore } from "../settings/settings-store";
 import { Store } from "../ui/store";
 import { Player } from "./player";
 
+/** Seconds that a picture takes at most: after a longer pause of the browser the clock does not go on by more. */
+export const LONGEST_PICTURE = 0.25;
+
 /** Tells of every frame: views that show no time do not listen to it. */
 export class Playback extends Store {
   readonly #player = new Player();

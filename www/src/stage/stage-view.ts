@@ -2,13 +2,10 @@
 import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
-import type { Playback } from "./playback";
+import { LONGEST_PICTURE, type Playback } from "./playback";
 import { Stage } from "./stage";
 import "./stage.css";
 import type { StageStore } from "./stage-store";
-
-/** After a pause of the browser the figure does not jump by more seconds than these. */
-const LONGEST_STEP = 0.25;
 
 export class StageView extends View {
   declare stage: StageStore;
@@ -46,7 +43,7 @@ export class StageView extends View {
     let before = performance.now();
     const frame = (now: number) => {
       timer = requestAnimationFrame(frame);
-      const seconds = Math.min(LONGEST_STEP, (now - before) / 1000);
+      const seconds = Math.min(LONGEST_PICTURE, (now - before) / 1000);
       before = now;
       if (!this.running) return;
       this.playback.advance(seconds);

@@ -2,6 +2,7 @@
 import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
+import { cleared } from "../ui/canvas";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
@@ -103,16 +104,14 @@ customElements.define("pg-timeline", TimelineView);
 
 /** Lights up the frames that an inducing point speaks for. */
 function drawMarks(canvas: HTMLCanvasElement, marks: Marks | null): void {
-  const ratio = Math.min(2, devicePixelRatio);
-  canvas.width = Math.max(1, canvas.clientWidth * ratio);
-  canvas.height = Math.max(1, canvas.clientHeight * ratio);
-  const draw = canvas.getContext("2d");
-  if (!draw || !marks) return;
+  const paper = cleared(canvas);
+  if (!paper || !marks) return;
+  const { draw, height } = paper;
   draw.fillStyle = partColour(marks.part);
-  const width = canvas.width / Math.max(1, marks.frames.length);
+  const width = paper.width / Math.max(1, marks.frames.length);
   spotlight(marks.frames).forEach((share, frame) => {
     if (share < 0.02) return;
     draw.globalAlpha = share;
-    draw.fillRect(frame * width, 0, Math.max(1, width + 0.5), canvas.height);
+    draw.fillRect(frame * width, 0, Math.max(0.5, width + 0.25), height);
   });
 }

@@ -38,6 +38,11 @@ export class NoticesStore extends Store {
     this.add({ kind: "error", title, text, at: null });
   }
 
+  /** Says that a piece of the page that is fetched when it is asked for did not come. */
+  addNotLoaded(what: string): void {
+    this.addError(`${what} could not be loaded`, "Is this machine offline? Try again when it is online.");
+  }
+
   dismiss(id: number): void {
     this.#notices = this.#notices.filter((notice) => notice.id !== id);
     this.changed();

@@ -3,6 +3,7 @@ import { LiveRollout } from "vcgpdm/playground";
 import type { LiveChange, LiveFrames, ModelInfo, RolloutRequest } from "../engine/protocol";
 import { handOver } from "./hand-over";
 import type { ShownModel } from "./shown-model";
+import { using } from "./using";
 
 export class Live {
   readonly #model: ShownModel;
@@ -25,8 +26,7 @@ export class Live {
     if (!this.#live) throw new Error("There is no live rollout: start one.");
     const { rollout, info } = this.#live;
     for (const change of changes) this.#change(rollout, change);
-    const next = rollout.advance(frames);
-    try {
+    return using(rollout.advance(frames), (next) => {
       const motion = {
         positions: next.positions(),
         frames,
@@ -36,9 +36,7 @@ export class Live {
       const latents = info.parts.map((_, part) => next.latents(part));
       const result = { motion, latents, phases: next.phases(), distances: next.distances() };
       return handOver(result, motion.positions, ...latents, result.phases, result.distances);
-    } finally {
-      next.free();
-    }
+    });
   }
 
   end(): void {

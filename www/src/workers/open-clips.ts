@@ -2,6 +2,7 @@
 import { type Clip, TrainingSet, type VcgpdmError } from "vcgpdm/playground";
 import type { Clash, LoadedClip } from "../engine/protocol";
 import { handOver } from "./hand-over";
+import { using } from "./using";
 
 export class OpenClips {
   readonly #clips = new Map<number, Clip>();
@@ -29,33 +30,23 @@ export class OpenClips {
   checkTogether(ids: readonly number[], firstBones: boolean): Clash | null {
     const [first, ...others] = ids.map((id) => this.#clip(id));
     if (!first) return null;
-    const set = new TrainingSet();
     try {
-      set.add(first);
-      for (const clip of others) {
-        const moved = firstBones ? clip.withBonesOf(first) : null;
-        try {
-          set.add(moved ?? clip);
-        } finally {
-          moved?.free();
+      using(new TrainingSet(), (set) => {
+        set.add(first);
+        for (const clip of others) {
+          if (firstBones) using(clip.withBonesOf(first), (moved) => set.add(moved));
+          else set.add(clip);
         }
-      }
+      });
       return null;
     } catch (problem) {
       const { message, code } = problem as VcgpdmError;
       return { words: message, bones: code === "bones" };
-    } finally {
-      set.free();
     }
   }
 
   toBvh(id: number, first: number, end: number): string {
-    const cut = this.#clip(id).cut(first, end);
-    try {
-      return cut.toBvh();
-    } finally {
-      cut.free();
-    }
+    return using(this.#clip(id).cut(first, end), (cut) => cut.toBvh());
   }
 
   #clip(id: number): Clip {

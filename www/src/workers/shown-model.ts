@@ -1,5 +1,6 @@
 // The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
 import { Model, type Rollout } from "vcgpdm/playground";
+import { MAX_PARTS } from "../engine/limits";
 import type {
   BodyReport,
   DynamicsInducing,
@@ -14,6 +15,7 @@ import type {
   RolloutResult,
 } from "../engine/protocol";
 import { handOver } from "./hand-over";
+import { using } from "./using";
 
 /** A model with what is asked of it again and again. */
 interface Held {
@@ -32,7 +34,13 @@ export class ShownModel {
   open(text: string, frames: number): OpenedModel {
     const model = Model.fromJson(text);
     try {
-      const next = { model, info: model.info(), revision: (this.#held?.revision ?? 0) + 1 };
+      const info = model.info();
+      const parts = info.parts.length;
+      if (parts > MAX_PARTS)
+        throw new Error(
+          `expected a model of ${MAX_PARTS} parts at most, found ${parts}: the page has no room for their couplings. The terminal program rolls it out`,
+        );
+      const next = { model, info, revision: (this.#held?.revision ?? 0) + 1 };
       const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" });
       const opened = { model: view(next), rollout };
       this.#held?.model.free();
@@ -66,21 +74,21 @@ export class ShownModel {
   /** What each expert says about each frame, and the product of all. */
   predictions(request: RolloutRequest): PredictionsReport {
     const { info, revision } = this.#current();
-    const said = this.withRollout(request, (rollout) => rollout.predictions());
-    try {
-      const parts = info.parts.map((_, target) => ({
-        experts: info.parts.map((_, source) => ({
-          means: said.expertMeans(source, target),
-          variances: said.expertVariances(source, target),
-        })),
-        product: { means: said.means(target), variances: said.variances(target) },
-      }));
-      const all = parts.flatMap(({ experts, product }): Predictions[] => [...experts, product]);
-      const arrays = all.flatMap(({ means, variances }) => [means, variances]);
-      return handOver({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
-    } finally {
-      said.free();
-    }
+    return using(
+      this.withRollout(request, (rollout) => rollout.predictions()),
+      (said) => {
+        const parts = info.parts.map((_, target) => ({
+          experts: info.parts.map((_, source) => ({
+            means: said.expertMeans(source, target),
+            variances: said.expertVariances(source, target),
+          })),
+          product: { means: said.means(target), variances: said.variances(target) },
+        }));
+        const all = parts.flatMap(({ experts, product }): Predictions[] => [...experts, product]);
+        const arrays = all.flatMap(({ means, variances }) => [means, variances]);
+        return handOver({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
+      },
+    );
   }
 
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[] {
@@ -93,12 +101,7 @@ export class ShownModel {
   /** What `look` finds in a rollout of the model, which is let go afterwards. */
   withRollout<Found>(request: RolloutRequest, look: (rollout: Rollout, info: ModelInfo) => Found): Found {
     const { model, info } = this.#current();
-    const rollout = model.rollout(request);
-    try {
-      return look(rollout, info);
-    } finally {
-      rollout.free();
-    }
+    return using(model.rollout(request), (rollout) => look(rollout, info));
   }
 
   toJson(): string {
@@ -164,22 +167,18 @@ function roll(held: Held, request: RolloutRequest): RolloutResult {
 
 /** What the page sees of a rollout, which is let go. */
 function result({ info, revision }: Held, rollout: Rollout, request: RolloutRequest): RolloutResult {
-  try {
-    return {
-      revision,
-      request,
-      motion: {
-        positions: rollout.positions(),
-        frames: rollout.frames,
-        nodes: info.figure.nodes.length,
-        frameTime: info.frameTime,
-      },
-      latents: info.parts.map((_, part) => rollout.latents(part)),
-      weights: rollout.weights(),
-    };
-  } finally {
-    rollout.free();
-  }
+  return using(rollout, () => ({
+    revision,
+    request,
+    motion: {
+      positions: rollout.positions(),
+      frames: rollout.frames,
+      nodes: info.figure.nodes.length,
+      frameTime: info.frameTime,
+    },
+    latents: info.parts.map((_, part) => rollout.latents(part)),
+    weights: rollout.weights(),
+  }));
 }
 
 function row(values: Float64Array, index: number, width: number): Float64Array {

@@ -11,17 +11,13 @@ import type {
 } from "../engine/protocol";
 import { ClipReader } from "./clip-reader";
 import { OneTask, type Task } from "./slices";
+import { using } from "./using";
 
 const clips = new ClipReader({ Clip, TrainingSet });
 const training = new OneTask();
 
 async function prepare(job: TrainingJob): Promise<Trainer> {
-  const set = await clips.set(job.clips);
-  try {
-    return new Trainer(set, job.settings);
-  } finally {
-    set.free();
-  }
+  return using(await clips.set(job.clips), (set) => new Trainer(set, job.settings));
 }
 
 /** What the worker trained last: it can go on. */
@@ -29,12 +25,7 @@ let held: { trainer: Trainer; job: TrainingJob } | null = null;
 
 function healthOf(model: Model, frames: number): Health | null {
   try {
-    const rollout = model.rollout({ frames, sequence: 0 });
-    try {
-      return rollout.health();
-    } finally {
-      rollout.free();
-    }
+    return using(model.rollout({ frames, sequence: 0 }), (rollout) => rollout.health());
   } catch {
     // What is not finite has no poses.
     return null;
@@ -42,13 +33,10 @@ function healthOf(model: Model, frames: number): Health | null {
 }
 
 function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob): TrainedModel {
-  const model = trainer.model();
-  try {
+  return using(trainer.model(), (model) => {
     const latents = settings.parts.map((_, part) => trainer.latents(part));
     return { text: model.toJson(), latents, health: healthOf(model, frames) };
-  } finally {
-    model.free();
-  }
+  });
 }
 
 async function train(job: TrainingJob, report: Report, task: Task): Promise<TrainingOutcome> {

@@ -72,7 +72,7 @@ impl From<ReadingOption> for Reading {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
     for path in [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()] {
-        path.map_or(Ok(()), |path| files::check_writable(path))?;
+        path.map_or(Ok(()), |path| files::check_writable(path, [arguments.model.as_path()]))?;
     }
     match model.into_vcgpdm() {
         Ok(model) => coupled(arguments, &model),
@@ -138,10 +138,8 @@ fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Bo
     write(&rollout, None)?;
     if let (Some(count), Some(seed)) = (arguments.samples, arguments.seed) {
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
-        for (k, seed) in seeds.enumerate() {
-            for rollout in model.sampled_rollouts(&request, [seed])? {
-                write(&rollout, Some(k + 1))?;
-            }
+        for (k, rollout) in model.sampled_rollouts(&request, seeds)?.enumerate() {
+            write(&rollout?, Some(k + 1))?;
         }
     }
     if let Some(path) = &arguments.variance {

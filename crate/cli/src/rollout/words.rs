@@ -37,7 +37,6 @@ pub fn push(text: &str, parts: &[String]) -> Result<Push, String> {
     let part = place_of(name, parts).ok_or_else(known)?;
     let frame = frame.trim().parse().map_err(|_| wrong(&format!("a frame after the @, found {frame:?}")))?;
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-    let numbers = || "numbers separated by commas, or one number with an f behind it, after the equals sign";
     let push = match amount.trim().strip_suffix('f') {
         Some(frames) => number(frames).map(|ahead| Push { part, frame, ahead, ..Push::default() }),
         None => amount.split(',').map(number).collect::<Option<_>>().map(|by| Push {
@@ -47,7 +46,8 @@ pub fn push(text: &str, parts: &[String]) -> Result<Push, String> {
             ahead: 0.0,
         }),
     };
-    push.ok_or_else(|| wrong(&format!("{}, found {amount:?}", numbers())))
+    let numbers = "numbers separated by commas, or one number with an f behind it, after the equals sign";
+    push.ok_or_else(|| wrong(&format!("{numbers}, found {amount:?}")))
 }
 
 /// `SOURCE:TARGET` as places of the parts, or what was expected.

@@ -41,7 +41,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CLIP:COUNT")]
     seed_frames: Vec<String>,
     /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint angles stay, the way of the
-    /// root is scaled by the length of the legs.
+    /// root is scaled as its height above the ground is.
     #[arg(long)]
     first_bones: bool,
     /// Keep a note in the model, such as an acknowledgement.
@@ -86,7 +86,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
     let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
     for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
-        files::check_writable(path)?;
+        let seed_frames =
+            arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
+        files::check_writable(
+            path,
+            arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new),
+        )?;
     }
     let begin = Instant::now();
     let seed = arguments.options.seed;

@@ -2,11 +2,12 @@
 //! trained on.
 
 use crate::models::dataset::{Dataset, SequenceInfo};
-use crate::models::rollout::{MOST_FRAMES, RolloutError};
+use crate::models::rollout::RolloutError;
+use crate::models::sequences::MOST_FRAMES;
 use crate::motion::Clip;
-use crate::motion::MAX_VALUES;
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};
+use crate::motion::skeleton::MAX_PLACES;
 use nalgebra::DMatrix;
 
 /// The body that a model moves, whatever the model.
@@ -43,8 +44,7 @@ impl Body {
     ///
     /// When there is no frame, or there are too many.
     pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
-        let widest = width.max(self.column_means.len()).max(self.mapping.skeleton().channel_count());
-        let most = MOST_FRAMES.min(MAX_VALUES / widest);
+        let most = MOST_FRAMES.min(self.mapping.skeleton().max_frames()).min(MAX_PLACES / width.max(1));
         if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }
     }
 

@@ -27,6 +27,11 @@ impl LatentPaths {
         Ok(Self { order, latent: latent.to_vec(), paths })
     }
 
+    /// Latent dimensions Q of each part.
+    pub(crate) fn latent(&self) -> &[usize] {
+        &self.latent
+    }
+
     /// How many frames there are.
     pub(crate) fn frames(&self) -> usize {
         match (self.paths.first(), self.latent.first()) {

@@ -17,7 +17,6 @@ const STIFFNESS: f64 = 1e-4;
 #[derive(Clone, Debug)]
 pub struct LiveRollout {
     paths: LatentPaths,
-    latent: Vec<usize>,
     track: RootTrack,
     cycle: Option<Cycle>,
 }
@@ -49,7 +48,6 @@ impl LiveRollout {
     ) -> Result<Self, RolloutError> {
         let order = model.model.order;
         let newest = frame.max(order - 1);
-        let latent: Vec<usize> = model.model.parts.iter().map(|part| part.r().ncols()).collect();
         if newest >= rollout.y.nrows() {
             return Err(RolloutError::Frames { most: rollout.y.nrows(), found: newest + 1 });
         }
@@ -57,8 +55,8 @@ impl LiveRollout {
         let start: Vec<_> = rollout.latents.iter().map(history).collect();
         let mut track = model.body.mapping.track(&RootStart::default());
         model.body.mapping.decode_positions_on(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
-        let paths = LatentPaths::new(&start, order, &latent)?;
-        Ok(Self { paths, latent, track, cycle: model.model.cycle(sequence)? })
+        let paths = LatentPaths::new(&start, order, &model.model.latent_dimensions())?;
+        Ok(Self { paths, track, cycle: model.model.cycle(sequence)? })
     }
 
     /// The next `frames` frames under these dynamics, which must be the model's.
@@ -78,17 +76,12 @@ impl LiveRollout {
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));
         let positions = model.body.mapping.decode_positions_on(&y, &mut self.track)?;
-        let parts = 0..self.latent.len();
+        let parts = 0..latents.len();
         let places =
             (before + 1..=before + frames).flat_map(|end| parts.clone().map(move |part| (end, part)));
         let place = |(end, part)| self.cycle.as_ref()?.place(part, self.paths.history_until(part, end));
         let places = places.filter_map(place).collect();
         Ok(LiveFrames { latents, positions, places })
-    }
-
-    /// The last p latent states of a part, oldest first `[p Q_i]`; absent for a part that it does not have.
-    pub fn history(&self, part: usize) -> Option<&[f64]> {
-        (part < self.latent.len()).then(|| self.paths.history(part))
     }
 
     /// Pushes a part; its `frame` is the next one, whatever it says.
@@ -97,7 +90,7 @@ impl LiveRollout {
     ///
     /// When the push does not fit the part.
     pub fn push(&mut self, push: &Push) -> Result<(), RolloutError> {
-        push.check(&self.latent)?;
+        push.check(self.paths.latent())?;
         self.paths.push(push);
         Ok(())
     }
@@ -120,14 +113,9 @@ impl LiveRollout {
             model.body.layout.parts().iter().position(|part| part.joints.contains(&node.joint))
         });
         let part = found.ok_or(RolloutError::Node { count: figure.len(), found: node })?;
-        let newest: Vec<DMatrix<f64>> = (self.latent.iter().enumerate())
-            .map(|(i, &q)| {
-                let history = self.paths.history(i);
-                DMatrix::from_row_slice(1, q, &history[history.len() - q..])
-            })
-            .collect();
-        // As the part's column of a table of poses: two for each latent dimension, one on either side.
-        let q = self.latent[part];
+        let last = self.paths.frames();
+        let newest = self.paths.matrices(last - 1..last);
+        let q = newest[part].ncols();
         let place = |latents: &[DMatrix<f64>]| -> Result<Vector3<f64>, RolloutError> {
             let y = model.body.columns(&model.model.observations(latents));
             let positions = model.body.mapping.decode_positions_on(&y, &mut self.track.clone())?;

@@ -3,13 +3,11 @@
 use crate::gp::NumericsError;
 use crate::json::rows;
 use crate::models::couplings::{CouplingsError, Reading};
+use crate::models::sequences::MOST_FRAMES;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 use thiserror::Error;
-
-/// More frames than this would not be a motion but an accident.
-pub(crate) const MOST_FRAMES: usize = 1_000_000;
 
 /// What a rollout of a model with couplings is asked for.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -31,6 +29,13 @@ pub struct RolloutRequest {
     /// Pushes that parts get on their way.
     #[serde(skip)]
     pub pushes: Vec<Push>,
+}
+
+impl RolloutRequest {
+    /// The couplings that it asks for, where it asks for none those that were `learned`.
+    pub fn alpha_or<'a>(&'a self, learned: &'a DMatrix<f64>) -> &'a DMatrix<f64> {
+        self.alpha.as_ref().unwrap_or(learned)
+    }
 }
 
 /// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not listen to the source.

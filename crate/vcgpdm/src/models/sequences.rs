@@ -6,6 +6,9 @@ use nalgebra::DMatrix;
 use std::ops::Range;
 use thiserror::Error;
 
+/// More frames than this would not be a motion but an accident; sums of frames never wrap.
+pub(crate) const MOST_FRAMES: usize = 1_000_000;
+
 /// Lengths that cannot be trained on.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
@@ -16,6 +19,12 @@ pub enum SequencesError {
     /// The order of the dynamics is zero.
     #[error("expected dynamics of order 1 or more, found 0")]
     Order,
+    /// More frames in all than can be trained on.
+    #[error("expected at most {most} frames in all, found more")]
+    TooLong {
+        /// The limit.
+        most: usize,
+    },
     /// A sequence holds no transition.
     #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
     TooShort {
@@ -47,6 +56,10 @@ impl Sequences {
         }
         if order == 0 {
             return Err(SequencesError::Order);
+        }
+        let all = lengths.iter().try_fold(0_usize, |sum, &frames| sum.checked_add(frames));
+        if all.is_none_or(|all| all > MOST_FRAMES) {
+            return Err(SequencesError::TooLong { most: MOST_FRAMES });
         }
         match lengths.iter().position(|&frames| frames <= order) {
             Some(index) => Err(SequencesError::TooShort { index, frames: lengths[index], order }),

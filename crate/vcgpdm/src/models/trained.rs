@@ -153,22 +153,23 @@ impl TrainedModel<Vcgpdm> {
         Ok(self.rollout_along(self.model.path(request)?, request))
     }
 
-    /// Sampled rollouts, one for each of `seeds`: every frame is drawn from what the experts predict, with their variances. The
-    /// poses are the mean poses at the sampled latents. Cuts and pushes are for mean rollouts alone.
+    /// Sampled rollouts, one for each of `seeds`, made one after the other: every frame is drawn from what the experts predict, with
+    /// their variances. The poses are the mean poses at the sampled latents. Cuts and pushes are for mean rollouts alone.
     ///
     /// # Errors
     ///
     /// As [`TrainedModel::rollout`].
-    pub fn sampled_rollouts(
-        &self,
-        request: &RolloutRequest,
-        seeds: impl IntoIterator<Item = u64>,
-    ) -> Result<Vec<Rollout>, RolloutError> {
+    pub fn sampled_rollouts<'a>(
+        &'a self,
+        request: &'a RolloutRequest,
+        seeds: impl IntoIterator<Item = u64> + 'a,
+    ) -> Result<impl Iterator<Item = Result<Rollout, RolloutError>> + 'a, RolloutError> {
         self.body.check_frames(request.frames, latent_columns(&self.model))?;
         let dynamics = self.predictive_dynamics(request)?;
         let start = self.model.start(request.sequence)?;
-        let future = |seed| Ok(self.rollout_along(dynamics.sample(start, request.frames, seed)?, request));
-        seeds.into_iter().map(future).collect()
+        Ok(seeds
+            .into_iter()
+            .map(move |seed| Ok(self.rollout_along(dynamics.sample(start, request.frames, seed)?, request))))
     }
 
     /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes are for mean rollouts
@@ -191,13 +192,12 @@ impl TrainedModel<Vcgpdm> {
         if !request.cuts.is_empty() || !request.pushes.is_empty() {
             return Err(RolloutError::Disturbed);
         }
-        self.model.predictive_dynamics(request.alpha.as_ref().unwrap_or(&self.model.alpha), request.reading)
+        self.model.predictive_dynamics(request.alpha_or(&self.model.alpha), request.reading)
     }
 
     fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
         let y = self.body.columns(&self.model.observations(&latents));
-        let alpha = request.alpha.as_ref().unwrap_or(&self.model.alpha);
-        Rollout { latents, y, weights: coupling_weight_matrix(alpha) }
+        Rollout { latents, y, weights: coupling_weight_matrix(request.alpha_or(&self.model.alpha)) }
     }
 
     /// The rollout as a clip, starting at the origin.
@@ -244,5 +244,5 @@ impl TrainedModel<Vcgpdm> {
 
 /// Latent dimensions of all parts together.
 fn latent_columns(model: &Vcgpdm) -> usize {
-    model.parts.iter().map(|part| part.r().ncols()).sum()
+    model.latent_dimensions().iter().sum()
 }

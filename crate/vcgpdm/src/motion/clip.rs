@@ -57,8 +57,8 @@ pub enum ClipError {
         /// The rate asked for.
         found: f64,
     },
-    /// The resampled clip would have more than [`MAX_VALUES`] values.
-    #[error("{name}: at {rate} frames a second the clip would have {frames} frames, too many to hold")]
+    /// The resampled clip would have more frames than [`Skeleton::max_frames`].
+    #[error("{name}: expected at most {most} frames of this body, found {frames} at {rate} frames a second")]
     TooLong {
         /// The name of the clip.
         name: String,
@@ -66,11 +66,10 @@ pub enum ClipError {
         rate: f64,
         /// Frames at that rate.
         frames: usize,
+        /// The limit.
+        most: usize,
     },
 }
-
-/// The most channel values that one clip may hold.
-pub const MAX_VALUES: usize = 100_000_000;
 
 /// Rates that differ by less than this share count as equal: files write 1/30 as .033333 and 1/120 as .0083.
 const RATE_TOLERANCE: f64 = 0.02;
@@ -160,8 +159,9 @@ impl Clip {
         let last = last as f64;
         // A little more, so that rounding does not lose the last frame.
         let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
-        if frames.saturating_mul(self.values.ncols()) > MAX_VALUES {
-            return Err(ClipError::TooLong { name: self.name.clone(), rate: fps, frames });
+        let most = self.skeleton.max_frames();
+        if frames > most {
+            return Err(ClipError::TooLong { name: self.name.clone(), rate: fps, frames, most });
         }
         let mut values = DMatrix::zeros(frames, self.values.ncols());
         for row in 0..frames {
@@ -315,7 +315,7 @@ mod tests {
             assert!(message.contains("turning.bvh: expected frames from 0 to 10"), "{message}");
         }
         let slow = Clip { frame_time: 3600.0, ..turning(10, 0.1, 1.0) };
-        assert!(slow.resample(10_000.0).unwrap_err().to_string().contains("too many"));
+        assert!(slow.resample(10_000.0).unwrap_err().to_string().contains("expected at most"));
     }
 
     proptest! {

@@ -2,8 +2,8 @@
 //!
 //! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
 //! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
-//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does. [`samples`] are clips that the project
-//! makes itself.
+//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does.
+//! [`samples`] are clips that the project makes itself.
 //!
 //! ```
 //! use vcgpdm::motion::pose::PoseMapping;
@@ -40,7 +40,7 @@ pub mod stage;
 mod testing;
 
 pub(crate) use clip::sha256;
-pub use clip::{Clip, ClipError, MAX_VALUES};
+pub use clip::{Clip, ClipError};
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;

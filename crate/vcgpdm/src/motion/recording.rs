@@ -98,9 +98,14 @@ impl Recording {
                 .map(|&joint| rotation::angle_between(&a.rotations[joint], &b.rotations[joint]).to_degrees());
             angles.map(|angle| angle.min(LARGEST_ANGLE)).sum::<f64>() / turning.len().max(1) as f64
         };
-        let poses: Vec<LocalPose> =
-            (0..self.frames()).map(|frame| self.skeleton.local_pose(&self.values, frame)).collect();
-        poses.windows(2).map(|pair| step(&pair[0], &pair[1])).collect()
+        let mut poses = (0..self.frames()).map(|frame| self.skeleton.local_pose(&self.values, frame));
+        let Some(mut before) = poses.next() else { return Vec::new() };
+        let mut steps = Vec::with_capacity(self.frames() - 1);
+        for pose in poses {
+            steps.push(step(&before, &pose));
+            before = pose;
+        }
+        steps
     }
 }
 

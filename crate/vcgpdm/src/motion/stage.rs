@@ -103,27 +103,37 @@ impl Stage {
     }
 }
 
+/// Where a body is over a whole clip, in file units.
+struct Reach {
+    /// The sum of the directions from the feet to the head; `None` where these are not known.
+    upward: Option<Vector3<f64>>,
+    /// The lowest place along each axis.
+    low: Vector3<f64>,
+    /// The highest place along each axis.
+    high: Vector3<f64>,
+}
+
 impl Clip {
     /// Which way is up, how tall the body is and where the ground is.
     pub fn stage(&self) -> Stage {
-        let places = self.places();
-        let up = self.up_axis_of(&places);
+        let reach = self.reach();
+        let up = self.up_axis_of(&reach);
         let turn = up.to_y_up();
-        let lowest = places.iter().flatten().map(|place| (turn * place).y).fold(f64::INFINITY, f64::min);
+        let lowest =
+            [reach.low, reach.high].map(|corner| (turn * corner).y).into_iter().fold(f64::INFINITY, f64::min);
         let ground = if lowest.is_finite() { lowest } else { 0.0 };
-        Stage { up, height: self.height_of(&places, up), ground }
+        Stage { up, height: self.height_with(up), ground }
     }
 
     /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the motion does not.
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis_of(&self.places())
+        self.up_axis_of(&self.reach())
     }
 
     /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height); for a skeleton whose rest
     /// pose does not stand, as high as the body (without arms) gets in 95 of 100 frames.
     pub fn height(&self) -> f64 {
-        let places = self.places();
-        self.height_of(&places, self.up_axis_of(&places))
+        self.height_with(self.up_axis())
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its lowest point
@@ -131,20 +141,40 @@ impl Clip {
     pub fn stage_positions(&self) -> Vec<f32> {
         let stage = self.stage();
         let turn = stage.up.to_y_up();
-        let poses = (0..self.frames()).map(|frame| self.world_pose(frame).positions);
-        poses
-            .flat_map(|places| {
-                places.into_iter().flat_map(|place| stage.place(&(turn * place))).collect::<Vec<_>>()
-            })
-            .collect()
+        let mut all = Vec::with_capacity(self.frames() * self.skeleton.node_count() * 3);
+        for frame in 0..self.frames() {
+            let places = self.world_pose(frame).positions;
+            all.extend(places.iter().flat_map(|place| stage.place(&(turn * place))));
+        }
+        all
     }
 
-    /// World places of the nodes in each frame, in file units.
-    fn places(&self) -> Vec<Vec<Vector3<f64>>> {
-        (0..self.frames()).map(|frame| self.world_pose(frame).positions).collect()
+    /// Where the body is over the whole clip, frame after frame: a long clip's places are never held together.
+    fn reach(&self) -> Reach {
+        let ends = Anatomy::of(&self.skeleton).and_then(|anatomy| {
+            let foot = |side| anatomy.foot(&self.skeleton, side);
+            Some((anatomy.head(&self.skeleton)?, foot(Side::Left)?, foot(Side::Right)?))
+        });
+        let mut reach = Reach {
+            upward: ends.map(|_| Vector3::zeros()),
+            low: Vector3::repeat(f64::INFINITY),
+            high: Vector3::repeat(f64::NEG_INFINITY),
+        };
+        for frame in 0..self.frames() {
+            let places = self.world_pose(frame).positions;
+            if let (Some((head, left, right)), Some(sum)) = (ends, reach.upward.as_mut()) {
+                let upward = places[head] - 0.5 * (places[left] + places[right]);
+                *sum += upward.try_normalize(0.0).unwrap_or_default();
+            }
+            for place in &places {
+                reach.low = reach.low.inf(place);
+                reach.high = reach.high.sup(place);
+            }
+        }
+        reach
     }
 
-    fn up_axis_of(&self, places: &[Vec<Vector3<f64>>]) -> UpAxis {
+    fn up_axis_of(&self, reach: &Reach) -> UpAxis {
         let Some(anatomy) = Anatomy::of(&self.skeleton) else {
             // Only the figure is known: it stands along the longest side of its box, y before z before x.
             let extent = extents(&self.skeleton.rest_pose().positions);
@@ -153,19 +183,9 @@ impl Clip {
             return UpAxis::new(axis, false);
         };
         let rest = standing_at_rest(&self.skeleton, &anatomy);
-        let nodes = (
-            anatomy.head(&self.skeleton),
-            anatomy.foot(&self.skeleton, Side::Left),
-            anatomy.foot(&self.skeleton, Side::Right),
-        );
-        let (Some(head), Some(left), Some(right)) = nodes else { return UpAxis::Y };
-        let upward = |frame: &Vec<Vector3<f64>>| frame[head] - 0.5 * (frame[left] + frame[right]);
-        let mean: Vector3<f64> = places.iter().filter_map(|frame| upward(frame).try_normalize(0.0)).sum();
+        let Some(mean) = reach.upward else { return UpAxis::Y };
         let (clear, axis) = (mean.amax() > 0.8 * mean.norm(), mean.iamax());
-        let ends = |axis: usize| {
-            let along = || places.iter().flatten().map(move |place| place[axis]);
-            (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
-        };
+        let ends = |axis: usize| (reach.low[axis], reach.high[axis]);
         let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
         if let Some(rest) = rest {
             let standing = rest.iamax();
@@ -181,15 +201,15 @@ impl Clip {
         UpAxis::new(axis, clear && mean[axis] < 0.0 && !on_hands)
     }
 
-    fn height_of(&self, places: &[Vec<Vector3<f64>>], up: UpAxis) -> f64 {
+    fn height_with(&self, up: UpAxis) -> f64 {
         let height = match Anatomy::of(&self.skeleton) {
-            Some(anatomy) if !places.is_empty() && standing_at_rest(&self.skeleton, &anatomy).is_none() => {
+            Some(anatomy) if self.frames() > 0 && standing_at_rest(&self.skeleton, &anatomy).is_none() => {
                 let turn = up.to_y_up();
-                let extent = |frame: &Vec<Vector3<f64>>| {
-                    let body = anatomy.without_arms(&self.skeleton, frame);
+                let extent = |frame| {
+                    let body = anatomy.without_arms(&self.skeleton, &self.world_pose(frame).positions);
                     extents(&body.iter().map(|place| turn * place).collect::<Vec<_>>()).y
                 };
-                upper_end(places.iter().map(extent).collect()).0
+                upper_end((0..self.frames()).map(extent).collect()).0
             }
             _ => self.skeleton.height(),
         };

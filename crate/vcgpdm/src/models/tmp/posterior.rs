@@ -10,6 +10,8 @@ use std::f64::consts::{E, PI};
 
 /// Noise variances and column scales stay above this times the mean variance of a column: some columns never move.
 const FLOOR: f64 = 1e-6;
+/// The mean variance counts as this much at least: a clip in which nothing moves has none.
+const LEAST_VARIANCE: f64 = 1e-4;
 /// Starts: the share of a column's variance that is noise, and of the weights' variance that is between trials.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
@@ -92,8 +94,7 @@ impl Posterior {
         let variance = DVector::from_fn(columns, |k, _| {
             trials.iter().map(|t| t.y.column(k).norm_squared()).sum::<f64>() / frames
         });
-        let mean = variance.mean();
-        let floor = FLOOR * if mean > 0.0 { mean } else { 1.0 };
+        let floor = FLOOR * variance.mean().max(LEAST_VARIANCE);
         let variance = variance.map(|v| v.max(floor));
         let r = kernel.inducing.len();
         let v = principal_components(&views, &variance, count)?;

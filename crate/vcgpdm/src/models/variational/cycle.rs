@@ -15,8 +15,6 @@ pub struct Cycle {
     states: Vec<DMatrix<f64>>,
     /// Root mean square distance of each part's states from their mean.
     radii: Vec<f64>,
-    /// Frames of one period; need not be whole.
-    period: f64,
 }
 
 /// Where a part stands.
@@ -65,12 +63,7 @@ impl Cycle {
             (states.row_iter().map(|row| (row - &mean).norm_squared()).sum::<f64>() / count as f64).sqrt()
         };
         let radii: Vec<f64> = states.iter().map(radius).collect();
-        radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, radii, period })
-    }
-
-    /// Frames of one period; need not be whole.
-    pub fn period(&self) -> f64 {
-        self.period
+        radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, radii })
     }
 
     /// Where a part with this `history` `[p Q_i]`, oldest first, stands; absent for a part that it does not have.

@@ -48,9 +48,9 @@ impl Vcgpdm {
     ///
     /// When the couplings, cuts or pushes do not fit the model, or there is no such sequence.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        let alpha = request.alpha.as_ref().unwrap_or(&self.alpha);
+        let alpha = request.alpha_or(&self.alpha);
         let frames = request.frames.max(self.order);
-        let latent: Vec<usize> = self.parts.iter().map(|part| part.r().ncols()).collect();
+        let latent = self.latent_dimensions();
         for push in &request.pushes {
             push.check(&latent)?;
         }

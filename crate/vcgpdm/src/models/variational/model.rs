@@ -206,6 +206,11 @@ impl Vcgpdm {
         self.parts.len()
     }
 
+    /// Latent dimensions Q of each part `[M]`.
+    pub fn latent_dimensions(&self) -> Vec<usize> {
+        self.parts.iter().map(|part| part.r.ncols()).collect()
+    }
+
     /// The kind of model: a vCGPDM, or a vGPDM if it has one part.
     pub fn kind(&self) -> ModelKind {
         if self.part_count() == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm }
@@ -243,8 +248,7 @@ impl Vcgpdm {
                 Reading::ReInferred => self.re_inferred(target, noise, &weights)?,
             });
         }
-        let latent = self.parts.iter().map(|part| part.r.ncols()).collect();
-        Ok(LatentDynamics::new(self.order, latent, experts))
+        Ok(LatentDynamics::new(self.order, self.latent_dimensions(), experts))
     }
 
     /// w_j f^{ji} of every source j about the target i.

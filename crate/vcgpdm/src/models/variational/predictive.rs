@@ -80,8 +80,7 @@ impl Vcgpdm {
         for target in 0..self.part_count() {
             targets.push(self.target_dynamics(target, alpha.column(target).as_slice(), reading)?);
         }
-        let latent = self.parts.iter().map(|part| part.r().ncols()).collect();
-        Ok(PredictiveDynamics { order: self.order, latent, targets })
+        Ok(PredictiveDynamics { order: self.order, latent: self.latent_dimensions(), targets })
     }
 
     fn target_dynamics(

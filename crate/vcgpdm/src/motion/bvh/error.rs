@@ -1,6 +1,5 @@
 //! Why a file could not be read.
 
-use crate::motion::clip::MAX_VALUES;
 use thiserror::Error;
 
 /// Why a file could not be read, and where.
@@ -36,13 +35,18 @@ pub enum BvhProblem {
         /// The limit.
         max: usize,
     },
-    /// More than [`MAX_VALUES`] values.
-    #[error("expected at most {MAX_VALUES} values in all, found {frames} frames of {channels} channels")]
-    TooManyValues {
+    /// More frames than [`Skeleton::max_frames`](crate::motion::skeleton::Skeleton::max_frames).
+    #[error(
+        "expected at most {most} frames of a body with {nodes} joints and end sites, found {frames}: please cut the recording, or leave \
+         out every second frame"
+    )]
+    TooManyFrames {
         /// Frames declared or found.
         frames: usize,
-        /// Channels of one frame.
-        channels: usize,
+        /// Joints and end sites.
+        nodes: usize,
+        /// The limit.
+        most: usize,
     },
     /// The number of rows is far from the one that the header declares.
     #[error("expected {declared} rows as \"Frames:\" declares, found {found}")]

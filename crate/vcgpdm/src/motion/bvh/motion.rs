@@ -2,7 +2,7 @@
 
 use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::{Cursor, finite, is_blank, not_a_number};
-use crate::motion::clip::MAX_VALUES;
+use crate::motion::skeleton::Skeleton;
 
 /// The rows of a file.
 pub(super) struct Motion {
@@ -13,19 +13,24 @@ pub(super) struct Motion {
     pub(super) values: Vec<f64>,
 }
 
-/// Reads what follows the word MOTION. `channels` numbers make a frame.
+/// Reads what follows the word MOTION. Every channel of the skeleton has a number in each frame.
 pub(super) fn read(
     cursor: &mut Cursor,
-    channels: usize,
+    skeleton: &Skeleton,
     warnings: &mut Vec<String>,
 ) -> Result<Motion, BvhError> {
     let (declared, frame_time) = header(cursor, warnings)?;
-    if declared.saturating_mul(channels) > MAX_VALUES {
-        return Err(cursor.error(BvhProblem::TooManyValues { frames: declared, channels }));
+    let (channels, most) = (skeleton.channel_count(), skeleton.max_frames());
+    let too_many = |frames| BvhProblem::TooManyFrames { frames, nodes: skeleton.node_count(), most };
+    if declared > most {
+        return Err(cursor.error(too_many(declared)));
     }
     let header_line = cursor.word_line();
-    let values = rows(cursor, channels)?;
+    let values = rows(cursor, channels, most * channels)?;
     let found = values.len() / channels;
+    if found > most {
+        return Err(cursor.error(too_many(found)));
+    }
     if found == 0 {
         return Err(cursor.error_at(header_line, BvhProblem::expected("at least one row of values", None)));
     }
@@ -92,13 +97,16 @@ fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64
 }
 
 /// All rows one after the other. A row may go over several lines, but ends where a line ends; a line may hold
-/// several whole rows.
-fn rows(cursor: &mut Cursor, channels: usize) -> Result<Vec<f64>, BvhError> {
+/// several whole rows. No line is read after more than `most` numbers.
+fn rows(cursor: &mut Cursor, channels: usize, most: usize) -> Result<Vec<f64>, BvhError> {
     let mut values = Vec::new();
     // The row that is not complete yet: the line where it began and its numbers so far.
     let mut first_line = 0;
     let mut pending = 0;
     while let Some((line, text)) = cursor.line() {
+        if values.len() > most {
+            return Ok(values);
+        }
         let before = values.len();
         for word in text.split(is_blank).filter(|word| !word.is_empty()) {
             let Some(number) = finite(word) else {
@@ -107,10 +115,6 @@ fn rows(cursor: &mut Cursor, channels: usize) -> Result<Vec<f64>, BvhError> {
             values.push(number);
         }
         let length = values.len() - before;
-        if values.len() > MAX_VALUES {
-            let frames = values.len() / channels;
-            return Err(cursor.error_at(line, BvhProblem::TooManyValues { frames, channels }));
-        }
         if pending == 0 {
             first_line = line;
         }

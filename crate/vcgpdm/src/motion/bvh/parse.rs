@@ -58,7 +58,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
         return Err(cursor.error(problem));
     }
     warn_of_names(&skeleton, &mut warnings);
-    let motion = motion::read(&mut cursor, channels, &mut warnings)?;
+    let motion = motion::read(&mut cursor, &skeleton, &mut warnings)?;
     warn_of_rows(&motion.values, channels, &mut warnings);
     Ok(Recording {
         name: name.to_owned(),

@@ -19,12 +19,15 @@ pub(super) fn decode(bytes: &[u8]) -> (String, Option<String>) {
 }
 
 fn decode_utf16(bytes: &[u8]) -> Option<String> {
-    let unit: fn([u8; 2]) -> u16 = match bytes {
-        [0xFF, 0xFE, ..] => u16::from_le_bytes,
-        [0xFE, 0xFF, ..] => u16::from_be_bytes,
+    let (unit, text): (fn([u8; 2]) -> u16, _) = match bytes {
+        [0xFF, 0xFE, text @ ..] => (u16::from_le_bytes, text),
+        [0xFE, 0xFF, text @ ..] => (u16::from_be_bytes, text),
+        // Without a mark: the first letter, H of HIERARCHY, is a byte and a zero.
+        [1..=255, 0, 1..=255, 0, ..] => (u16::from_le_bytes, bytes),
+        [0, 1..=255, 0, 1..=255, ..] => (u16::from_be_bytes, bytes),
         _ => return None,
     };
-    let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|pair| unit([pair[0], pair[1]])).collect();
+    let units: Vec<u16> = text.chunks_exact(2).map(|pair| unit([pair[0], pair[1]])).collect();
     Some(String::from_utf16_lossy(&units))
 }
 
@@ -148,9 +151,16 @@ pub(super) fn finite(word: &str) -> Option<f64> {
     word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST)
 }
 
+/// The largest finite number has 309 digits before its point.
+const LONGEST_NUMBER: usize = 1000;
+
 /// The message about a word that is no number.
 pub(super) fn not_a_number(word: Option<&str>) -> BvhProblem {
     let Some(text) = word else { return BvhProblem::expected("a number", None) };
+    // No number is as long, and looking for two numbers in a word of a megabyte would take hours.
+    if text.len() > LONGEST_NUMBER {
+        return BvhProblem::expected("a number", word);
+    }
     let glued = text.char_indices().skip(1).any(|(at, c)| {
         (c == '-' || c == '+') && finite(&text[..at]).is_some() && finite(&text[at..]).is_some()
     });

@@ -1,7 +1,5 @@
 //! The T-pose that some files put before a motion is looked for once, when a recording becomes a clip, and never again.
 
-#![allow(clippy::unwrap_used)]
-
 use nalgebra::DMatrix;
 use vcgpdm::models::{Dataset, Source};
 use vcgpdm::motion::{Clip, Recording, bvh, parts, samples};

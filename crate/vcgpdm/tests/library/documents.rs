@@ -1,7 +1,5 @@
 //! Documents that an earlier program wrote are read, and written again to the letter: tests/documents/*.json.
 
-#![allow(clippy::unwrap_used)]
-
 use vcgpdm::models::variational::Vcgpdm;
 use vcgpdm::models::{Model, TrainedModel};
 

@@ -3,8 +3,6 @@
 //! The walks are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
 //! beside the repository; without them the test says that it skips.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::evaluation::{Score, dtw_mse};

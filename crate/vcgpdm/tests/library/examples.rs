@@ -1,21 +1,19 @@
 //! The examples that teach run and do what they say.
 
-#![allow(clippy::unwrap_used)]
-
 use std::path::PathBuf;
 use vcgpdm::motion::bvh;
 
 #[allow(dead_code)]
-#[path = "../examples/couplings.rs"]
+#[path = "../../examples/couplings.rs"]
 mod couplings;
 #[allow(dead_code)]
-#[path = "../examples/own_data.rs"]
+#[path = "../../examples/own_data.rs"]
 mod own_data;
 #[allow(dead_code)]
-#[path = "../examples/rollout.rs"]
+#[path = "../../examples/rollout.rs"]
 mod rollout;
 #[allow(dead_code)]
-#[path = "../examples/train.rs"]
+#[path = "../../examples/train.rs"]
 mod train;
 
 /// An empty folder of this test's own.

@@ -1,21 +1,17 @@
 //! `vcgpdm evaluate` and `report` as a user meets them: resumable, in shares, with tables.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
+use crate::call::run;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 const TRIALS: [&str; 3] = ["sample:walk-1", "sample:walk-2", "sample:walk-3"];
 const SMALL: [&str; 8] = ["--parts", "lower,upper", "--fps", "15", "--max-iterations", "8", "--latent", "2"];
 
-fn vcgpdm(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
-}
-
 fn evaluate(out: &Path, more: &[&str]) -> Output {
     let all = [&["evaluate"], &TRIALS[..], &SMALL, more, &["--out", out.to_str().unwrap()]].concat();
-    vcgpdm(&all)
+    run(&all)
 }
 
 fn summary(output: &Output) -> Value {
@@ -114,7 +110,7 @@ fn shares_together_are_the_whole() {
 fn the_report_has_a_row_for_each_model_and_says_what_holds() {
     let out = file("report");
     summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6"]));
-    let text = String::from_utf8(vcgpdm(&["report", out.to_str().unwrap()]).stdout).unwrap();
+    let text = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
     for id in ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] {
         assert!(text.contains(&format!("\n| {id} | ")), "{id} in {text}");
     }
@@ -139,11 +135,10 @@ fn bad_input_is_refused_before_anything_is_computed() {
         &["--models", "dmp-rhythmic", "--out", out.to_str().unwrap()],
     ]
     .concat();
-    assert!(refusal(&vcgpdm(&other)).contains("these results are of other trials"));
+    assert!(refusal(&run(&other)).contains("these results are of other trials"));
     fs::write(&out, "{}").unwrap();
     assert!(refusal(&evaluate(&out, &[])).contains("expected the results of an evaluation"));
     assert!(
-        refusal(&vcgpdm(&["report", out.to_str().unwrap()]))
-            .contains("expected the results of an evaluation")
+        refusal(&run(&["report", out.to_str().unwrap()])).contains("expected the results of an evaluation")
     );
 }

@@ -3,8 +3,6 @@
 //! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
 //! beside the repository; without them these tests say that they skip.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::motion::pose::PoseMapping;
@@ -191,7 +189,7 @@ fn only_added_t_poses_are_dropped() {
     }
 }
 
-/// Prints the time that a rollout's poses take: `cargo test --release --test real_clips -- --ignored --nocapture`.
+/// Prints the time that a rollout's poses take: `cargo test --release --test library -- real_clips --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement, not a check"]
 fn poses_of_a_rollout_are_fast() {

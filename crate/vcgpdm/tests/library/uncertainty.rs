@@ -1,9 +1,6 @@
 //! Sampled futures and moment matching are two answers to one question, on the model that walks first on the page.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "shared/start_model.rs"]
-mod start_model;
+use crate::start_model;
 
 use start_model::start_model;
 use vcgpdm::models::RolloutRequest;

@@ -1,24 +1,17 @@
 //! `vcgpdm rollout` of the model that walks first on the page: cut, pushed, sampled, with variances.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
+use crate::call::{folder, run, text};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Output;
 
 const MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/first/model.json");
-
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
 
 fn rollout(folder: &Path, more: &[&str]) -> Output {
     let out = folder.join("walk.bvh");
     let latents = folder.join("latents.csv");
-    let paths = ["--out", out.to_str().unwrap(), "--latents", latents.to_str().unwrap()];
-    let mut program = Command::new(env!("CARGO_BIN_EXE_vcgpdm"));
-    program.args(["rollout", MODEL, "--frames", "90"]).args(paths).args(more).output().unwrap()
+    let whole = ["rollout", MODEL, "--frames", "90", "--out", text(&out), "--latents", text(&latents)];
+    run(&[&whole, more].concat())
 }
 
 /// The latents of a rollout, a row a frame, without the header.

@@ -1,0 +1,49 @@
+//! How the tests call the program.
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Runs a command to its end.
+pub fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
+}
+
+/// Runs a command that must succeed and reads the one JSON object that it prints.
+pub fn json(arguments: &[&str]) -> Value {
+    let out = prints(arguments);
+    assert_eq!(out.lines().count(), 1, "{arguments:?}: one JSON object");
+    serde_json::from_str(&out).unwrap()
+}
+
+/// What a command that must succeed prints.
+pub fn prints(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && err.is_empty(), "{arguments:?}: {err}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Runs a command that must fail with status 1, one line on stderr and nothing on stdout.
+pub fn fails(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+    assert_eq!(err.matches('\n').count(), 1, "{arguments:?}: one line, found {err:?}");
+    assert!(err.ends_with('\n') && !err.contains("panicked"), "{err}");
+    assert_eq!(output.stdout, b"", "{arguments:?}");
+    err
+}
+
+/// A folder of its own for each test.
+pub fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A path as an argument.
+pub fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}

@@ -1,0 +1,111 @@
+//! `vcgpdm clip`, and what becomes of files that are read and written.
+
+use crate::call::{fails, folder, json, text};
+use serde_json::Value;
+use std::fs;
+use std::process::Command;
+
+#[test]
+fn clip_tells_what_a_clip_holds() {
+    let info = json(&["clip", "sample:walk-1"]);
+    assert_eq!(info["name"], "walk-1 (made by this project).bvh");
+    assert_eq!((info["up_axis"].as_str(), info["frames"].as_u64()), (Some("y"), Some(252)));
+    assert_eq!(info["frame_time"].as_f64(), Some(1.0 / 60.0));
+    let height = info["height"].as_f64().unwrap();
+    assert!((height - 172.0).abs() < 6.0, "{height}");
+    assert_eq!(info["warnings"].as_array().map(Vec::len), Some(0));
+    let joints = info["joints"].as_array().unwrap();
+    assert_eq!(joints.len(), 21);
+    assert_eq!((&joints[0]["name"], &joints[0]["parent"]), (&"Hips".into(), &Value::Null));
+    assert_eq!(joints[0]["channels"].as_array().map(Vec::len), Some(6));
+    assert_eq!((&joints[2]["name"], &joints[2]["parent"]), (&"LeftLeg".into(), &1.into()));
+}
+
+#[test]
+fn a_clip_is_written_back_and_resampled() {
+    let folder = folder("clip");
+    let (same, slower) = (folder.join("same.bvh"), folder.join("slower.bvh"));
+    let made = json(&["clip", "sample:walk-wave-2", "--out", text(&same)]);
+    let read = json(&["clip", text(&same), "--fps", "30", "--out", text(&slower)]);
+    for key in ["joints", "height", "sha256"] {
+        assert_eq!(made[key], read[key], "{key}");
+    }
+    assert_eq!(read["name"], "same.bvh");
+    let again = json(&["clip", text(&slower)]);
+    assert_eq!(made["frames"].as_u64().unwrap().div_ceil(2), again["frames"].as_u64().unwrap());
+    assert_eq!(again["frame_time"].as_f64(), Some(1.0 / 30.0));
+}
+
+/// On a full disk the old file was once cut off before the new one could not be written.
+#[cfg(unix)]
+#[test]
+fn a_file_stays_whole_where_the_new_one_has_no_room() {
+    let folder = folder("no-room");
+    for file in fs::read_dir(&folder).unwrap() {
+        fs::remove_file(file.unwrap().path()).unwrap();
+    }
+    let out = folder.join("walk.bvh");
+    fs::write(&out, "what was there").unwrap();
+    // The shell lets no file grow beyond a kilobyte, as a full disk would.
+    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" clip sample:walk-1 --out \"$1\"";
+    let output =
+        Command::new("sh").args(["-c", script, env!("CARGO_BIN_EXE_vcgpdm"), text(&out)]).output().unwrap();
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{err}");
+    assert!(err.contains("walk.bvh: "), "{err}");
+    assert_eq!(fs::read_to_string(&out).unwrap(), "what was there");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is left beside it");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_goes_on_pointing_to_what_is_written() {
+    let folder = folder("linked");
+    let (file, link) = (folder.join("file.bvh"), folder.join("link.bvh"));
+    fs::write(&file, "").unwrap();
+    let _ = fs::remove_file(&link);
+    std::os::unix::fs::symlink("file.bvh", &link).unwrap();
+    json(&["clip", "sample:walk-1", "--out", text(&link)]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(&file).unwrap().starts_with("HIERARCHY"));
+}
+
+#[test]
+fn what_is_read_is_not_written_over() {
+    let clip = folder("read-and-written").join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&clip)]);
+    let before = fs::read(&clip).unwrap();
+    let same = clip.parent().unwrap().join("..").join("read-and-written").join("walk.bvh");
+    for arguments in [
+        vec!["clip", text(&clip), "--fps", "30", "--out", text(&same)],
+        vec!["train", text(&clip), "--parts", "whole", "--out", text(&same)],
+        vec![
+            "train",
+            "sample:walk-2",
+            "--seed-frames",
+            &format!("{}:5", text(&clip)),
+            "--parts",
+            "whole",
+            "--out",
+            text(&same),
+        ],
+    ] {
+        assert!(fails(&arguments).contains("expected another file to write to"), "{arguments:?}");
+    }
+    assert_eq!(fs::read(&clip).unwrap(), before);
+}
+
+#[test]
+fn clips_that_cannot_be_read_or_written_say_why_and_where() {
+    let folder = folder("bad-clips");
+    let broken = folder.join("broken.bvh");
+    fs::write(&broken, "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 zero 0\n}\n").unwrap();
+    let error = fails(&["clip", text(&broken)]);
+    assert!(error.contains("broken.bvh, line 4: ") && error.contains("zero"), "{error}");
+    assert!(fails(&["clip", "no-such-file.bvh"]).contains("no-such-file.bvh: "));
+    assert!(fails(&["clip", text(&folder)]).contains("bad-clips: "));
+    assert!(fails(&["clip", "sample:run-1"]).contains("walk-wave-1"));
+    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("frames a second, found -3"));
+    let nowhere = folder.join("no-such-folder").join("out.bvh");
+    assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
+}

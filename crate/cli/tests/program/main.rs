@@ -1,0 +1,9 @@
+//! The terminal program from outside. One program: it is linked once.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod call;
+mod commands;
+mod evaluate;
+mod files;
+mod models;
+mod rollout;

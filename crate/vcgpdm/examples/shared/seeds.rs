@@ -1,0 +1,25 @@
+//! One run for each of many seeds, several at a time.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// The runs of the seeds from 0 on, seed by seed.
+pub fn each_seed<Run: Send>(seeds: u32, threads: usize, run: impl Fn(u32) -> Run + Sync) -> Vec<Run> {
+    let next = AtomicU32::new(0);
+    let done = Mutex::new((0..seeds).map(|_| None).collect::<Vec<_>>());
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= seeds {
+                        break;
+                    }
+                    let run = run(seed);
+                    done.lock().unwrap()[seed as usize] = Some(run);
+                }
+            });
+        }
+    });
+    done.into_inner().unwrap().into_iter().flatten().collect()
+}

@@ -1,0 +1,14 @@
+//! The library from outside, as its users call it. One program: it is linked once.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod documents;
+mod examples;
+mod golden;
+mod live;
+mod primitives;
+mod real_clips;
+#[path = "../shared/start_model.rs"]
+mod start_model;
+mod t_pose;
+mod training;
+mod uncertainty;
