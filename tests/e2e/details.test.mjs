@@ -94,11 +94,10 @@ describe("a closer look", () => {
     assert.ok(Math.abs((against.rows[50]?.[3] ?? 0) - (written[50]?.[knee] ?? 0)) < 1e-6);
 
     // The dot goes where the motion is now.
-    const dot = page.locator("dialog.details .now");
-    const first = await dot.getAttribute("cx");
+    const height = await page.locator("dialog.details .now").getAttribute("cy");
     await page.waitForFunction(
-      (first) => document.querySelector("dialog.details .now")?.getAttribute("cx") !== first,
-      first,
+      (before) => document.querySelector("dialog.details .now")?.getAttribute("cy") !== before,
+      height,
     );
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.equal(width, 390);

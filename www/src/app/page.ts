@@ -245,7 +245,7 @@ export class PageView extends View {
         <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
       </section>
       <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
-        <pg-couplings .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
       </section>
       ${
         embedded

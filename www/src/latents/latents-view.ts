@@ -1,5 +1,5 @@
 // All latent plots, and what they show.
-import { html, nothing } from "lit";
+import { html } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
@@ -83,7 +83,6 @@ export class LatentsView extends View {
     return html`
       <header class="panel-head">
         <h2><pg-term of="latent-space" text="Latent spaces"></pg-term></h2>
-        ${parts.length === 0 ? nothing : html`<button class="link" data-testid="show-kernels" @click=${() => this.dispatchEvent(new CustomEvent("show-details", { detail: "kernels", bubbles: true }))}>kernels</button>`}
         <div class="segments" role="group" aria-label="Plot">
           ${(["2d", "3d"] as const).map(
             (plot) => html`
