@@ -26,6 +26,7 @@ const WHEN_ASKED = [
   "stage/columns-view",
   "terms/card",
   "terms/terms",
+  "training/bound-drawing",
   "training/runs-table",
   "ui/dialog",
 ];

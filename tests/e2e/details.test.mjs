@@ -20,7 +20,7 @@ after(() => site?.close());
 
 describe("a closer look", () => {
   it("shows the kernels, with terms that can be asked", async () => {
-    const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+    const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("show-kernels").click();
     const document = JSON.parse(readFileSync(`${dist}/first/model.json`, "utf8"));
@@ -43,6 +43,7 @@ describe("a closer look", () => {
   it("plots a channel over time, against its speed, and against another one, and saves what is shown", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "alpha=0.1:8",
+      moving: true,
       viewport: { width: 390, height: 844 },
     });
     await ready(page);

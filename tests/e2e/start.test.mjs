@@ -30,7 +30,7 @@ function document() {
 }
 
 it("starts from any frame of any sequence, and a link says which", async () => {
-  const { page, problems, leave } = await site.visit({ reducedMotion: "reduce" });
+  const { page, problems, leave } = await site.visit();
   await ready(page);
   // The file of the model that walks first keeps no more than the first frames.
   assert.equal(await page.getByTestId("start-frame").count(), 0);

@@ -1,6 +1,5 @@
 // The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and keyboard.
 import { html, nothing } from "lit";
-import { repeat } from "lit/directives/repeat.js";
 import type { ModelStore } from "../couplings/model-store";
 import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -295,9 +294,7 @@ export class LatentPlot extends View {
           @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
           @keydown=${this.keys}>
           <canvas aria-hidden="true"></canvas>
-          ${repeat(
-            this.list,
-            ({ key }) => key,
+          ${this.list.map(
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
               aria-pressed=${samePoint(to, pointing.point) ? "true" : "false"}
