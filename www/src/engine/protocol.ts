@@ -68,6 +68,8 @@ export interface ModelView {
 export interface RolloutRequest {
   frames: number;
   sequence: number;
+  /** The frame of the sequence that begins it; absent: the first. */
+  frame?: number;
   /** Absent: as learned. */
   alpha: Couplings | null;
   reading: Reading;

@@ -240,6 +240,8 @@ export const SETTINGS = {
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),
   start: whole("start", 0, 0, 99),
+  /** The frame of that sequence. */
+  startFrame: whole("frame", 0, 0, 99_999),
   model,
   reading,
   alpha: changedCouplings,

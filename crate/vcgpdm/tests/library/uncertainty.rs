@@ -10,7 +10,7 @@ fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
     let model = start_model();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let dynamics = model.predictive_dynamics(&request).unwrap();
-    let start = model.model.start(0).unwrap();
+    let start = &model.model.start(0, 0).unwrap();
     let moments = dynamics.moments(start, 60).unwrap();
     let draws = 1000;
     let futures: Vec<_> = (0..draws).map(|seed| dynamics.sample(start, 60, seed).unwrap()).collect();
