@@ -61,7 +61,7 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },
-      { find: /^vcgpdm\/playground$/, replacement: wasmPackage("playground") },
+      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player") },
     ],
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },
