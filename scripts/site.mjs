@@ -9,7 +9,7 @@ export const dist = at("www", "dist");
 
 export function buildSite() {
   const inputs = filesUnder(
-    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs")],
+    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs"), at("scripts/policy.mjs")],
     ["node_modules", "dist"],
   );
   return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>

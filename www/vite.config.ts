@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { defineConfig, type Plugin } from "vite";
+import { policy } from "../scripts/policy.mjs";
 import { leanThree } from "./lean-three.ts";
 
 // The wasm package is built beside this folder, not installed.
@@ -54,10 +55,19 @@ const output = {
     `${folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
+/** Not for `vite dev`, whose style sheets are inline. */
+const heldToPolicy: Plugin = {
+  name: "content-security-policy",
+  apply: "build",
+  transformIndexHtml: () => [
+    { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" },
+  ],
+};
+
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
-  plugins: [leanThree()],
+  plugins: [leanThree(), heldToPolicy],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },

@@ -16,11 +16,13 @@ let whole: Promise<WebAssembly.Module> | null = null;
 
 /** Loads the whole program at the first time, and again after a download that failed. */
 export function loadWhole(): Promise<WebAssembly.Module> {
-  whole ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).catch((problem: unknown) => {
-    whole = null;
-    const why = messageOf(problem);
-    throw new Error(`the program for it could not be loaded (${why}). Try again when you are online.`);
-  });
+  whole ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).catch(
+    (problem: unknown) => {
+      whole = null;
+      const why = messageOf(problem);
+      throw new Error(`the program for it could not be loaded (${why}). Try again when you are online.`);
+    },
+  );
   return whole;
 }
 

@@ -8,13 +8,14 @@ import type { SettingsStore } from "../settings/settings-store";
 import { sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import "../terms/term";
 import type { TermName } from "../terms/terms";
 import "./bound-chart";
 import { isOver, secondsLeft, share } from "./runs";
 import "./training.css";
 import type { TrainingStore } from "./training-store";
+import { partStyle } from "../ui/styled";
 
 export class TrainingView extends View {
   declare training: TrainingStore;
@@ -63,7 +64,7 @@ export class TrainingView extends View {
       <ul class="part-row" aria-label="The parts to train">
         ${clips.parts.map(
           ({ name, joints }, part) => html`
-          <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
+          <li style=${partStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
         )}
       </ul>
       ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;
