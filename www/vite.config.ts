@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
 import { leanThree } from "./lean-three.ts";
+import { offline } from "./offline.ts";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
@@ -22,6 +23,7 @@ const WHEN_ASKED = [
   "details/",
   "latents/push-handle",
   "live/",
+  "offline/service-workers",
   "method/",
   "scene/columns",
   "stage/columns-view",
@@ -67,7 +69,7 @@ const heldToPolicy: Plugin = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
-  plugins: [leanThree(), heldToPolicy],
+  plugins: [leanThree(), heldToPolicy, offline()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },

@@ -6,6 +6,7 @@ import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import type { SupervisedEvents } from "../engine/supervised";
+import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
@@ -19,6 +20,7 @@ import { Lazy } from "./lazy";
 export class App {
   readonly notices = new NoticesStore();
   readonly engine = new EngineStore();
+  readonly offline = new OfflineStore(() => location.reload());
   readonly settings: SettingsStore;
   readonly playback: Playback;
   readonly stage: StageStore;

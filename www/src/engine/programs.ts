@@ -1,5 +1,6 @@
 // The two wasm programs: one that shows, for the first visit, and the whole one, which trains and compares. No wasm import.
 import { messageOf } from "../ui/format";
+import { whenIdle } from "../ui/idle";
 
 /** Compiles a program, once for all its workers. */
 async function compile(place: URL): Promise<WebAssembly.Module> {
@@ -30,8 +31,5 @@ export function loadWhole(): Promise<WebAssembly.Module> {
 export function loadWholeWhenIdle(): void {
   const { connection } = navigator as Navigator & { connection?: { saveData?: boolean } };
   if (connection?.saveData) return;
-  const load = () => void loadWhole().catch(() => {});
-  // Safari does not know it.
-  if (typeof requestIdleCallback === "function") requestIdleCallback(load);
-  else setTimeout(load, 2000);
+  whenIdle(() => void loadWhole().catch(() => {}));
 }
