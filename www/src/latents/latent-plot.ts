@@ -76,7 +76,10 @@ export class LatentPlot extends View {
 
   protected override arrived(): void {
     for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paintSoon()));
-    this.whenLeaving(() => cancelAnimationFrame(this.frame));
+    this.whenLeaving(() => {
+      cancelAnimationFrame(this.frame);
+      this.frame = 0;
+    });
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
     if (box) this.watchSize(box, () => this.requestUpdate());
@@ -143,10 +146,14 @@ export class LatentPlot extends View {
     this.paintSoon();
   }
 
-  /** Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. */
+  /**
+   * Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. What is
+   * asked for stays asked for: the clock ticks before each picture, and would put it off for ever.
+   */
   private paintSoon(): void {
-    cancelAnimationFrame(this.frame);
+    if (this.frame !== 0) return;
     this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
       this.paint();
       if (this.moved) this.placeButtons();
       this.moved = false;
