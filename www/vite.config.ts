@@ -12,6 +12,7 @@ const wasmPackage = (folder: string) =>
 const WHEN_ASKED = [
   "app/help",
   "app/saving",
+  "app/visit",
   "app/stage-files",
   "clips/parts-editor",
   "clips/trim",
@@ -25,6 +26,8 @@ const WHEN_ASKED = [
   "live/",
   "offline/service-workers",
   "method/",
+  "session/",
+
   "scene/columns",
   "stage/columns-view",
   "terms/card",

@@ -46,6 +46,16 @@ const start = () => app.start(startEngine, fetchFirstModel());
 // What could not be loaded may be there now.
 addEventListener("online", () => void (app.engine.state === "failed" && start()));
 void start().then(() => {
+  // What cannot be kept is no reason to say so to somebody who has nothing to keep.
+  if (!app.embedded && app.engine.state === "ready")
+    whenIdle(() => {
+      app.session.get().then(
+        (session) => {
+          if (page) page.session = session;
+        },
+        () => {},
+      );
+    });
   if (import.meta.env.PROD && "serviceWorker" in navigator)
     whenIdle(() => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()));
 });

@@ -41,8 +41,20 @@ export class App {
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
-    return new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+    const comparison = new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+    comparison.on(this.#touched);
+    return comparison;
   });
+
+  /** What a visit holds is kept from now on. */
+  readonly session = new Lazy(async () => {
+    const [{ openSession }, { visitOf }] = await Promise.all([import("../session/session"), import("./visit")]);
+    const session = await openSession(visitOf(this));
+    for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
+    return session;
+  });
+
+  readonly #touched = () => this.session.loaded?.touched();
 
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");

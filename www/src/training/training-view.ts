@@ -80,6 +80,7 @@ export class TrainingView extends View {
       : nothing;
     if (busy) {
       if (asked.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
+      if (asked.some(({ catchingUp }) => catchingUp)) return html`<span>Catching up with where it stopped</span>`;
       const done =
         asked.length > 1
           ? html`<span>${asked.filter(isOver).length} of ${asked.length} trainings done</span>`
@@ -101,8 +102,10 @@ export class TrainingView extends View {
     const { training } = this;
     const run = training.charted;
     if (!run || !training.canContinue(run)) return nothing;
-    return html`<button data-testid="continue" title="Goes on where seed ${run.settings.seed} stopped, for ${run.portion} more iterations"
-      @click=${() => void training.continue(run)}>Continue, ${run.portion} more</button>`;
+    const more = training.moreIterations(run);
+    const how = more > 0 ? `, for ${more} more iterations` : ", as if it had not been cancelled";
+    return html`<button data-testid="continue" title="Goes on where seed ${run.settings.seed} stopped${how}"
+      @click=${() => void training.continue(run)}>Continue${more > 0 ? `, ${more} more` : ""}</button>`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */
