@@ -25,7 +25,9 @@ const runs = (/** @type {Page} */ page) =>
     })),
   );
 
-const SETTINGS = "trainings=1&iterations=60&fps=15&dynamics=6&poses=6";
+/** Enough for a page to be left on the way. */
+const ITERATIONS = 400;
+const SETTINGS = `trainings=1&iterations=${ITERATIONS}&fps=30&dynamics=16&poses=16`;
 
 async function trained(/** @type {Page} */ page) {
   await page.getByTestId("train").waitFor({ timeout: 120_000 });
@@ -43,18 +45,20 @@ describe("a page that is closed in the middle of a training", () => {
 
     await page.getByTestId("train").click();
     const whole = await trained(page);
-    assert.equal(whole.iterations, 60);
+    assert.equal(whole.iterations, ITERATIONS);
     await page.locator("pg-training").evaluate((view) => /** @type {any} */ (view).training.clear());
 
     // The same again, and the page is left on the way.
     await page.getByTestId("train").click();
-    await page.waitForFunction(
-      () => /** @type {any} */ (document.querySelector("pg-training")).training.runs[0]?.steps.length > 10,
-    );
-    await page.getByTestId("cancel").click();
+    await page.waitForFunction(() => {
+      const { training } = /** @type {any} */ (document.querySelector("pg-training"));
+      const isOnTheWay = training.runs[0]?.steps.length > 10;
+      if (isOnTheWay) training.cancel();
+      return isOnTheWay;
+    });
     await page.getByTestId("continue").waitFor();
     const [stopped] = await runs(page);
-    assert.ok(stopped.iterations < 60, `${stopped.iterations} iterations before it was cancelled`);
+    assert.ok(stopped.iterations < ITERATIONS, `${stopped.iterations} iterations before it was cancelled`);
     await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
     await page.reload();
     await ready(page);
@@ -68,7 +72,7 @@ describe("a page that is closed in the middle of a training", () => {
     await offer.waitFor({ state: "detached" });
     await page.getByTestId("continue").click();
     const ended = await trained(page);
-    assert.equal(ended.iterations, 60);
+    assert.equal(ended.iterations, ITERATIONS);
     assert.equal(ended.bound, whole.bound);
     // The seconds that it took are not the same.
     const bare = (/** @type {string} */ text) => text.replace(/"seconds":[^,}]*/g, "");

@@ -25,12 +25,12 @@ export async function openSite({ folder = dist, ...options } = {}) {
    *   figure walks from the beginning, which costs a core where no graphics card draws; a visitor who wants little motion else
    */
   async function visit({ settings = "", cores = 0, moving = false, ...options } = {}) {
-    const reducedMotion = moving ? "no-preference" : "reduce";
-    // With a service worker the files come from there: only its own test wants that.
+    /** @type {import("playwright-core").BrowserContextOptions} */
     const usual = {
       viewport: { width: 1280, height: 800 },
-      reducedMotion,
-      serviceWorkers: /** @type {const} */ ("block"),
+      reducedMotion: moving ? "no-preference" : "reduce",
+      // With a service worker the files come from there: only its own test wants that.
+      serviceWorkers: "block",
     };
     const context = await browser.newContext({ ...usual, ...options });
     const page = await context.newPage();
