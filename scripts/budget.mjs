@@ -3,6 +3,6 @@
 export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
-  whenAsked: 60_000,
-  onDemand: 470_000,
+  whenAsked: 70_000,
+  onDemand: 490_000,
 };

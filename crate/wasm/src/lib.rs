@@ -12,6 +12,7 @@ mod convert;
 mod error;
 #[cfg(feature = "training")]
 mod evaluation;
+mod given;
 mod live;
 mod model;
 mod predictions;
