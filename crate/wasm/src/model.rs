@@ -33,6 +33,12 @@ export interface SequenceInfo {
     frames: number;
     /** Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not known. */
     restsFrom: number | null;
+    /** The frames of the file that were used, the first and the one after the last; null: all, or not known. */
+    piece: [number, number] | null;
+    /** The name of the clip whose bones it was given; null: it kept its own, or not known. */
+    bonesOf: string | null;
+    /** Whether all of the clip's frames are there; else only its first ones are. */
+    whole: boolean;
 }
 
 /** How a model was made. */
