@@ -34,6 +34,16 @@ export class StageView extends View {
       return;
     }
     const { scene } = this;
+    this.listen(canvas, "webglcontextlost", () => {
+      this.problem =
+        "The browser has taken the 3-D graphics away, perhaps because other pages need them. The figure comes back when it gives them back; reloading the page may help.";
+      this.requestUpdate();
+    });
+    this.listen(canvas, "webglcontextrestored", () => {
+      this.problem = "";
+      scene.update();
+      this.requestUpdate();
+    });
     this.whenLeaving(this.stage.on(() => scene.update()));
     this.whenLeaving(this.playback.on(() => scene.tick()));
     this.whenLeaving(() => scene.dispose());
