@@ -2,6 +2,7 @@
 // first visit to the page (player/), which shows clips and models and trains none.
 import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { noticeOfWasm } from "./licences.mjs";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 /** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
@@ -103,11 +104,12 @@ function describe() {
     license: crate.license,
     exports: { ".": { node: entry("node"), default: entry("web") }, "./player": entry("player") },
     types: "./web/vcgpdm.d.ts",
-    files: TARGETS.map(({ folder }) => folder),
+    files: [...TARGETS.map(({ folder }) => folder), "THIRD-PARTY.txt"],
     sideEffects: false,
     engines: { node: ">=20" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
+  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), noticeOfWasm());
   copyFileSync(at("README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
     copyFileSync(at(file), at("crate/wasm/pkg", file));

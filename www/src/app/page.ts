@@ -330,6 +330,7 @@ export class PageView extends View {
             : html`
           <footer>
             <span>Nothing you load leaves your machine. ${this.forgetButton()}</span>
+            <span><a href="licences.txt">Licences</a> of what others wrote.</span>
             <span>The start model was trained on CMU subject 7. ${ACKNOWLEDGEMENT}</span>
           </footer>`
         }
