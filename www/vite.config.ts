@@ -18,13 +18,17 @@ const WHEN_ASKED = [
   "latents/outlook-drawing",
   "latents/outlook-store",
   "latents/outlook-view",
+  "details/",
+  "latents/push-handle",
   "live/",
   "method/",
   "scene/columns",
   "stage/columns-view",
   "terms/card",
   "terms/terms",
+  "training/bound-drawing",
   "training/runs-table",
+  "ui/dialog",
 ];
 const isAsked = (file: string) =>
   file.includes("/uplot/") ||

@@ -114,4 +114,65 @@ describe("a live rollout", () => {
     assert.deepEqual(problems, []);
     await leave();
   });
+
+  it("is pushed at the dots of the latent plots: by mouse, finger and keys", async () => {
+    const { page, problems, leave } = await site.visit({ hasTouch: true });
+    await ready(page);
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    /** The newest push of a part, and how far from its cycle the part was afterwards; 0: it was not pushed. */
+    const farthest = (/** @type {number} */ part) =>
+      page.locator("pg-live").evaluate((view, part) => {
+        const { marks, trace } = /** @type {any} */ (view).live;
+        const push = marks.findLast((/** @type {any} */ mark) => mark.kind === "push" && mark.part === part);
+        const felt = trace.filter((/** @type {any} */ { frame }) => push && frame >= push.from - 10);
+        return Math.max(0, ...felt.map((/** @type {any} */ { distances }) => distances[part]));
+      }, part);
+    const gone = async (/** @type {number} */ part) => {
+      for (let k = 0; k < 100; k++) {
+        if ((await farthest(part)) > 0.15) return;
+        await page.waitForTimeout(50);
+      }
+      assert.fail(`part ${part} was not pushed: ${await farthest(part)}`);
+    };
+    const middleOf = async (/** @type {number} */ part) => {
+      const { x, y, width, height } = (await page.getByTestId(`push-${part}`).boundingBox()) ?? assert.fail();
+      return { x: x + width / 2, y: y + height / 2 };
+    };
+
+    const dot = page.getByRole("button", {
+      name: "State of lower now. Drag it, or use the arrow keys, to push this part.",
+    });
+    await dot.focus();
+    for (let k = 0; k < 12; k++) await page.keyboard.press("ArrowLeft");
+    await gone(0);
+
+    // Held still, so that it does not walk away before it is gripped.
+    const play = page.getByTestId("play");
+    await play.click();
+    const { x, y } = await middleOf(1);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y, { steps: 5 });
+    await page.mouse.up();
+    await play.click();
+    await gone(1);
+
+    const cdp = await page.context().newCDPSession(page);
+    const touch = async (/** @type {string} */ type, /** @type {{ x: number, y: number }[]} */ ...touchPoints) =>
+      cdp.send("Input.dispatchTouchEvent", { type: /** @type {any} */ (type), touchPoints });
+    const pushes = () => page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    const before = await pushes();
+    await play.click();
+    const start = await middleOf(0);
+    await touch("touchStart", start);
+    for (let k = 1; k <= 5; k++) await touch("touchMove", { x: start.x, y: start.y + 12 * k });
+    await touch("touchEnd");
+    assert.ok((await pushes()) > before, "a finger pushes, too");
+
+    await page.getByRole("button", { name: "clip", exact: true }).click();
+    await page.getByTestId("push-0").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
 });

@@ -53,6 +53,22 @@ function train(/** @type {number} */ seed = 1) {
 
 const finite = (/** @type {ArrayLike<number>} */ numbers) => Array.from(numbers).every(Number.isFinite);
 
+it("rolls out from any frame of a sequence whose latents the model keeps, also when it is read again", () => {
+  const { model, trainer } = train();
+  const { startFrames } = model.info();
+  const [count = 0] = startFrames;
+  assert.ok(count > 20, `${count}`);
+  const latents = trainer.latents(0);
+  for (const of of [model, vcgpdm.Model.fromJson(model.toJson())]) {
+    const rollout = of.rollout({ frames: 4, sequence: 0, frame: 12 });
+    assert.deepEqual([...rollout.latents(0).slice(0, 4)], [...latents.slice(24, 28)]);
+  }
+  assert.throws(() => model.rollout({ frames: 4, sequence: 0, frame: count }), {
+    code: "rollout",
+    message: `expected a frame of the sequence from 0 to ${count - 1} to start from, found ${count}`,
+  });
+});
+
 it("goes on with a training that has used its iterations", () => {
   const { progress, trainer } = train();
   const before = progress.at(-1);

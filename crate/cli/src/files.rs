@@ -89,6 +89,13 @@ pub fn about(path: &Path, error: &dyn Error) -> Box<dyn Error> {
     format!("{}: {error}", path.display()).into()
 }
 
+/// A text for a terminal: what would move the cursor, colour or clear the screen stands as its code. Names and words come from
+/// strangers' files.
+pub fn shown(text: &str) -> String {
+    let harmless = |c: char| c == '\n' || !c.is_control();
+    text.chars().map(|c| if harmless(c) { c.to_string() } else { c.escape_default().to_string() }).collect()
+}
+
 /// Prints one JSON object and a line end.
 pub fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string(value)? + "\n"))
@@ -100,5 +107,15 @@ pub fn print(text: &str) -> Result<()> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("stdout: {error}").into()),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_terminal_is_not_told_what_to_do_by_a_file() {
+        assert_eq!(shown("a\u{1b}[2J\u{7}é\nb"), "a\\u{1b}[2J\\u{7}é\nb");
     }
 }

@@ -59,7 +59,7 @@ fn main() -> ExitCode {
         Err(error) => {
             let message: Vec<String> = error.to_string().split_whitespace().map(str::to_owned).collect();
             // Nobody is left to tell when stderr is closed.
-            let _ = writeln!(std::io::stderr(), "vcgpdm: {}", message.join(" "));
+            let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::shown(&message.join(" ")));
             ExitCode::FAILURE
         }
     }

@@ -36,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     growth(&mut text, &comparison)?;
     failures(&mut text, &results)?;
     claims(&mut text, &comparison)?;
-    files::print(&text)
+    files::print(&files::shown(&text))
 }
 
 /// Mean and standard error.

@@ -79,9 +79,10 @@ fn run(dataset: &Dataset, settings: &VariationalSettings, seed: u32, frames: usi
     while !trainer.step().done {}
     let seconds = begin.elapsed().as_secs_f64();
     let model = TrainedModel::<Vcgpdm>::trained(dataset, &trainer, FRAMES_PER_SECOND).unwrap();
-    let rollout = model.rollout(&RolloutRequest { frames, ..Default::default() }).unwrap();
+    let request = RolloutRequest { frames, ..Default::default() };
+    let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
-    let health = model.health(&rollout, 0, &positions).unwrap();
+    let health = model.health(&rollout, &request, &positions).unwrap();
     Run { bound: trainer.progress().best, seconds, health }
 }
 

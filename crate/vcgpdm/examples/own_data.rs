@@ -7,6 +7,8 @@
 //! What the model needs: rows that follow each other in time, columns that are divided into parts, and columns whose mean
 //! is zero. Here two made-up machines are measured; the second follows the first a little later.
 
+#![allow(clippy::disallowed_methods)]
+
 use nalgebra::DMatrix;
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@
 //!
 //! The data are the bundled walks, one after the other as often as needed, a little different each time. Every row is measured in
 //! a process of its own: a few iterations of a training, whose largest memory the system tells (Linux; elsewhere it is left out).
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, missing_docs, clippy::unwrap_used)]
 
 use nalgebra::DMatrix;
 use std::process::Command;

@@ -56,6 +56,8 @@ export interface ModelInfo {
     frameTime: number;
     /** Coupling variances as learned, `alpha[source][target]`. */
     alpha: number[][];
+    /** From how many frames of each sequence a rollout can start. */
+    startFrames: number[];
     /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
     dynamicsIps: number[][];
     sequences: SequenceInfo[];
@@ -91,6 +93,7 @@ struct ModelInfo<'a> {
     order: usize,
     frame_time: f64,
     alpha: Vec<Vec<f64>>,
+    start_frames: Vec<usize>,
     dynamics_ips: Vec<Vec<usize>>,
     sequences: &'a [SequenceInfo],
     provenance: Provenance<'a>,
@@ -112,6 +115,7 @@ impl<'a> ModelInfo<'a> {
             order: fitted.order,
             frame_time: body.frame_time,
             alpha: rows(&fitted.alpha),
+            start_frames: (0..body.sequences.len()).map(|k| fitted.start_frames(k)).collect(),
             dynamics_ips: counts.collect(),
             sequences: &body.sequences,
             provenance: Provenance {

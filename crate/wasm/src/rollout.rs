@@ -23,6 +23,8 @@ export interface RolloutOptions {
     frames: number;
     /** The training sequence whose start latents begin it, counted from 0. */
     sequence: number;
+    /** The frame of it that begins the rollout, counted from 0; absent: its first. */
+    frame?: number;
     /** Coupling variances `alpha[source][target]`; absent: as learned. */
     alpha?: number[][] | null;
     /** Absent: as learned. */
@@ -161,7 +163,7 @@ impl Rollout {
     /// How it ends: moving on, standing still, far from what the model was trained on.
     #[wasm_bindgen(unchecked_return_type = "Health")]
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
-        let health = self.model.health(&self.rollout, self.request.sequence, &self.positions)?;
+        let health = self.model.health(&self.rollout, &self.request, &self.positions)?;
         let (state, from, part) = match health {
             Health::MovesOn => ("moves on", None, None),
             Health::StandsStill { from } => ("stands still", Some(from), None),

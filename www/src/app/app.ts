@@ -5,6 +5,7 @@ import { ModelStore } from "../couplings/model-store";
 import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
+import type { SupervisedEvents } from "../engine/supervised";
 import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
@@ -75,10 +76,19 @@ export class App {
   }
 
   /** Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a model. */
-  async start(startEngine: () => Promise<StartedEngine>, text: Promise<string | null>): Promise<void> {
+  async start(
+    startEngine: (events: SupervisedEvents) => Promise<StartedEngine>,
+    text: Promise<string | null>,
+  ): Promise<void> {
     // Where the engine cannot start, nobody waits for the model.
     text.catch(() => {});
-    await this.engine.start(startEngine, async () => {
+    const events: SupervisedEvents = {
+      restarted: (why) =>
+        this.notices.addError("The program was started again", `${why}. Clips and model are as they were.`),
+      failed: (problem) => this.engine.fail(problem),
+    };
+    const started = () => startEngine(events);
+    await this.engine.start(started, async () => {
       const first = await text;
       if (first !== null) await this.model.openStart(first);
     });

@@ -1,5 +1,6 @@
 // What the stage shows, in words over the figure.
 import { html, nothing } from "lit";
+import type { Detail } from "../details/details";
 import type { ClipEntry } from "../clips/clips-store";
 import type { PointingStore } from "../latents/pointing-store";
 import "../terms/term";
@@ -84,6 +85,12 @@ export class CaptionView extends View {
     return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
 
+  /** Opens a closer look. */
+  private look(detail: Detail, words: string) {
+    const show = () => this.dispatchEvent(new CustomEvent("show-details", { detail, bubbles: true }));
+    return html`<button class="link" data-testid="show-${detail}" @click=${show}>${words}</button>`;
+  }
+
   protected override render() {
     const { stage, model } = this.app;
     const { title, text } = wordsNow(this.app);
@@ -95,6 +102,7 @@ export class CaptionView extends View {
             ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>
+        ${model.rollout ? html`<span>${this.look("angles", "joint angles")}, ${this.look("kernels", "kernels")}</span>` : nothing}
         ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`

@@ -35,6 +35,7 @@ describe("the name of a motion", () => {
       { ...asLearned, alpha: many },
       { ...asLearned, alpha: { ...many, "1.1": 5 } },
       { ...asLearned, sequence: 1 },
+      { ...asLearned, sequence: 1, frame: 9 },
       { ...asLearned, frames: 150 },
     ];
     expect(new Set(variants.map(motionName)).size).toBe(variants.length);

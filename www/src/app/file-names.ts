@@ -15,6 +15,8 @@ export interface RolledOut {
   reading: Reading;
   /** The training sequence whose first frames begin the motion. */
   sequence: number;
+  /** Which of its frames; absent: the first. */
+  frame?: number | undefined;
   frames: number;
 }
 
@@ -32,10 +34,11 @@ export function modelName({ info, id }: Pick<RolledOut, "info" | "id">): string 
 
 /** The same, and what tells this motion from others of the model: "...-lower-upper-5-as-35_02-10s". */
 export function motionName(motion: RolledOut): string {
-  const { info, sequence, frames } = motion;
+  const { info, sequence, frame, frames } = motion;
   const start = info.sequences[sequence];
   const words = [modelName(motion), ...couplingWords(motion)];
   if (sequence > 0 && start) words.push(`as-${plain(clipTitle(start.name)) || sequence + 1}`);
+  if (frame) words.push(`from-${frame + 1}`);
   words.push(`${Number((frames * info.frameTime).toFixed(1))}s`);
   return words.join("-");
 }

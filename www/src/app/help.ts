@@ -4,6 +4,7 @@ import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { clipTitle } from "../ui/format";
 import { icon } from "../ui/icons";
+import "../ui/dialog.css";
 import { View } from "../ui/view";
 import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import "./help.css";

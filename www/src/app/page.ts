@@ -8,10 +8,12 @@ import "../stage/timeline";
 import "../training/training-view";
 import "../ui/notices-view";
 import type { HoldCoupling } from "../couplings/body-map";
+import type { Detail } from "../details/details";
 import type { LiveStore } from "../live/live-store";
+import { messageOf } from "../ui/format";
 import { View } from "../ui/view";
 import type { App } from "./app";
-import "./caption";
+import { clipOnStage } from "./caption";
 import "./header";
 import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import type { HelpView } from "./help";
@@ -157,6 +159,18 @@ export class PageView extends View {
     control?.scrollIntoView({ block: "nearest" });
   }
 
+  /** A closer look, in a dialog. */
+  private async showDetails(what: Detail): Promise<void> {
+    const { notices, model, playback, engine } = this.app;
+    if (!engine.engine || !model.rollout) return;
+    try {
+      const { openDetails } = await import("../details/details");
+      await openDetails(what, { engine: engine.engine, model, playback, clip: clipOnStage(this.app) }, this);
+    } catch (problem) {
+      notices.addError("This could not be shown", messageOf(problem));
+    }
+  }
+
   private showMethod(): void {
     this.app.settings.change({ view: "method" });
   }
@@ -231,7 +245,7 @@ export class PageView extends View {
         <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
       </section>
       <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
-        <pg-couplings .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
       </section>
       ${
         embedded
@@ -257,6 +271,7 @@ export class PageView extends View {
       <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod}
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
+        @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}

@@ -50,6 +50,7 @@ function fileOf(app: App, what: Saved): File | null {
     alpha,
     reading,
     sequence: request.sequence,
+    frame: request.frame,
     frames: request.frames,
   };
   const name = motionName(rolledOut);

@@ -39,7 +39,7 @@ it("tells how a motion was made: model, clips, seed, couplings, reading, start",
     alpha,
     alpha_learned: model.info.alpha,
     reading: "re-inferred",
-    start: { sequence: 1, name: "walk 1" },
+    start: { sequence: 1, name: "walk 1", frame: 0 },
     frames: 2,
   });
   expect(account.model.clips).toHaveLength(2);

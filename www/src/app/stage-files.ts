@@ -52,7 +52,11 @@ export function motionAccount(
     alpha: request.alpha ?? info.alpha,
     alpha_learned: info.alpha,
     reading,
-    start: { sequence: request.sequence, name: sequences[request.sequence]?.name ?? null },
+    start: {
+      sequence: request.sequence,
+      name: sequences[request.sequence]?.name ?? null,
+      frame: request.frame ?? 0,
+    },
     frames: request.frames,
     frame_time: frameTime,
   };

@@ -2,7 +2,7 @@
 import { html } from "lit";
 import type { PartSpec } from "../engine/protocol";
 import { partOfJoints } from "../scene/part-of-joints";
-import { MAX_PARTS } from "../settings/settings";
+import { MAX_PARTS } from "../engine/limits";
 import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";

@@ -5,6 +5,7 @@ import { Latest } from "../engine/latest";
 import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
+import { sameTimes } from "./same-times";
 
 /** Seconds of motion that are measured, and how many of its first are left out: in these it finds its new pace. As in docs/couplings.md. */
 const MEASURED = 20;
@@ -67,11 +68,8 @@ export class BodyStore extends Store {
     return rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest());
   }
 
-  #isOf(report: BodyReport | null, { sequence, frames }: RolloutRequest): report is BodyReport {
-    const { model } = this.#model;
-    return (
-      report?.revision === model?.revision && report?.request.sequence === sequence && report.request.frames === frames
-    );
+  #isOf(report: BodyReport | null, request: RolloutRequest): report is BodyReport {
+    return report?.revision === this.#model.model?.revision && report !== null && sameTimes(report.request, request);
   }
 
   #follow(): void {

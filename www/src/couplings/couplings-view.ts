@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
+import type { Playback } from "../stage/playback";
 import { clipTitle, short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import "../terms/term";
@@ -24,6 +25,7 @@ export class CouplingsView extends View {
   declare engine: EngineStore;
   declare body: BodyStore;
   declare readings: ReadingsStore;
+  declare playback: Playback;
 
   protected override stores() {
     return [this.model, this.settings, this.engine];
@@ -99,14 +101,27 @@ export class CouplingsView extends View {
   }
 
   private starts({ sequences }: ModelInfo) {
-    if (sequences.length < 2) return nothing;
+    const { start, startFrame } = this.settings.values;
+    const last = this.model.startFrames(start) - 1;
+    const frame = Math.min(startFrame, last);
+    // The motion stops where it begins, so that its first pose is seen.
+    const from = (event: Event) => {
+      this.playback.scrub(0);
+      this.model.setStart(start, (event.target as HTMLInputElement).valueAsNumber);
+    };
+    const frames =
+      last > 0
+        ? html`<label class="start">from frame <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
+            aria-valuetext="Frame ${frame + 1} of ${last + 1}" @input=${from} /><output>${frame + 1}</output></label>`
+        : nothing;
+    if (sequences.length < 2) return frames;
     return html`
       <label class="start">Start as
         <select aria-label="Start as in" @change=${(event: Event) =>
           this.model.setStart(Number((event.target as HTMLSelectElement).value))}>
-          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === this.settings.values.start}>${clipTitle(name)}</option>`)}
+          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === start}>${clipTitle(name)}</option>`)}
         </select>
-      </label>`;
+      </label>${frames}`;
   }
 
   protected override render() {

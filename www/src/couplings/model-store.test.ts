@@ -239,6 +239,20 @@ describe("the start", () => {
     expect(model.rollout?.request.sequence).toBe(1);
   });
 
+  it("is a frame of it, as far as the model keeps them", async () => {
+    await begin("", 2);
+    model.setStart(1, 40);
+    await settled();
+    expect(engine.rollouts.at(-1)).toMatchObject({ sequence: 1, frame: 40 });
+    expect(model.learned?.request.frame).toBe(40);
+    // A link says it, and which model it belongs to.
+    expect([settings.values.startFrame, settings.values.model]).toEqual([40, model.id]);
+    model.setStart(1, 500);
+    expect(model.rolloutRequest().frame).toBe(88);
+    model.setStart(0);
+    expect(model.rolloutRequest()).toEqual({ frames: 300, sequence: 0, alpha: null, reading: "as learned" });
+  });
+
   it("comes from the address, or is the first where the model has no such sequence", async () => {
     await begin("start=1", 2);
     expect(model.rollout?.request.sequence).toBe(1);

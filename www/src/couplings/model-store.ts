@@ -17,6 +17,7 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { couplingsOf, isClose, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
+import { sameTimes } from "./same-times";
 import { moveDivider, sharesOf } from "./shares";
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
@@ -39,7 +40,7 @@ export interface Keep {
 const KEEP_NOTHING: Keep = { couplings: "none", clip: false };
 
 /** Couplings and start of a link that names another model than the one that was there. */
-interface Foreign extends Pick<Settings, "alpha" | "start"> {
+interface Foreign extends Pick<Settings, "alpha" | "start" | "startFrame"> {
   model: string;
 }
 
@@ -152,13 +153,15 @@ export class ModelStore extends Store {
 
   /** What to ask the engine for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
-    const { frames, reading, start } = this.#settings.values;
+    const { frames, reading, start, startFrame } = this.#settings.values;
     const sequences = this.#model?.info.sequences.length ?? 1;
     const sequence = Math.min(start, Math.max(0, sequences - 1));
-    if (!this.altered) return { frames, sequence, alpha: null, reading: "as learned" };
+    const frame = Math.min(startFrame, this.startFrames(sequence) - 1);
+    const begins = frame > 0 ? { frames, sequence, frame } : { frames, sequence };
+    if (!this.altered) return { ...begins, alpha: null, reading: "as learned" };
     const learned = this.#model?.info.alpha ?? [];
     const alpha = learned.map((row, source) => row.map((_, target) => this.alpha(source, target)));
-    return { frames, sequence, alpha, reading };
+    return { ...begins, alpha, reading };
   }
 
   /** Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are known. */
@@ -224,9 +227,14 @@ export class ModelStore extends Store {
     this.#rollOut();
   }
 
-  /** Starts the rollouts as another training sequence does; the ghost starts there too. */
-  setStart(start: number): void {
-    this.#change({ start });
+  /** From how many frames of a training sequence a rollout can start: of those whose latents the model's file keeps. */
+  startFrames(sequence: number): number {
+    return this.#model?.info.startFrames[sequence] ?? 1;
+  }
+
+  /** Starts the rollouts from a frame of a training sequence; the ghost starts there too. */
+  setStart(start: number, startFrame = 0): void {
+    this.#change({ start, startFrame });
     this.#rollOutBoth();
   }
 
@@ -251,8 +259,8 @@ export class ModelStore extends Store {
 
   /** Changes settings. A link that says something about the model also says which model it is. */
   #change(change: Partial<Settings>): void {
-    const { alpha, start } = { ...this.#settings.values, ...change };
-    const aboutModel = start > 0 || Object.keys(alpha).length > 0;
+    const { alpha, start, startFrame } = { ...this.#settings.values, ...change };
+    const aboutModel = start + startFrame > 0 || Object.keys(alpha).length > 0;
     this.#settings.change({ ...change, model: aboutModel ? this.id : "" });
   }
 
@@ -323,23 +331,23 @@ export class ModelStore extends Store {
     this.changed();
     this.#show();
     if (!keep.clip) this.#stage.endClip();
-    const { start, frames } = this.#settings.values;
     const { request } = rollout;
-    if (this.altered || request.sequence !== start || request.frames !== frames) this.#rollOutBoth();
+    const asked = this.rolloutRequest();
+    if (this.altered || !sameTimes(request, asked)) this.#rollOutBoth();
   }
 
   /** Which couplings, and which start, hold for a model that is taken up. */
   #settleCouplings({ info }: ModelView, keep: Keep): void {
-    const { alpha, start, model } = this.#settings.values;
+    const { alpha, start, startFrame, model } = this.#settings.values;
     const isForeign = keep.couplings === "link" && model !== "" && model !== this.id;
-    if (isForeign) this.#foreign = { model, alpha, start };
+    if (isForeign) this.#foreign = { model, alpha, start, startFrame };
     if (isForeign || keep.couplings === "none" || !this.#couplingsFit(info)) this.#change({ alpha: {} });
-    if (isForeign || start >= info.sequences.length) this.#change({ start: 0 });
+    if (isForeign || start >= info.sequences.length) this.#change({ start: 0, startFrame: 0 });
     // The link was followed before its model was there.
     if (this.#foreign?.model === this.id) {
-      const { alpha, start } = this.#foreign;
+      const { alpha, start, startFrame } = this.#foreign;
       this.#foreign = null;
-      this.#change({ alpha, start });
+      this.#change({ alpha, start, startFrame });
     } else {
       this.#change({});
     }

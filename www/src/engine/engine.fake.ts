@@ -63,6 +63,7 @@ function infoOf(text: string): ModelInfo {
       [4, 4],
       [4, 4],
     ],
+    startFrames: Array.from({ length: sequences }, () => 89),
     sequences: Array.from({ length: sequences }, (_, i) => ({
       name: `walk ${i}`,
       sha256: `${i}`,

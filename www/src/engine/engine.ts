@@ -2,6 +2,7 @@
 import * as Comlink from "comlink";
 import { messageOf } from "../ui/format";
 import { type Hired, Pool } from "./pool";
+import { isTrap, SupervisedEngine, type SupervisedEvents } from "./supervised";
 import type { Engine, Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
 /** Trains until it is done, or until the signal asks for the best so far. */
@@ -26,20 +27,33 @@ export function workerTrouble(event: Pick<ErrorEvent, "message" | "lineno">): st
   return "its program could not be loaded. Is this machine offline? Try again when it is online";
 }
 
-/** A worker, with a promise that fails when it dies. */
-export function watched(worker: Worker) {
+/** A name that no other worker has, of this page or of another tab. */
+export const nameOf = (what: string) => `vcgpdm ${what} ${Date.now()} ${Math.random()}`;
+
+/**
+ * A worker, with a promise that fails when it dies. Some deaths send no event: but a worker that has started holds the lock of its name,
+ * and the browser gives that to the next who waits for it. `started` is kept when the worker has it. (Only pages from https or from
+ * this machine have locks.)
+ */
+export function watched(worker: Worker, name: string, started: Promise<unknown>) {
   const broken = new Promise<never>((_, fail) => {
     worker.addEventListener("error", (event) => fail(new Error(workerTrouble(event))));
+    const mourn = () => fail(new Error("the worker that computed it stopped"));
+    started.then(() => navigator.locks?.request(name, mourn)).catch(() => {});
   });
-  return { worker, broken };
+  // Whoever asks it something hears of it; nobody else must.
+  broken.catch(() => {});
+  return broken;
 }
 
-const open = (name: string) =>
-  watched(new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }));
+function open(what: string) {
+  const name = nameOf(what);
+  return { name, worker: new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }) };
+}
 
 /** A trap of the wasm names an instruction, which is no news to a person. */
 function inWords(problem: unknown): unknown {
-  if (!(problem instanceof Error) || problem.name !== "RuntimeError") return problem;
+  if (!isTrap(problem)) return problem;
   return new Error(`the program stopped (${problem.message}), perhaps for want of memory.`);
 }
 
@@ -62,8 +76,9 @@ export async function cancellable<Result>(
 }
 
 function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
-  const { worker, broken } = open("training");
+  const { worker, name } = open("training");
   const remote = Comlink.wrap<Trainee>(worker);
+  const ready = remote.start(wasm);
   const heard = (signal: AbortSignal, work: () => Promise<TrainingOutcome>) =>
     cancellable(signal, () => remote.cancelTraining(), work);
   return {
@@ -71,8 +86,8 @@ function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
       train: (job, report, signal) => heard(signal, () => remote.train(job, Comlink.proxy(report))),
       goOn: (iterations, report, signal) => heard(signal, () => remote.goOn(iterations, Comlink.proxy(report))),
     },
-    ready: remote.start(wasm),
-    broken,
+    ready,
+    broken: watched(worker, name, ready),
     dismiss: () => worker.terminate(),
   };
 }
@@ -84,19 +99,29 @@ export interface StartedEngine {
   samples: SampleInfo[];
 }
 
+/** A worker that shows, and what it says when it has started. */
+async function startWorkbench(program: Promise<WebAssembly.Module>) {
+  const { worker, name } = open("model");
+  const remote = Comlink.wrap<Workbench>(worker);
+  const started = program.then((wasm) => remote.start(wasm));
+  const broken = watched(worker, name, started);
+  const said = await Promise.race([started, broken]);
+  return { running: { remote, broken, dismiss: () => worker.terminate() }, ...said };
+}
+
 /** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
-export async function startEngine(): Promise<StartedEngine> {
+export async function startEngine(events: SupervisedEvents): Promise<StartedEngine> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
   const program = compile(new URL("../../../crate/wasm/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
-  const { worker, broken } = open("model");
-  const engine = Comlink.wrap<Workbench>(worker);
-  const started = program.then(async (wasm) => ({ wasm, ...(await engine.start(wasm)) }));
-  const { wasm, version, samples } = await Promise.race([started, broken]).catch((problem: unknown) => {
-    const why = messageOf(problem);
-    throw new Error(`its program could not be loaded (${why}). Reloading the page may help.`);
-  });
+  const start = () =>
+    startWorkbench(program).catch((problem: unknown) => {
+      throw new Error(`its program could not be loaded (${messageOf(problem)}). Reloading the page may help.`);
+    });
+  const { running, version, samples } = await start();
+  const { engine } = new SupervisedEngine(running, async () => (await start()).running, events);
+  const wasm = await program;
   const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm));
   return { engine, pool, version, samples };
 }

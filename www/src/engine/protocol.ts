@@ -68,6 +68,8 @@ export interface ModelView {
 export interface RolloutRequest {
   frames: number;
   sequence: number;
+  /** The frame of the sequence that begins it; absent: the first. */
+  frame?: number;
   /** Absent: as learned. */
   alpha: Couplings | null;
   reading: Reading;
@@ -227,7 +229,8 @@ export interface Workbench {
   checkTogether(ids: number[], firstBones: boolean): Clash | null;
   /** Which of several models of the same data is to be shown, from the ranks of their rollouts' health and their bounds. */
   bestToShow(ranks: number[], bounds: number[]): number;
-  openModel(text: string, frames: number): OpenedModel;
+  /** `revision` is the number that the model and its rollouts go by. */
+  openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
   modelJson(): string;
@@ -246,9 +249,9 @@ export interface Workbench {
   clipBvh(id: number, first: number, end: number): string;
 }
 
-/** What the page asks of the worker that shows, once it has started. */
+/** What the page asks of the worker that shows, whichever it is. */
 export type Engine = {
-  [Call in Exclude<keyof Workbench, "start">]: (
+  [Call in Exclude<keyof Workbench, "start" | "openModel">]: (
     ...args: Parameters<Workbench[Call]>
   ) => Promise<ReturnType<Workbench[Call]>>;
-};
+} & { openModel(text: string, frames: number): Promise<OpenedModel> };

@@ -1,7 +1,7 @@
 // Promises over the workers of the whole program, which is loaded when it is asked for. No wasm import.
 import * as Comlink from "comlink";
 import { messageOf } from "../ui/format";
-import { cancellable, compile, watched } from "./engine";
+import { cancellable, compile, nameOf, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
 import type { TrainingOutcome } from "./protocol";
 import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
@@ -38,10 +38,10 @@ export interface WholeProgram {
 }
 
 function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
-  const { worker, broken } = watched(
-    new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name: "whole" }),
-  );
+  const name = nameOf("whole");
+  const worker = new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name });
   const remote = Comlink.wrap<WholeWorker>(worker);
+  const ready = remote.start(wasm);
   return {
     worker: {
       planComparison: (...given) => remote.planComparison(...given),
@@ -62,8 +62,8 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
           () => remote.trainExperiment(experiment, Comlink.proxy(report)),
         ),
     },
-    ready: remote.start(wasm),
-    broken,
+    ready,
+    broken: watched(worker, name, ready),
     dismiss: () => worker.terminate(),
   };
 }

@@ -19,3 +19,8 @@ it("keeps full precision, and leaves out what is not known", () => {
   expect(row).toBe("0.30000000000000004,1e-9,,");
   expect(Number(row!.split(",")[0])).toBe(value);
 });
+
+it("lets no spreadsheet compute a stranger's name", () => {
+  const header = ['=HYPERLINK("http://x")', "+1", "@a", "-b", "a-b"];
+  expect(csv({ header, rows: [[-1]] })).toBe(`"'=HYPERLINK(""http://x"")",'+1,'@a,'-b,a-b\r\n-1\r\n`);
+});

@@ -85,3 +85,13 @@ describe("a logarithmic scale", () => {
     expect(logScale([], 0, 1).ticks(3).length).toBeGreaterThan(0);
   });
 });
+
+it("names some values of any range that numbers can have", () => {
+  for (const values of [[1e-3, 1e300], [1e-300, 1], [1.7e308]]) {
+    const scale = logScale(values, 0, 300);
+    const ticks = scale.ticks(5);
+    expect(ticks.length, values.join()).toBeGreaterThan(0);
+    expect(ticks.length, values.join()).toBeLessThanOrEqual(5);
+    for (const value of values) expect(scale.at(value)).toBeGreaterThanOrEqual(0);
+  }
+});

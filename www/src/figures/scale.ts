@@ -52,7 +52,8 @@ function byPowers(low: number, high: number, most: number): number[] {
       .filter((value) => value >= low && value <= high);
     return values.filter((_, i) => i % every === 0);
   };
-  const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6].map((every) => dense([1], every))];
+  const fewest = Math.ceil((last - first + 1) / most);
+  const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6, fewest].map((every) => dense([1], every))];
   return choices.find((values) => values.length <= most) ?? [];
 }
 
@@ -74,7 +75,11 @@ export function logScale(values: readonly number[], from: number, to: number): S
   const [least, greatest] = extent(values, 0) ?? [1, 10];
   // Values that are nearly the same keep some room around them.
   const beyond = Math.max(MARGIN * Math.log(greatest / least), Math.log(1.1));
-  const [low, high] = [least * Math.exp(-beyond), greatest * Math.exp(beyond)];
+  // An error of 1e300 is no reason to show nothing.
+  const [low, high] = [
+    Math.max(Number.MIN_VALUE, least * Math.exp(-beyond)),
+    Math.min(Number.MAX_VALUE, greatest * Math.exp(beyond)),
+  ];
   const [logLow, logHigh] = [Math.log(low), Math.log(high)];
   return {
     kind: "log",

@@ -3,6 +3,7 @@ import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
+import { between as pathAt } from "./predicted";
 import {
   drawPredictions,
   type StepBand,
@@ -113,33 +114,38 @@ function drawLearned(draw: CanvasRenderingContext2D, picture: LatentPicture, pla
   draw.strokeStyle = theme().ghost;
   draw.globalAlpha = 0.5;
   draw.lineWidth = 1.25;
-  draw.beginPath();
-  const count = rows(points, picture);
-  for (let t = 0; t < count; t++) {
-    const [x, y] = plane.place(points, t);
-    if (t === 0) draw.moveTo(x, y);
-    else draw.lineTo(x, y);
-  }
-  draw.stroke();
+  tracePath(draw, plane, points, rows(points, picture));
 }
 
+/** The whole path in one stroke, and over it, step by step, the trail that fades behind the marker. */
 function drawRollout(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
   const { rollout, frame, live } = picture;
   const count = rows(rollout, picture);
   draw.strokeStyle = picture.colour;
-  let [x0, y0] = count > 0 ? plane.place(rollout, 0) : [0, 0];
-  for (let t = 1; t < count; t++) {
-    const [x, y] = plane.place(rollout, t);
-    const age = frame - t;
-    const recent = live && age >= -1 ? Math.max(0, 1 - age / TRAIL) : 0;
-    draw.globalAlpha = live ? 0.16 + 0.84 * recent * recent : 0.5;
+  draw.globalAlpha = live ? 0.16 : 0.5;
+  draw.lineWidth = 1.25;
+  tracePath(draw, plane, rollout, count);
+  if (!live) return;
+  const first = Math.max(1, Math.ceil(frame - TRAIL));
+  for (let t = first; t < count && t <= frame + 1; t++) {
+    const recent = 1 - (frame - t) / TRAIL;
+    draw.globalAlpha = Math.min(1, recent * recent);
     draw.lineWidth = 1.25 + 1.75 * recent;
+    const [[x0, y0], [x, y]] = [plane.place(rollout, t - 1), plane.place(rollout, t)];
     draw.beginPath();
     draw.moveTo(x0, y0);
     draw.lineTo(x, y);
     draw.stroke();
-    [x0, y0] = [x, y];
   }
+}
+
+function tracePath(draw: CanvasRenderingContext2D, plane: Plane, path: Float64Array, count: number): void {
+  draw.beginPath();
+  for (let t = 0; t < count; t++) {
+    const [x, y] = plane.place(path, t);
+    draw.lineTo(x, y);
+  }
+  draw.stroke();
 }
 
 function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, light: Float64Array): void {
@@ -153,6 +159,17 @@ function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
     draw.arc(x, y, 4.5, 0, 2 * Math.PI);
     draw.fill();
   }
+}
+
+/** Where an inducing point lies outside the plot: an arrow at the edge, which points to it. Answers whether it does. */
+function drawBeyond(draw: CanvasRenderingContext2D, plane: Plane, x: number, y: number): boolean {
+  const [atX, atY] = plane.inFrame(x, y);
+  const away = Math.hypot(x - atX, y - atY);
+  if (away === 0) return false;
+  const tip = [atX + (5 * (x - atX)) / away, atY + (5 * (y - atY)) / away];
+  arrowHead(draw, [atX, atY], tip, 8);
+  draw.stroke();
+  return true;
 }
 
 /** Each history as a dot and a line through its states, then an arrow to what it predicts. */
@@ -181,7 +198,7 @@ function drawPairs(
     }
     draw.lineTo(end[0], end[1]);
     draw.stroke();
-    arrowHead(draw, last, end, 5.5);
+    if (!drawBeyond(draw, plane, end[0], end[1])) arrowHead(draw, last, end, 5.5);
     draw.beginPath();
     draw.arc(start[0], start[1], 1.6, 0, 2 * Math.PI);
     draw.fill();
@@ -203,6 +220,7 @@ function drawOutgoing(draw: CanvasRenderingContext2D, picture: LatentPicture, pl
       draw.lineTo(last[0], last[1]);
     }
     draw.stroke();
+    if (drawBeyond(draw, plane, last[0], last[1])) continue;
     draw.beginPath();
     draw.arc(last[0], last[1], 2.4, 0, 2 * Math.PI);
     draw.fill();
@@ -214,6 +232,7 @@ function drawIncoming(draw: CanvasRenderingContext2D, plane: Plane, between: Bet
   draw.globalAlpha = 0.85;
   for (let i = 0; i < between.inducing.count; i++) {
     const [x, y] = plane.place(between.inducing.outputs, i);
+    if (drawBeyond(draw, plane, x, y)) continue;
     draw.beginPath();
     draw.moveTo(x, y - 3.6);
     draw.lineTo(x + 3.4, y + 2.6);
@@ -238,6 +257,7 @@ function drawPoses(
   const count = rows(points, picture);
   for (let i = 0; i < count; i++) {
     const [x, y, near] = plane.place(points, i);
+    if (drawBeyond(draw, plane, x, y)) continue;
     const size = 3.9 * (1 + 0.12 * Math.max(-1, Math.min(1, near)));
     draw.beginPath();
     draw.moveTo(x, y - size);
@@ -250,16 +270,19 @@ function drawPoses(
   }
 }
 
+/** Where the state now is, in pixels; null without a path. */
+export function placeNow(picture: LatentPicture, plane: Plane): [number, number] | null {
+  const { rollout, frame, projection } = picture;
+  if (rollout.length === 0) return null;
+  const [x, y] = plane.place(pathAt(rollout, frame, projection.dimensions), 0);
+  return [x, y];
+}
+
 /** With predictions around it the marker is small, and without its halo, which could be taken for one of them. */
 function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, small: boolean): void {
-  const { rollout, frame } = picture;
-  const count = rows(rollout, picture);
-  if (count === 0) return;
-  const low = Math.min(count - 1, Math.floor(frame));
-  const a = plane.place(rollout, low);
-  const b = plane.place(rollout, Math.min(count - 1, low + 1));
-  const part = Math.min(1, frame - low);
-  const [x, y] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+  const now = placeNow(picture, plane);
+  if (!now) return;
+  const [x, y] = now;
   draw.fillStyle = picture.colour;
   if (!small) {
     draw.globalAlpha = 0.22;

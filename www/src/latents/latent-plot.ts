@@ -1,6 +1,5 @@
 // The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and keyboard.
-import { html } from "lit";
-import { repeat } from "lit/directives/repeat.js";
+import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -8,12 +7,13 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour } from "../ui/palette";
 import { swatchStyle, View } from "../ui/view";
-import { type Behind, drawLatents, type LatentPicture } from "./latent-drawing";
+import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
 import { Plane } from "./plane";
 import { type DrawnPredictions, StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
-import { type Projection, principalAxes, project, type Turn } from "./projection";
+import type { PushHandle } from "./push-handle";
+import { type Projection, principalAxes, type Turn } from "./projection";
 
 /** The inducing points that the plots show. */
 export interface Layers {
@@ -56,6 +56,10 @@ export class LatentPlot extends View {
   private projected: RolloutResult | null = null;
   private drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   private list: Mark[] = [];
+  /** The animation frame that is waited for. */
+  private frame = 0;
+  /** Whether buttons have come or must go elsewhere. */
+  private moved = false;
   private readonly band = new StepBand();
 
   constructor() {
@@ -70,7 +74,8 @@ export class LatentPlot extends View {
   }
 
   protected override arrived(): void {
-    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paint()));
+    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paintSoon()));
+    this.whenLeaving(() => cancelAnimationFrame(this.frame));
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
     if (box) this.watchSize(box, () => this.requestUpdate());
@@ -81,7 +86,6 @@ export class LatentPlot extends View {
     if (model && learned && this.projected !== learned) {
       const q = model.info.parts[this.bodyPart]?.latent ?? 0;
       this.projection = principalAxes(this.cloud(q), q, this.projection);
-      this.projection.reach = Math.max(this.projection.reach, this.reachOfMarks(this.projection));
       this.projected = learned;
     }
     if (this.settings.values.plot === "2d") this.turn = FLAT;
@@ -89,7 +93,10 @@ export class LatentPlot extends View {
     this.list = this.listMarks();
   }
 
-  /** The points that decide the axes and the scale: the rollout as learned, and the training latents. */
+  /**
+   * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing points do not: some lie
+   * far away, and would shrink the rest. These are drawn at the edge.
+   */
   private cloud(q: number): Float64Array {
     const { model, learned } = this.model;
     const path = learned?.latents[this.bodyPart] ?? new Float64Array(0);
@@ -98,22 +105,6 @@ export class LatentPlot extends View {
     cloud.set(path);
     cloud.set(training, path.length);
     return q > 0 ? cloud : new Float64Array(0);
-  }
-
-  /** How far out this part's inducing points lie, but no further than half again the path: one stray point must not shrink the rest. */
-  private reachOfMarks(projection: Projection): number {
-    const { model } = this.model;
-    const own = model?.dynamicsInducing[this.bodyPart]?.[this.bodyPart];
-    const at = new Float64Array(3);
-    let reach = 0;
-    for (const points of [model?.poseInducing[this.bodyPart], own?.inputs, own?.outputs]) {
-      if (!points) continue;
-      for (let i = 0; i < points.length / projection.dimensions; i++) {
-        const [x = 0, y = 0] = project(projection, points, i, at);
-        reach = Math.max(reach, Math.hypot(x, y));
-      }
-    }
-    return Math.min(reach, 1.5 * projection.reach);
   }
 
   private listMarks(): Mark[] {
@@ -147,8 +138,18 @@ export class LatentPlot extends View {
   }
 
   override updated(): void {
-    this.paint();
-    this.placeButtons();
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  /** Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. */
+  private paintSoon(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => {
+      this.paint();
+      if (this.moved) this.placeButtons();
+      this.moved = false;
+    });
   }
 
   private picture(box: HTMLElement): LatentPicture | null {
@@ -205,6 +206,10 @@ export class LatentPlot extends View {
     const [width, height] = [Math.round(picture.width * picture.ratio), Math.round(picture.height * picture.ratio)];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.tell(canvas, drawLatents(draw, picture));
+    const handle = this.querySelector<PushHandle>("pg-push-handle");
+    const plane = new Plane(picture);
+    const now = handle && placeNow(picture, plane);
+    if (now) handle.place(plane, now);
   }
 
   /** What the picture shows, in numbers, as long as it stands still. */
@@ -222,7 +227,7 @@ export class LatentPlot extends View {
     this.querySelectorAll<HTMLElement>("button.mark").forEach((button, i) => {
       const mark = this.list[i];
       if (!mark) return;
-      const [x, y] = plane.place(mark.points, mark.row);
+      const [x, y] = plane.inFrame(...plane.place(mark.points, mark.row));
       button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });
   }
@@ -247,8 +252,8 @@ export class LatentPlot extends View {
   private turnTo(turn: Turn): void {
     this.turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
     if (this.settings.values.plot === "2d") this.settings.change({ plot: "3d" });
-    this.paint();
-    this.placeButtons();
+    this.moved = true;
+    this.paintSoon();
   }
 
   private drop(): void {
@@ -289,15 +294,14 @@ export class LatentPlot extends View {
           @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
           @keydown=${this.keys}>
           <canvas aria-hidden="true"></canvas>
-          ${repeat(
-            this.list,
-            ({ key }) => key,
+          ${this.list.map(
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
               aria-pressed=${samePoint(to, pointing.point) ? "true" : "false"}
               @pointerenter=${point(to)} @pointerleave=${point(null)}
               @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
           )}
+          ${this.stage.live ? html`<pg-push-handle .bodyPart=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
         </div>
       </figure>
     `;

@@ -10,11 +10,17 @@ it("draws half a second behind now, and no frame that is not there", () => {
 });
 
 it("finds the Gaussian of a time in means and covariances", () => {
-  const projection = { centre: new Float64Array(2), axes: Float64Array.of(1, 0, 0, 1, 0, 0), reach: 1, dimensions: 2 };
+  const projection = {
+    centre: new Float64Array(2),
+    axes: Float64Array.of(1, 0, 0, 1, 0, 0),
+    reach: 1,
+    flat: [1, 1] as [number, number],
+    dimensions: 2,
+  };
   const plane = new Plane({ width: 100, height: 100, projection, turn: { about: 0, tilt: 0 } });
   const moments = { means: Float64Array.of(0, 0, 1, 0), covariances: Float64Array.of(0, 0, 0, 0, 2, 0, 0, 8) };
   const { x, y, spread } = knownAt(plane, moments, 0.5);
-  expect([x, y]).toEqual([50 + 0.5 * 43, 50]);
+  expect([x, y]).toEqual([50 + 0.5 * 41, 50]);
   const { major, minor } = ellipseOf([x, y], spread);
-  expect([major, minor]).toEqual([expect.closeTo(2 * 43, 8), expect.closeTo(43, 8)]);
+  expect([major, minor]).toEqual([expect.closeTo(2 * 41, 8), expect.closeTo(41, 8)]);
 });

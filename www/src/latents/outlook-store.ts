@@ -9,7 +9,7 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { sameTimes } from "./predicted";
+import { sameTimes } from "../couplings/same-times";
 
 export const FUTURES = 5;
 

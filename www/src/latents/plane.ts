@@ -22,6 +22,11 @@ export interface PlotView {
   turn: Turn;
 }
 
+/** The share of the plot that the cloud takes to each side of its middle. */
+const FILLED = 0.41;
+/** Pixels from the edge of a plot to the middle of a mark that lies beyond it. */
+const EDGE = 7;
+
 export class Plane {
   private readonly at = new Float64Array(3);
   private readonly scale: number;
@@ -29,9 +34,9 @@ export class Plane {
   private readonly steps: Float64Array;
 
   constructor(private readonly view: PlotView) {
-    const { projection, turn, width, height } = view;
+    const { projection, turn } = view;
     const { axes, dimensions: q } = projection;
-    this.scale = (0.43 * Math.min(width, height)) / projection.reach;
+    this.scale = scaleOf(view);
     this.steps = new Float64Array(2 * q);
     for (let a = 0; a < q; a++) {
       const [right, up] = turned(Float64Array.of(axes[a]!, axes[q + a]!, axes[2 * q + a]!), turn);
@@ -47,9 +52,23 @@ export class Plane {
     return [width / 2 + this.scale * right, height / 2 - this.scale * up, near / projection.reach];
   }
 
+  /** The place nearest to one, in pixels, where a mark is seen. */
+  inFrame(x: number, y: number, _near = 0): [number, number] {
+    const { width, height } = this.view;
+    const within = (at: number, size: number) => Math.max(EDGE, Math.min(size - EDGE, at));
+    return [within(x, width), within(y, height)];
+  }
+
   /** State `step` of row `index` of histories [n x order*Q]. */
   placeInHistory(histories: Float64Array, order: number, index: number, step: number): [number, number, number] {
     return this.place(histories, index * order + step);
+  }
+
+  /** The step in the latent space `[Q]` that is seen as one in the plane, in pixels to the right and down. */
+  latentStep(right: number, down: number): number[] {
+    const q = this.view.projection.dimensions;
+    const share = (a: number) => this.steps[a]! * right + this.steps[q + a]! * down;
+    return Array.from({ length: q }, (_, a) => share(a) / this.scale ** 2);
   }
 
   /** What is seen of a spread that is the same in all latent dimensions. */
@@ -68,6 +87,15 @@ export class Plane {
       for (let b = 0; b < q; b++) addProduct(seen, this.steps, q, a, b, covariances[(index * q + a) * q + b]!);
     return seen;
   }
+}
+
+/** Pixels for a step of 1: the cloud fills the plot as it lies, or, where it is turned, whichever way it is. */
+function scaleOf({ projection, turn, width, height }: PlotView): number {
+  const { reach, flat } = projection;
+  if (turn.about !== 0 || turn.tilt !== 0) return (FILLED * Math.min(width, height)) / reach;
+  // A cloud that is almost a line must not be a giant's.
+  const [right, up] = flat.map((half) => Math.max(half, reach / 4)) as [number, number];
+  return FILLED * Math.min(width / right, height / up);
 }
 
 function addProduct(seen: Spread, steps: Float64Array, q: number, a: number, b: number, covariance: number): void {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { PredictionsReport, RolloutRequest } from "../engine/protocol";
-import { between, predictedAt, sameTimes } from "./predicted";
+import { sameTimes } from "../couplings/same-times";
+import { between, predictedAt } from "./predicted";
 
 const request: RolloutRequest = { frames: 5, sequence: 0, alpha: null, reading: "as learned" };
 const said = (offset: number) => ({
@@ -44,4 +45,5 @@ it("compares the times of two rollouts", () => {
   expect(sameTimes(request, { ...request, alpha: [[1]] })).toBe(true);
   expect(sameTimes(request, { ...request, frames: 6 })).toBe(false);
   expect(sameTimes(request, { ...request, sequence: 1 })).toBe(false);
+  expect(sameTimes(request, { ...request, frame: 1 })).toBe(false);
 });

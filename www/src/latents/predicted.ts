@@ -1,5 +1,5 @@
 // What is predicted about a part at a time that need not be a whole frame.
-import type { Predictions, PredictionsReport, RolloutRequest } from "../engine/protocol";
+import type { Predictions, PredictionsReport } from "../engine/protocol";
 
 /** A Gaussian with the same variance in all latent dimensions. */
 export interface Predicted {
@@ -41,9 +41,4 @@ export function predictedAt(
     variance: between(variances, row, 1)[0]!,
   });
   return { experts: said.experts.map(at), product: at(said.product) };
-}
-
-/** Whether two rollouts begin alike and are equally long: then their frames are those of the same times. */
-export function sameTimes(a: RolloutRequest, b: RolloutRequest): boolean {
-  return a.frames === b.frames && a.sequence === b.sequence;
 }

@@ -1,10 +1,10 @@
 // What each part predicts about each part in the rollout on the stage, and the product of these predictions.
 import type { ModelStore } from "../couplings/model-store";
+import { sameTimes } from "../couplings/same-times";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
-import { sameTimes } from "./predicted";
 
 /** Milliseconds without a new rollout before it is asked about: while a slider is dragged its rollouts come first. */
 const QUIET = 80;

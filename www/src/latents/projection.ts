@@ -5,8 +5,10 @@ export interface Projection {
   centre: Float64Array;
   /** Three orthonormal rows, the widest spread first [3 x Q]; rows beyond Q are zero. */
   axes: Float64Array;
-  /** Half the width of the cloud, for scaling. */
+  /** Half the width of the cloud from whatever side it is seen, for scaling. */
   reach: number;
+  /** Half its width and height, seen along the third axis. */
+  flat: [right: number, up: number];
   dimensions: number;
 }
 
@@ -29,14 +31,15 @@ export function principalAxes(points: Float64Array, q: number, before?: Projecti
     for (let a = 0; a < q; a++) axes[k * q + a] = vectors[a * q + order[k]!]!;
   }
   if (before && before.dimensions === q) alignAxes(axes, before.axes, q);
-  const projection = { centre, axes, reach: 1, dimensions: q };
+  const projection = { centre, axes, reach: 1, flat: [1, 1] as [number, number], dimensions: q };
   const at = new Float64Array(3);
-  let reach = 0;
+  let [reach, right, up] = [0, 0, 0];
   for (let t = 0; t < n; t++) {
     project(projection, points, t, at);
     reach = Math.max(reach, Math.hypot(at[0]!, at[1]!), Math.abs(at[2]!));
+    [right, up] = [Math.max(right, Math.abs(at[0]!)), Math.max(up, Math.abs(at[1]!))];
   }
-  projection.reach = reach > 1e-9 ? reach : 1;
+  if (reach > 1e-9) [projection.reach, projection.flat] = [reach, [right, up]];
   return projection;
 }
 

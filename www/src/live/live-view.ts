@@ -1,6 +1,8 @@
 // Over the stage while it is live: what was done to the model, and a strip chart of phases and distances; limbs can be dragged.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
+import "../latents/push-handle";
+import type { PushPart } from "../latents/push-handle";
 import type { StageView } from "../stage/stage-view";
 import { cleared } from "../ui/canvas";
 import { onThemeChange, partColour } from "../ui/palette";
@@ -29,6 +31,9 @@ export class LiveView extends View {
     const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
     const picture = stage?.querySelector("canvas");
     if (stage && picture) this.letDrag(stage, picture);
+    const page = this.closest("main");
+    const push = ({ part, by }: PushPart) => this.live.push(part, by);
+    if (page) this.listen(page, "push-part", (event) => push((event as CustomEvent<PushPart>).detail));
   }
 
   /** A node near the pointer follows it; anywhere else a drag turns the camera. */
@@ -91,7 +96,7 @@ export class LiveView extends View {
     const apart = phaseLines(live.trace).map((pieces) => pieces.at(-1)?.at(-1)?.value ?? 0);
     const said =
       wordsOf(live.marks, names) ??
-      "Hold an arrow of the body map to cut that coupling. Drag a hand or foot to push it.";
+      "Hold an arrow of the body map to cut that coupling. Drag a hand, a foot or the dot of a latent plot to push that part.";
     return html`
       <div class="live-strip" data-testid="live" data-frame=${last?.frame ?? 0} data-apart=${apart.map((x) => x.toFixed(3)).join(" ")}
         data-cuts=${live.marks.filter((mark) => mark.kind === "cut" && mark.to === null).length}>

@@ -1,5 +1,6 @@
 // The settings of the page: one table that names, limits and defaults them, and carries them to the URL and back.
 // No rendering. A value from the URL passes the same limits as one from a control.
+import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 
 interface Setting<T> {
@@ -60,7 +61,6 @@ function flag(key: string, initial: boolean): Setting<boolean> {
 /** Coupling variances below and above these have no visible effect. */
 export const ALPHA_MIN = 1e-3;
 export const ALPHA_MAX = 1e3;
-export const MAX_PARTS = 8;
 const MAX_JOINT = 999;
 const MAX_NAME = 24;
 
@@ -240,6 +240,8 @@ export const SETTINGS = {
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),
   start: whole("start", 0, 0, 99),
+  /** The frame of that sequence. */
+  startFrame: whole("frame", 0, 0, 99_999),
   model,
   reading,
   alpha: changedCouplings,

@@ -109,6 +109,27 @@ const TEXTS = {
       "The Gaussian process that turns a latent into a pose of its part. It is learned together with the latents and the dynamics.",
     glossary: "pose map",
   },
+  lengthscale: {
+    title: "lengthscale",
+    symbol: "√λ",
+    words:
+      "How far one must go along a latent dimension before the function of a Gaussian process has become another. A dimension with a lengthscale much longer than the latent path hardly matters.",
+    glossary: "lambda",
+  },
+  "signal-variance": {
+    title: "signal variance",
+    symbol: "σ²",
+    words:
+      "How far the function of a Gaussian process goes up and down, as a variance. For a pose map it is in the squared units of the pose’s columns, mostly radians.",
+    glossary: "sigma^2",
+  },
+  "noise-variance": {
+    title: "observation noise",
+    symbol: "β",
+    words:
+      "The variance of what the pose map of a part leaves unexplained in its columns. It is small where the recorded poses are followed closely.",
+    glossary: "beta",
+  },
   order: {
     title: "order of the dynamics",
     symbol: "p",

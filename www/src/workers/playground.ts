@@ -3,6 +3,7 @@ import * as Comlink from "comlink";
 import init, { bestToShow, Clip, freshSeed, version } from "vcgpdm/playground";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
+import { showLife } from "./life";
 import { OpenClips } from "./open-clips";
 import { ShownModel } from "./shown-model";
 import { trainee } from "./training";
@@ -13,7 +14,7 @@ const live = new Live(model);
 
 const workbench: Workbench = {
   async start(wasm) {
-    await init({ module_or_path: wasm });
+    await Promise.all([init({ module_or_path: wasm }), showLife()]);
     return { version: version(), samples: Clip.samples() };
   },
   freshSeed: () => freshSeed(),
@@ -22,7 +23,7 @@ const workbench: Workbench = {
   dropClip: (id) => clips.drop(id),
   checkTogether: (ids, firstBones) => clips.checkTogether(ids, firstBones),
   bestToShow: (ranks, bounds) => bestToShow(Uint8Array.from(ranks), Float64Array.from(bounds)),
-  openModel: (text, frames) => model.open(text, frames),
+  openModel: (text, frames, revision) => model.open(text, frames, revision),
   rollout: (request) => model.rollout(request),
   inducing: (point, request) => model.inducing(point, request),
   modelJson: () => model.toJson(),

@@ -1,5 +1,6 @@
 // The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
 import { Model, type Rollout } from "vcgpdm/playground";
+import { MAX_PARTS } from "../engine/limits";
 import type {
   BodyReport,
   DynamicsInducing,
@@ -30,10 +31,16 @@ export class ShownModel {
   #pointedRollout: RolloutResult | null = null;
 
   /** Takes a model up and rolls it out as learned. The one before stays where that fails. */
-  open(text: string, frames: number): OpenedModel {
+  open(text: string, frames: number, revision: number): OpenedModel {
     const model = Model.fromJson(text);
     try {
-      const next = { model, info: model.info(), revision: (this.#held?.revision ?? 0) + 1 };
+      const info = model.info();
+      const parts = info.parts.length;
+      if (parts > MAX_PARTS)
+        throw new Error(
+          `expected a model of ${MAX_PARTS} parts at most, found ${parts}: the page has no room for their couplings. The terminal program rolls it out`,
+        );
+      const next = { model, info, revision };
       const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" });
       const opened = { model: view(next), rollout };
       this.#held?.model.free();

@@ -4,11 +4,12 @@ import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
+import { showLife } from "./life";
 import { uncertaintyWorker } from "./uncertainty";
 
 const worker: WholeWorker = {
   async start(wasm) {
-    await init({ module_or_path: wasm });
+    await Promise.all([init({ module_or_path: wasm }), showLife()]);
   },
   ...comparisonWorker,
   ...experimentWorker,

@@ -49,12 +49,15 @@ fn table(columns: &[(String, Vec<f64>)], frame_time: f64) -> String {
     text
 }
 
-/// A CSV field (RFC 4180).
+/// A CSV field (RFC 4180). What a spreadsheet would compute begins with an apostrophe, which makes it a text: names come from
+/// strangers' files.
 fn quoted(field: &str) -> String {
+    let field =
+        &if field.starts_with(['=', '+', '-', '@', '\t']) { format!("'{field}") } else { field.to_owned() };
     if field.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", field.replace('"', "\"\""))
     } else {
-        field.to_owned()
+        field.clone()
     }
 }
 
@@ -71,6 +74,12 @@ mod tests {
         let names = ["lower".to_owned(), "up, \"er\"".to_owned()];
         let text = csv(&names, &latents, 0.25);
         assert_eq!(text, "frame,time,lower_0,lower_1,\"up, \"\"er\"\"_0\"\n0,0,1,2,-1\n1,0.25,3,4.5,0.5\n");
+    }
+
+    #[test]
+    fn no_spreadsheet_computes_a_strangers_name() {
+        let text = csv(&["=1+1".to_owned()], &[DMatrix::from_element(1, 1, 2.0)], 0.25);
+        assert_eq!(text, "frame,time,'=1+1_0\n0,0,2\n");
     }
 
     #[test]

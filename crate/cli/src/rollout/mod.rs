@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Start where this training sequence starts, counted from 0 in the order given to training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0)]
     from: usize,
+    /// Start at this frame of it, counted from 0. Models that were trained by an older version keep the first frames only.
+    #[arg(long, value_name = "FRAME", default_value_t = 0)]
+    frame: usize,
     /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or number, from 0.
     #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
     alpha: Vec<String>,
@@ -93,6 +96,7 @@ impl Arguments {
     /// The first option given that only a model with couplings knows.
     fn about_couplings(&self) -> Option<&'static str> {
         let options = [
+            ("--frame", self.frame > 0),
             ("--alpha", !self.alpha.is_empty()),
             ("--latents", self.latents.is_some()),
             ("--reading", self.reading != ReadingOption::AsLearned),
@@ -113,6 +117,7 @@ impl Arguments {
         Ok(RolloutRequest {
             frames: self.frames,
             sequence: self.from,
+            frame: self.frame,
             alpha: Some(alpha),
             reading: self.reading.into(),
             cuts: self.cut.iter().map(|cut| words::cut(cut, parts)).collect::<Result<_, _>>()?,

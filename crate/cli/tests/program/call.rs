@@ -39,6 +39,10 @@ pub fn fails(arguments: &[&str]) -> String {
 /// A folder of its own for each test.
 pub fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // What an older build wrote there may be another file to this one.
+    if folder.exists() {
+        fs::remove_dir_all(&folder).unwrap();
+    }
     fs::create_dir_all(&folder).unwrap();
     folder
 }

@@ -3,7 +3,7 @@
 use crate::call::{fails, folder, prints, text};
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, Sequence, Source,
@@ -196,4 +196,59 @@ fn options_of_other_kinds_are_refused_in_words() {
         assert!(error.contains(said), "{more}: {error}");
     }
     assert!(!out.exists(), "nothing is left behind");
+}
+
+/// Forty frames of two joints: the root goes as `x` says, the upper joint turns by the degrees of `angle`.
+fn small_clip(folder: &Path, name: &str, x: impl Fn(usize) -> f64, angle: impl Fn(usize) -> f64) -> PathBuf {
+    const HEADER: &str = "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+        JOINT Chest { OFFSET 0 5 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 5 0 } } }
+        MOTION\nFrames: 40\nFrame Time: 0.0333333\n";
+    let rows: String = (0..40).map(|t| format!("{} 2 3 0 0 0 5 {} 7\n", x(t), 6.0 + angle(t))).collect();
+    let file = folder.join(name);
+    fs::write(&file, HEADER.to_owned() + &rows).unwrap();
+    file
+}
+
+/// The command that trains each kind of model on a clip, with two parts where there must be parts.
+fn of_each_kind(folder: &Path, clip: &Path) -> Vec<Vec<String>> {
+    let parts = folder.join("parts.json");
+    fs::write(&parts, r#"[{"name": "low", "joints": ["Hips"]}, {"name": "high", "joints": ["Chest"]}]"#)
+        .unwrap();
+    let command = |kind: ModelKind| {
+        let model = folder.join(format!("{}.json", kind.id()));
+        let split = if kind.id().contains("cgpdm") { text(&parts) } else { "whole" };
+        ["train", text(clip), "--model", kind.id(), "--parts", split, "--out", text(&model)]
+            .map(str::to_owned)
+            .to_vec()
+    };
+    ModelKind::ALL.map(command).to_vec()
+}
+
+/// Temporal primitives once wrote a model of such a clip that nobody could read.
+#[test]
+fn a_clip_in_which_hardly_anything_moves_becomes_a_model_that_can_be_read() {
+    let folder = folder("models-still");
+    let wave = |t: usize| (t as f64 / 3.0).sin();
+    for (name, size) in [("still", 0.0), ("nearly", 1e-6), ("slight", 1e-3)] {
+        let clip = small_clip(&folder, &format!("{name}.bvh"), |_| 1.0, |t| size * wave(t));
+        for command in of_each_kind(&folder, &clip) {
+            let command: Vec<&str> = command.iter().map(String::as_str).collect();
+            prints(&command);
+            let (model, motion) = (command[command.len() - 1], folder.join("motion.bvh"));
+            prints(&["rollout", model, "--frames", "60", "--out", text(&motion)]);
+            assert!(!fs::read_to_string(&motion).unwrap().contains("NaN"), "{name}: {command:?}");
+        }
+    }
+}
+
+/// One frame far away drowned all others: the model's numbers were beyond what a document may hold.
+#[test]
+fn a_spike_is_refused_with_its_frame() {
+    let folder = folder("models-spike");
+    let spike = |t: usize| if t == 20 { 1e9 } else { t as f64 };
+    let clip = small_clip(&folder, "spike.bvh", spike, |t| 10.0 * (t as f64 / 3.0).sin());
+    for command in of_each_kind(&folder, &clip) {
+        let err = fails(&command.iter().map(String::as_str).collect::<Vec<_>>());
+        assert!(err.contains("spike.bvh: frame 20: expected the root less than"), "{command:?}: {err}");
+    }
 }

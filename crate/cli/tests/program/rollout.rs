@@ -26,6 +26,32 @@ fn rows(path: &Path) -> Vec<String> {
 }
 
 #[test]
+fn a_rollout_starts_from_a_frame_whose_latents_the_model_keeps() {
+    let folder = folder("frame");
+    let model = folder.join("model.json");
+    let settings =
+        ["--parts", "lower,upper", "--max-iterations", "2", "--dynamics-ips", "4", "--pose-ips", "4"];
+    let train = ["train", "sample:walk-1", "--out", text(&model)];
+    let output = run(&[&train[..], &settings[..]].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let start = |frame: &str| {
+        let (out, latents) = (folder.join("walk.bvh"), folder.join("latents.csv"));
+        let whole = ["rollout", text(&model), "--frames", "2", "--frame", frame, "--out", text(&out)];
+        let output = run(&[&whole[..], &["--latents", text(&latents)]].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let latent = |row: &String| row.split(',').skip(2).map(str::to_owned).collect::<Vec<_>>();
+        rows(&latents).iter().map(latent).collect::<Vec<_>>()
+    };
+    // Two frames are the start: the second of one is the first of the next.
+    assert_eq!(start("40")[1], start("41")[0]);
+    assert_ne!(start("40")[0], start("41")[0]);
+
+    let error = rollout(&folder, &["--frame", "1"]);
+    let words = String::from_utf8_lossy(&error.stderr).into_owned();
+    assert!(words.contains("expected a frame of the sequence from 0 to 0 to start from, found 1"), "{words}");
+}
+
+#[test]
 fn a_cut_and_a_push_are_felt_from_their_frame_on() {
     let folder = folder("disturbed");
     let learned = latents(&folder, &[]);

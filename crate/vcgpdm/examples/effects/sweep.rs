@@ -90,7 +90,7 @@ fn roll(model: &Trained, alpha: DMatrix<f64>, reading: Reading) -> (Measures, He
     };
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
-    let health = model.health(&rollout, request.sequence, &positions).unwrap();
+    let health = model.health(&rollout, &request, &positions).unwrap();
     let skeleton = model.body.mapping.skeleton();
     let settled = positions.len() / request.frames * frames(SETTLED);
     (measures(skeleton, &positions[settled..], frame_time), health)

@@ -33,7 +33,7 @@ fn main() {
 fn print(model: &Trained) {
     let request = RolloutRequest { frames: PATH, ..RolloutRequest::default() };
     let dynamics = model.predictive_dynamics(&request).unwrap();
-    let start = model.model.start(0).unwrap();
+    let start = &model.model.start(0, 0).unwrap();
     let frames = FRAMES[FRAMES.len() - 1] + 1;
     let moments = dynamics.moments(start, frames).unwrap();
     let futures: Vec<_> = DRAWS.map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();

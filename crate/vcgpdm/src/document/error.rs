@@ -10,8 +10,8 @@ pub(super) const FORMAT: &str = "vcgpdm model";
 /// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
 /// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
 pub(super) const VERSION: usize = 2;
-/// More bytes than any model has.
-pub(super) const MOST_BYTES: usize = 100 << 20;
+/// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
+pub(super) const MOST_BYTES: usize = 32 << 20;
 
 /// Why a text is not a model that can be used, or a model cannot become a text.
 #[derive(Debug, Error)]

@@ -94,7 +94,7 @@ fn other_files_are_refused_with_the_reason() {
 #[test]
 fn wrong_fields_are_refused_with_their_path() {
     type Change = fn(&mut Value);
-    let cases: [(&str, Change); 13] = [
+    let cases: [(&str, Change); 15] = [
         ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
         ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
             v["parts"][0]["r"][1] = json!([1.0])
@@ -112,8 +112,14 @@ fn wrong_fields_are_refused_with_their_path() {
             v["provenance"]["terms"]["dynamics"] = json!([1.0]);
         }),
         ("at frame_time: expected seconds", |v| v["frame_time"] = json!(0.0)),
-        ("at sequences[0].start[1]: expected 2 x 3 numbers", |v| {
-            v["sequences"][0]["start"][1] = json!([[1, 2, 3]])
+        ("at sequences[0].start[0]: expected 2 x 3 numbers", |v| {
+            v["sequences"][0]["start"][0] = json!([[1, 2, 3]])
+        }),
+        ("at sequences[0].start[1]: expected 126 x 3 numbers, found 2 x 3", |v| {
+            v["sequences"][0]["start"][1].as_array_mut().unwrap().truncate(2)
+        }),
+        ("at sequences[0].start[0]: expected 40 x 3 numbers, found 126 x 3", |v| {
+            v["sequences"][0]["frames"] = json!(40)
         }),
         ("at sequences[0]: expected a field \"frames\", found none", |v| {
             v["sequences"][0].as_object_mut().unwrap().remove("frames");

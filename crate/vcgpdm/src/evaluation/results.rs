@@ -5,6 +5,7 @@ use crate::evaluation::plan::{Plan, PlanError};
 use crate::evaluation::setting::{Setting, SettingError};
 use crate::models::{ModelKind, ModelSettings};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use thiserror::Error;
 
 const FORMAT: &str = "vcgpdm-evaluation";
@@ -131,9 +132,10 @@ impl Results {
             return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
         }
         self.setting.check()?;
+        let mut places = HashMap::new();
         for (k, finished) in self.finished.iter().enumerate() {
             check_finished(finished, k + 1, self.setting.trials.len())?;
-            if let Some(before) = self.finished[..k].iter().position(|other| other.job == finished.job) {
+            if let Some(before) = places.insert(&finished.job, k) {
                 return Err(ResultsError::Repeated { index: k + 1, before: before + 1 });
             }
         }
@@ -186,10 +188,13 @@ impl Results {
         if let Some(difference) = self.setting.difference(&other.setting) {
             return Err(ResultsError::Differs(difference));
         }
+        let jobs = self.finished.iter().enumerate().map(|(place, finished)| (finished.job.clone(), place));
+        let places: HashMap<Job, usize> = jobs.collect();
         for finished in other.finished {
-            let known = self.find(&finished.job);
-            if known.is_none_or(|known| known.outcome.is_none() && finished.outcome.is_some()) {
-                self.keep(finished);
+            match places.get(&finished.job).map(|place| &mut self.finished[*place]) {
+                None => self.finished.push(finished),
+                Some(known) if known.outcome.is_none() && finished.outcome.is_some() => *known = finished,
+                Some(_) => {}
             }
         }
         Ok(())
@@ -290,6 +295,18 @@ mod tests {
         assert_eq!(results.finished, [failed(1, 1), failed(2, 1)]);
         let error = results.merge(Results::new(setting(3))).unwrap_err().to_string();
         assert_eq!(error, "these results are of other trials: expected 2, found 3");
+    }
+
+    /// A hundred thousand results once took minutes to read and to merge.
+    #[test]
+    fn many_results_are_read_and_merged_at_once() {
+        let many: Vec<Finished> =
+            (0..30_000).map(|seed| Finished::new(Job { seed, ..job(1, 1) }, Err("why".to_owned()))).collect();
+        let mut results = read(many.clone()).unwrap();
+        results.merge(read(many.clone()).unwrap()).unwrap();
+        assert_eq!(results.finished.len(), many.len());
+        let twice = [many, vec![failed(1, 1)]].concat();
+        assert_eq!(read(twice), Err(ResultsError::Repeated { index: 30_001, before: 1 }));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Small statistics of results.
 
+use crate::elementary::Elementary;
+
 /// The mean; NaN without values.
 pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
@@ -52,7 +54,7 @@ pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
 /// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent where x does not
 /// vary.
 pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
-    let logarithms: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let logarithms: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect();
     let (x, y): (Vec<f64>, Vec<f64>) = logarithms.iter().copied().unzip();
     let (mx, my) = (mean(&x), mean(&y));
     let spread: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();

@@ -42,6 +42,7 @@
 //! # Ok::<(), vcgpdm::gp::NumericsError>(())
 //! ```
 
+use crate::elementary::Elementary;
 use crate::gp::linalg::{Factor, NumericsError, symmetric};
 use crate::gp::tall::add_tr_product;
 use nalgebra::DMatrix;
@@ -168,7 +169,7 @@ impl SparseGp<'_> {
         c.copy_from(b);
         inner.solve_mut(c);
         let gap = self.psi0 - whitened.trace();
-        let bound = -0.5 * rows * columns * (TAU * n).ln()
+        let bound = -0.5 * rows * columns * (TAU * n).logarithm()
             - 0.5 * self.second_moment / n
             - 0.5 * columns * inner.log_determinant()
             + 0.5 * b.dot(c) / (n * n)

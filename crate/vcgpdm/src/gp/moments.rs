@@ -2,6 +2,7 @@
 //! Velychko et al. 2018, appendix B, for inputs whose dimensions vary together. For inputs of independent dimensions
 //! [`psi`](crate::gp::psi) is the same, and faster.
 
+use crate::elementary::Elementary;
 use crate::gp::linalg::Factor;
 use crate::gp::{Kernel, NumericsError};
 use nalgebra::{DMatrix, DVector};
@@ -42,9 +43,10 @@ pub fn expected_kernels(
     let factor = Factor::new(&spread, "covariance of the uncertain latents")?;
     let distances = distances(basis.z, mean);
     let pulls = factor.solve(&distances);
-    let scale = basis.kernel.variance * (0.5 * (log_product(basis.kernel) - factor.log_determinant())).exp();
+    let scale =
+        basis.kernel.variance * (0.5 * (log_product(basis.kernel) - factor.log_determinant())).exponential();
     let psi1 = DVector::from_fn(basis.z.nrows(), |a, _| {
-        scale * (-0.5 * distances.column(a).dot(&pulls.column(a))).exp()
+        scale * (-0.5 * distances.column(a).dot(&pulls.column(a))).exponential()
     });
     Ok(ExpectedKernels { psi1, pulls })
 }
@@ -80,10 +82,11 @@ pub fn expected_products(
     let squares = |m: &DMatrix<f64>| m.column_iter().map(|column| column.norm_squared()).collect::<Vec<_>>();
     let (a2, b2) = (squares(&a), squares(&b));
     let log_w = log_product(one.kernel) + log_product(two.kernel);
-    let scale = one.kernel.variance * two.kernel.variance * (0.5 * (log_w - factor.log_determinant())).exp();
+    let scale =
+        one.kernel.variance * two.kernel.variance * (0.5 * (log_w - factor.log_determinant())).exponential();
     let product = |i: usize, j: usize| {
         let both = a.column(i).dot(&b.column(j));
-        scale * (-0.5 * (a2[i] + b2[j]) - both).exp()
+        scale * (-0.5 * (a2[i] + b2[j]) - both).exponential()
     };
     Ok(DMatrix::from_fn(a.ncols(), b.ncols(), product))
 }
@@ -95,7 +98,7 @@ fn distances(z: &DMatrix<f64>, mean: &DVector<f64>) -> DMatrix<f64> {
 
 /// log |Lambda|.
 fn log_product(kernel: &Kernel) -> f64 {
-    kernel.lambda.iter().map(|lambda| lambda.ln()).sum()
+    kernel.lambda.iter().map(|lambda| lambda.logarithm()).sum()
 }
 
 fn add_diagonal(matrix: &mut DMatrix<f64>, at: usize, values: &DVector<f64>) {

@@ -6,6 +6,9 @@ use crate::json::write::digits;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
+/// More items than a list of a document has that is more than numbers: each takes memory for its path.
+const MOST_ITEMS: usize = 100_000;
+
 /// A field is missing, unknown, of the wrong type or out of its range.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("at {path}: {message}")]
@@ -77,6 +80,9 @@ impl<'a> Field<'a> {
         let Value::List(items) = self.value else {
             return Err(self.wrong("a list"));
         };
+        if items.len() > MOST_ITEMS {
+            return Err(self.wrong(&format!("a list of at most {MOST_ITEMS}")));
+        }
         items.iter().enumerate().map(|(k, item)| read(self.item(k, item))).collect()
     }
 

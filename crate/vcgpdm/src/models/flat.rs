@@ -1,5 +1,6 @@
 //! The flat vector that an optimiser sees of named parameters, and the boxes in which they are held.
 
+use crate::elementary::Elementary;
 use crate::gp::exp::exp;
 
 /// The blocks of parameters that a schedule can free or hold.
@@ -40,7 +41,7 @@ impl Kind {
 
     /// The flat entry of a value.
     fn flat(&self, value: f64) -> f64 {
-        (if self.positive { value.ln() } else { value }) / self.unit
+        (if self.positive { value.logarithm() } else { value }) / self.unit
     }
 }
 

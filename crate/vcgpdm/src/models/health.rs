@@ -1,7 +1,7 @@
 //! Whether a rollout is still a motion: what a page may show as a success, and what it must say otherwise.
 
 use crate::gp::NumericsError;
-use crate::models::rollout::Rollout;
+use crate::models::rollout::{Rollout, RolloutRequest};
 use crate::models::trained::TrainedModel;
 use crate::models::variational::Vcgpdm;
 use crate::motion::measures::still_from;
@@ -63,8 +63,7 @@ pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize
 }
 
 impl TrainedModel<Vcgpdm> {
-    /// How a rollout of this model that begins as the training sequence `sequence` ends, where `positions` are those that
-    /// [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its training is said to stand still,
+    /// How the rollout that this model makes of `request` ends, where `positions` are those that [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its training is said to stand still,
     /// for this can be seen.
     ///
     /// # Errors
@@ -73,7 +72,7 @@ impl TrainedModel<Vcgpdm> {
     pub fn health(
         &self,
         rollout: &Rollout,
-        sequence: usize,
+        request: &RolloutRequest,
         positions: &[f32],
     ) -> Result<Health, NumericsError> {
         let latents = &rollout.latents;
@@ -84,8 +83,10 @@ impl TrainedModel<Vcgpdm> {
         }
         let frame_time = self.body.frame_time;
         if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
-            let recorded = self.body.sequences.get(sequence).and_then(|info| info.rests_from);
-            let rests = recorded.is_some_and(|rest| from >= rest - EARLY);
+            let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
+            // It may have begun later than the recording.
+            let begun = request.frame as f64 * frame_time;
+            let rests = recorded.is_some_and(|rest| begun + from >= rest - EARLY);
             return Ok(if rests { Health::RestsAsRecorded { from } } else { Health::StandsStill { from } });
         }
         let familiarity = self.model.familiarity(latents)?;
@@ -127,7 +128,7 @@ mod tests {
     }
 
     fn health(model: &TrainedModel<Vcgpdm>, rollout: &Rollout) -> Health {
-        model.health(rollout, 0, &model.positions(rollout).unwrap()).unwrap()
+        model.health(rollout, &RolloutRequest::default(), &model.positions(rollout).unwrap()).unwrap()
     }
 
     #[test]
@@ -155,6 +156,10 @@ mod tests {
             let found = health(&model, &rollout);
             assert_eq!(matches!(found, Health::RestsAsRecorded { .. }), rests, "{recorded:?} {found:?}");
         }
+        // The same motion, begun a second after the recording of the last.
+        let request = RolloutRequest { frame: 30, ..RolloutRequest::default() };
+        let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
+        assert!(matches!(found, Health::RestsAsRecorded { .. }), "{found:?}");
     }
 
     #[test]
@@ -185,6 +190,9 @@ mod tests {
         let (model, mut rollout) = walk();
         let positions = model.positions(&rollout).unwrap();
         rollout.latents[0][(7, 0)] = f64::NAN;
-        assert_eq!(model.health(&rollout, 0, &positions).unwrap(), Health::NotFinite);
+        assert_eq!(
+            model.health(&rollout, &RolloutRequest::default(), &positions).unwrap(),
+            Health::NotFinite
+        );
     }
 }

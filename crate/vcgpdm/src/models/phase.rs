@@ -4,6 +4,7 @@
 //! formed anew, and so on. A straight line, not a free warp of time: it is what can be known about a trial of which only the
 //! first frames are there, and it cannot explain differences of shape away.
 
+use crate::elementary::Elementary;
 use crate::motion::{RHYTHMIC, period};
 use nalgebra::DMatrix;
 
@@ -259,7 +260,7 @@ impl Template {
             let half = TEMPLATE as i32 / 2;
             let looks = if stretch && self.axis == PhaseAxis::Trial { STRETCHES } else { 0 };
             for stretch in -looks..=looks {
-                let rate = map.rate * MOST_STRETCH.powf(f64::from(stretch) / f64::from(STRETCHES));
+                let rate = map.rate * MOST_STRETCH.power(f64::from(stretch) / f64::from(STRETCHES));
                 for k in -half..half {
                     consider(PhaseMap { start: map.start + step * f64::from(k), rate }, &mut best);
                 }

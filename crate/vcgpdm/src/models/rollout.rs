@@ -17,6 +17,9 @@ pub struct RolloutRequest {
     pub frames: usize,
     /// The training sequence whose start latents begin it, counted from 0.
     pub sequence: usize,
+    /// The frame of the sequence that it begins with, counted from 0: a model may keep the latents of all of them.
+    #[serde(default)]
+    pub frame: usize,
     /// Coupling variances [M x M], row the source, column the target; absent: as learned.
     #[serde(default, deserialize_with = "rows::optional_matrix")]
     pub alpha: Option<DMatrix<f64>>,
@@ -88,6 +91,14 @@ pub enum RolloutError {
     Sequence {
         /// How many there are, at least one.
         count: usize,
+        /// The one asked for.
+        found: usize,
+    },
+    /// The latents of such a frame are not there.
+    #[error("expected a frame of the sequence from 0 to {most} to start from, found {found}")]
+    StartFrame {
+        /// The last one that can be started from.
+        most: usize,
         /// The one asked for.
         found: usize,
     },

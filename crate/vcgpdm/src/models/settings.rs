@@ -4,7 +4,7 @@ use crate::models::kind::ModelKind;
 use serde::{Deserialize, Serialize};
 
 /// Settings of the variational models, vCGPDM and vGPDM.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VariationalSettings {
     /// Latent dimensions Q of every part, 1 to 100.
@@ -26,7 +26,7 @@ impl Default for VariationalSettings {
 }
 
 /// Settings of the models with point estimates of their latents, MAP GPDM and MAP CGPDM.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MapSettings {
     /// Latent dimensions Q of every part, 1 to 100.
@@ -47,7 +47,7 @@ impl Default for MapSettings {
 }
 
 /// Settings of temporal movement primitives.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TmpSettings {
     /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
@@ -55,7 +55,7 @@ pub struct TmpSettings {
 }
 
 /// Settings of dynamic movement primitives, discrete or rhythmic.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DmpSettings {
     /// Basis functions B of every column, 1 to 200.
@@ -78,7 +78,7 @@ impl Default for DmpSettings {
 /// assert_eq!(serde_json::to_string(&settings)?, r#"{"model":"dmp-rhythmic","bases":25}"#);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ModelSettings {
     /// The variational coupled GPDM.

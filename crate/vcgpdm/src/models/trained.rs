@@ -166,10 +166,10 @@ impl TrainedModel<Vcgpdm> {
     ) -> Result<impl Iterator<Item = Result<Rollout, RolloutError>> + 'a, RolloutError> {
         self.body.check_frames(request.frames, latent_columns(&self.model))?;
         let dynamics = self.predictive_dynamics(request)?;
-        let start = self.model.start(request.sequence)?;
+        let start = self.model.start(request.sequence, request.frame)?;
         Ok(seeds
             .into_iter()
-            .map(move |seed| Ok(self.rollout_along(dynamics.sample(start, request.frames, seed)?, request))))
+            .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
     }
 
     /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes are for mean rollouts
@@ -180,7 +180,8 @@ impl TrainedModel<Vcgpdm> {
     /// As [`TrainedModel::rollout`], and when a covariance cannot be factorised.
     pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
         self.body.check_frames(request.frames, latent_columns(&self.model))?;
-        self.predictive_dynamics(request)?.moments(self.model.start(request.sequence)?, request.frames)
+        self.predictive_dynamics(request)?
+            .moments(&self.model.start(request.sequence, request.frame)?, request.frames)
     }
 
     /// The dynamics with their variances under the couplings that a request asks for.

@@ -1,5 +1,6 @@
 //! Rotations as files and models need them: Euler angles in any order and rotation vectors, both without jumps in time.
 
+use crate::elementary::Elementary;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -7,8 +8,8 @@ use std::f64::consts::{PI, TAU};
 pub fn exp(r: &Vector3<f64>) -> UnitQuaternion<f64> {
     let half = 0.5 * r.norm();
     // sin(half) / |r|; the series loses nothing below 1e-4: its next term is of the order 1e-18.
-    let factor = if half < 1e-4 { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * half.sin() / half };
-    UnitQuaternion::new_normalize(Quaternion::from_parts(half.cos(), r * factor))
+    let factor = if half < 1e-4 { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * half.sine() / half };
+    UnitQuaternion::new_normalize(Quaternion::from_parts(half.cosine(), r * factor))
 }
 
 /// The rotation vector of the shorter way round, radians, `|r| <= pi` (the logarithm).
@@ -19,7 +20,7 @@ pub fn log(q: &UnitQuaternion<f64>) -> Vector3<f64> {
     if sine < 1e-12 {
         return vector * 2.0;
     }
-    vector * (2.0 * sine.atan2(scalar) / sine)
+    vector * (2.0 * sine.arctangent(scalar) / sine)
 }
 
 /// Of all rotation vectors of one rotation, `r (1 + 2 pi k / |r|)`, the one nearest to `previous`.
@@ -40,7 +41,7 @@ pub fn angle_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
 
 /// The rotation by an angle in radians about one axis (0, 1, 2 for x, y, z).
 pub fn about(axis: usize, angle: f64) -> UnitQuaternion<f64> {
-    let (sine, cosine) = (0.5 * angle).sin_cos();
+    let (sine, cosine) = (0.5 * angle).sine_cosine();
     let mut vector = Vector3::zeros();
     vector[axis] = sine;
     UnitQuaternion::new_unchecked(Quaternion::from_parts(cosine, vector))
@@ -65,11 +66,11 @@ pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3])
     let sign = parity(i, j);
     let m = q.to_rotation_matrix();
     let (sine, cosine) = (-sign * m[(j, k)], m[(k, k)]);
-    let a = if sine.hypot(cosine) < 1e-12 { previous[0] } else { sine.atan2(cosine) };
+    let a = if sine.hypotenuse(cosine) < 1e-12 { previous[0] } else { sine.arctangent(cosine) };
     // The rest is solved after removing R_i(a), so that c corrects for an inaccurate a: the product stays exact.
     let rest = about(i, -a).to_rotation_matrix() * m;
-    let b = (sign * rest[(i, k)]).atan2(rest[(k, k)]);
-    let c = (sign * rest[(j, i)]).atan2(rest[(j, j)]);
+    let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
+    let c = (sign * rest[(j, i)]).arctangent(rest[(j, j)]);
     let near = |angles: [f64; 3]| -> [f64; 3] { std::array::from_fn(|n| angle_near(angles[n], previous[n])) };
     let distance = |angles: &[f64; 3]| -> f64 { (0..3).map(|n| (angles[n] - previous[n]).powi(2)).sum() };
     let (first, second) = (near([a, b, c]), near([a + PI, PI - b, c + PI]));
@@ -85,12 +86,12 @@ pub fn angles_near(q: &UnitQuaternion<f64>, axes: &[usize], previous: &[f64]) ->
             let (k, sign) = (3 - i - j, parity(i, j));
             let m = q.to_rotation_matrix();
             // R_i(a) R_j(b) leaves the direction of axis j to a alone.
-            let a = (sign * m[(k, j)]).atan2(m[(j, j)]);
+            let a = (sign * m[(k, j)]).arctangent(m[(j, j)]);
             let rest = about(i, -a).to_rotation_matrix() * m;
-            let b = (sign * rest[(i, k)]).atan2(rest[(k, k)]);
+            let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
             [angle_near(a, previous[0]), angle_near(b, previous[1]), 0.0]
         }
-        [i] => [angle_near(2.0 * q.vector()[i].atan2(q.scalar()), previous[0]), 0.0, 0.0],
+        [i] => [angle_near(2.0 * q.vector()[i].arctangent(q.scalar()), previous[0]), 0.0, 0.0],
         _ => [0.0; 3],
     }
 }

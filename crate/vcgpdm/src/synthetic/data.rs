@@ -1,5 +1,6 @@
 //! The data: two systems with a known truth, and what is observed of them.
 
+use crate::elementary::Elementary;
 use crate::evaluation::dtw_mse;
 use crate::gp::NumericsError;
 use crate::models::variational::{Trainer, Vcgpdm};
@@ -129,15 +130,15 @@ impl Synthetic {
 /// Transitions on two rings around the origin, each by the same angle and half the way to the unit circle.
 fn turn(angle: f64) -> Evidence {
     const AROUND: usize = 8;
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     let inputs = DMatrix::from_fn(2 * AROUND, 2, |k, c| {
         let radius = if k < AROUND { 0.6 } else { 1.5 };
-        let (y, x) = (TAU * k as f64 / AROUND as f64).sin_cos();
+        let (y, x) = (TAU * k as f64 / AROUND as f64).sine_cosine();
         radius * if c == 0 { x } else { y }
     });
     let values = DMatrix::from_fn(inputs.nrows(), 2, |k, c| {
         let (x, y) = (inputs[(k, 0)], inputs[(k, 1)]);
-        let half_way = 0.5 + 0.5 / x.hypot(y);
+        let half_way = 0.5 + 0.5 / x.hypotenuse(y);
         half_way * if c == 0 { cos * x - sin * y } else { sin * x + cos * y }
     });
     Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }

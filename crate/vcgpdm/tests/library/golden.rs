@@ -1,9 +1,9 @@
 //! The golden cases, natively; crate/wasm/tests runs the same in wasm.
 
 #[path = "../shared/golden.rs"]
-mod golden;
+mod cases;
 
 #[test]
 fn golden_cases_agree() {
-    golden::golden_cases_agree();
+    cases::golden_cases_agree();
 }

@@ -1,7 +1,6 @@
 //! A live rollout of the model that walks first on the page.
 
-#[path = "../shared/start_model.rs"]
-mod start_model;
+use crate::start_model;
 
 use nalgebra::DMatrix;
 use start_model::start_model;

@@ -1,5 +1,5 @@
 //! The library from outside, as its users call it. One program: it is linked once.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::disallowed_methods)]
 
 mod documents;
 mod examples;
@@ -7,6 +7,8 @@ mod golden;
 mod live;
 mod primitives;
 mod real_clips;
+#[path = "../shared/start_model.rs"]
+mod start_model;
 mod t_pose;
 mod training;
 mod uncertainty;

@@ -1,14 +1,14 @@
 //! Training on the project's own clips, natively; crate/wasm/tests runs the same in wasm.
 
 #[path = "../shared/training.rs"]
-mod training;
+mod cases;
 
 #[test]
 fn native_and_wasm_take_the_same_path() {
-    training::native_and_wasm_take_the_same_path();
+    cases::native_and_wasm_take_the_same_path();
 }
 
 #[test]
 fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
-    training::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
+    cases::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
 }

@@ -1,7 +1,6 @@
 //! Sampled futures and moment matching are two answers to one question, on the model that walks first on the page.
 
-#[path = "../shared/start_model.rs"]
-mod start_model;
+use crate::start_model;
 
 use start_model::start_model;
 use vcgpdm::models::RolloutRequest;
@@ -11,7 +10,7 @@ fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
     let model = start_model();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let dynamics = model.predictive_dynamics(&request).unwrap();
-    let start = model.model.start(0).unwrap();
+    let start = &model.model.start(0, 0).unwrap();
     let moments = dynamics.moments(start, 60).unwrap();
     let draws = 1000;
     let futures: Vec<_> = (0..draws).map(|seed| dynamics.sample(start, 60, seed).unwrap()).collect();

@@ -23,22 +23,24 @@ fn spread(x: &nalgebra::DMatrix<f64>) -> f64 {
     x.row_variance().sum().sqrt()
 }
 
-/// The reference numbers are this test's own, printed by a native run: what they guard is that native and wasm agree.
+/// The reference numbers are this test's own, printed by a native run: what they guard is that native and wasm agree. A difference in
+/// the last bit of a sine was once a difference of 0.1 % after fifty iterations.
 pub fn native_and_wasm_take_the_same_path() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 160);
     let start = trainer.progress().best;
     let mut progress = trainer.progress();
-    for _ in 0..10 {
+    for _ in 0..50 {
         progress = trainer.step();
     }
-    println!("start {start:.9}, after ten iterations {:.9}", progress.best);
-    assert!((start - START).abs() < 1e-9 * START.abs(), "{start}");
-    assert!((progress.best - AFTER_TEN).abs() < 1e-6 * AFTER_TEN.abs(), "{}", progress.best);
+    let found = [start, progress.best];
+    for (found, expected) in found.into_iter().zip([START, AFTER_FIFTY]) {
+        assert!((found - expected).abs() <= 1e-13 * expected, "{found:.9} is not {expected:.9}");
+    }
 }
 
-const START: f64 = 7_221.901_459_019;
-const AFTER_TEN: f64 = 41_717.943_212_709;
+const START: f64 = 7221.901459018125;
+const AFTER_FIFTY: f64 = 59721.174852295466;
 
 pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     let dataset = dataset();

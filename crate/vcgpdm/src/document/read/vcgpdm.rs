@@ -152,7 +152,7 @@ fn expert(field: Field, dims: usize, q: usize) -> Result<ExpertFields, FieldErro
     Ok(ExpertFields { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
 }
 
-/// A training sequence with the latent means of the first frames of each part.
+/// A training sequence with the latent means of the first frames of each part, or of all.
 fn sequence(
     field: Field,
     latent: &[usize],
@@ -163,10 +163,12 @@ fn sequence(
     let field = sequence.get("start")?;
     let items = field.items()?;
     count(&field, items.len(), latent.len()..=latent.len())?;
-    let mut start = Vec::with_capacity(latent.len());
+    let mut start: Vec<DMatrix<f64>> = Vec::with_capacity(latent.len());
     for (item, q) in items.iter().zip(latent) {
         let latents = tame_matrix(item)?;
-        shape(item, &latents, order, *q)?;
+        // The first frames at least; all of them where the file keeps them.
+        let rows = latents.nrows().clamp(order, info.frames.max(order));
+        shape(item, &latents, start.first().map_or(rows, DMatrix::nrows), *q)?;
         start.push(latents);
     }
     sequence.end()?;

@@ -2,6 +2,7 @@
 
 mod blocked;
 
+use crate::elementary::Elementary;
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use thiserror::Error;
 
@@ -98,7 +99,7 @@ impl Factor {
     /// log |matrix|.
     pub fn log_determinant(&self) -> f64 {
         let l = self.cholesky.l_dirty();
-        2.0 * (0..l.nrows()).map(|k| l[(k, k)].ln()).sum::<f64>()
+        2.0 * (0..l.nrows()).map(|k| l[(k, k)].logarithm()).sum::<f64>()
     }
 
     /// matrix^-1 `rhs`.

@@ -1,5 +1,6 @@
 //! Dynamic movement primitives towards a goal.
 
+use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
@@ -53,7 +54,7 @@ impl DmpDiscrete {
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alpha_x = ALPHA_X;
         // Equal distances in time; in x they shrink with it.
-        let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exp();
+        let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exponential();
         let centres: Vec<f64> = (0..bases).map(centre).collect();
         let width = |b: usize| {
             let distance = if b + 1 < bases {
@@ -115,12 +116,12 @@ impl DmpDiscrete {
 
     /// x psi_b(x) / sum psi at `phase` = t / tau `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
-        let x = (-self.alpha_x * phase).exp();
+        let x = (-self.alpha_x * phase).exponential();
         let exponents =
             DVector::from_fn(self.centres.len(), |b, _| -self.widths[b] * (x - self.centres[b]).powi(2));
         // The largest is taken out first: far from all centres the ratio still means the nearest one.
         let largest = exponents.max();
-        let psi = exponents.map(|e| (e - largest).exp());
+        let psi = exponents.map(|e| (e - largest).exponential());
         let sum = psi.sum();
         psi * (x / sum)
     }

@@ -1,5 +1,6 @@
 //! Dynamic movement primitives around a centre.
 
+use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
@@ -83,8 +84,9 @@ impl DmpRhythmic {
     /// psi_b / sum psi at a phase in cycles `[B]`.
     fn features(&self, phase: f64) -> DVector<f64> {
         let bases = self.weights.nrows();
-        let value =
-            |b: usize| (self.concentration * ((TAU * (phase - b as f64 / bases as f64)).cos() - 1.0)).exp();
+        let value = |b: usize| {
+            (self.concentration * ((TAU * (phase - b as f64 / bases as f64)).cosine() - 1.0)).exponential()
+        };
         let psi = DVector::from_fn(bases, |b, _| value(b));
         let sum = psi.sum();
         psi / sum

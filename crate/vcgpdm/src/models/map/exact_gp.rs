@@ -3,6 +3,7 @@
 //! log N(T; 0, C) over the columns of T = - R c/2 log(2 pi) - c/2 log|C| - 1/2 tr( T^T C^-1 T ), for R rows and c columns
 //! (Rasmussen & Williams 2006, 5.8 and 5.9).
 
+use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
 use nalgebra::DMatrix;
@@ -19,7 +20,7 @@ pub struct DensityAdjoint {
 fn value(factor: &Factor, targets: &DMatrix<f64>) -> f64 {
     let (rows, columns) = (targets.nrows() as f64, targets.ncols() as f64);
     let fit = factor.solve_lower(targets).norm_squared();
-    -0.5 * (rows * columns * TAU.ln() + columns * factor.log_determinant() + fit)
+    -0.5 * (rows * columns * TAU.logarithm() + columns * factor.log_determinant() + fit)
 }
 
 /// log N(`targets`; 0, `covariance`), in nats; `covariance` [R x R] has the noise on its diagonal.

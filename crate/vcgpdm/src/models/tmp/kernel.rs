@@ -1,5 +1,6 @@
 //! The Gaussian process over phase, seen through inducing phases.
 
+use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::exp::exp;
 use crate::gp::linalg::Factor;
@@ -88,7 +89,7 @@ impl PhaseKernel {
 pub fn covariance(axis: PhaseAxis, lengthscale: f64, difference: f64) -> f64 {
     let d = match axis {
         PhaseAxis::Trial => difference,
-        PhaseAxis::Cycle => (PI * difference).sin() / PI,
+        PhaseAxis::Cycle => (PI * difference).sine() / PI,
     };
     exp(-0.5 * (d / lengthscale).powi(2))
 }

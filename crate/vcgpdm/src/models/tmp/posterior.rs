@@ -1,5 +1,6 @@
 //! The variational posterior of temporal movement primitives: its bound, and the updates that never lower it.
 
+use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
 use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial, beginnings, covered};
@@ -10,6 +11,8 @@ use std::f64::consts::{E, PI};
 
 /// Noise variances and column scales stay above this times the mean variance of a column: some columns never move.
 const FLOOR: f64 = 1e-6;
+/// The mean variance counts as this much at least: a clip in which nothing moves has none.
+const LEAST_VARIANCE: f64 = 1e-4;
 /// Starts: the share of a column's variance that is noise, and of the weights' variance that is between trials.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
@@ -92,8 +95,7 @@ impl Posterior {
         let variance = DVector::from_fn(columns, |k, _| {
             trials.iter().map(|t| t.y.column(k).norm_squared()).sum::<f64>() / frames
         });
-        let mean = variance.mean();
-        let floor = FLOOR * if mean > 0.0 { mean } else { 1.0 };
+        let floor = FLOOR * variance.mean().max(LEAST_VARIANCE);
         let variance = variance.map(|v| v.max(floor));
         let r = kernel.inducing.len();
         let v = principal_components(&views, &variance, count)?;
@@ -110,7 +112,7 @@ impl Posterior {
             range,
             views,
             v_covariance: DMatrix::identity(r * count, r * count) * 1e-4,
-            v_log_determinant: (r * count) as f64 * 1e-4_f64.ln(),
+            v_log_determinant: (r * count) as f64 * 1e-4_f64.logarithm(),
             floor,
         };
         posterior.noise.apply(|n| *n = n.max(floor));
@@ -318,18 +320,18 @@ impl Posterior {
         let (s, q) = (trials.len() as f64, self.primitives() as f64);
         let spread = Factor::new(&self.spread, "covariance of the weights")?;
         let (precision, log_spread) = (spread.inverse(), spread.log_determinant());
-        let log_relevance: f64 = self.relevance.iter().map(|a| a.ln()).sum();
+        let log_relevance: f64 = self.relevance.iter().map(|a| a.logarithm()).sum();
         let mut bound = 0.0;
         for (k, w) in self.weights.iter().enumerate() {
             let (noise, scale) = (self.noise[k], self.scale[k]);
-            bound -= 0.5 * frames * (2.0 * PI * noise).ln();
+            bound -= 0.5 * frames * (2.0 * PI * noise).logarithm();
             bound -= 0.5 * self.squared_error(trials, &energies, k) / noise;
-            bound -= 0.5 * s * (q * (2.0 * PI * scale).ln() + log_spread);
+            bound -= 0.5 * s * (q * (2.0 * PI * scale).logarithm() + log_spread);
             bound -= 0.5 * precision.dot(&w.deviation) / scale;
-            bound -= 0.5 * (q * (2.0 * PI * scale).ln() + log_relevance);
+            bound -= 0.5 * (q * (2.0 * PI * scale).logarithm() + log_relevance);
             let centre: f64 = (0..w.centre.len()).map(|q| w.centre_second[(q, q)] / self.relevance[q]).sum();
             bound -= 0.5 * centre / scale;
-            bound += 0.5 * ((s + 1.0) * q * (2.0 * PI * E).ln() + w.log_determinant);
+            bound += 0.5 * ((s + 1.0) * q * (2.0 * PI * E).logarithm() + w.log_determinant);
         }
         Ok(bound - self.divergence())
     }

@@ -57,7 +57,7 @@ impl Vcgpdm {
         for cut in &request.cuts {
             self.check_parts(&[(cut.source, cut.target)])?;
         }
-        let mut paths = LatentPaths::new(self.start(request.sequence)?, self.order, &latent)?;
+        let mut paths = LatentPaths::new(&self.start(request.sequence, request.frame)?, self.order, &latent)?;
         let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
         let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
         let mut seen = paths.clone();
@@ -109,9 +109,9 @@ mod tests {
     fn without_disturbances_it_is_the_path_of_the_dynamics() {
         let model = fitted(3);
         let expected =
-            model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(model.start(0).unwrap(), 15);
+            model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&model.start(0, 0).unwrap(), 15);
         assert_eq!(model.path(&request(15)), expected);
-        assert_eq!(model.path(&request(1)).unwrap()[0], model.start(0).unwrap()[0].rows(0, 1));
+        assert_eq!(model.path(&request(1)).unwrap()[0], model.start(0, 0).unwrap()[0].rows(0, 1));
     }
 
     #[test]

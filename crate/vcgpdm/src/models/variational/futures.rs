@@ -50,7 +50,7 @@ mod tests {
     fn a_seed_says_which_future() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
-        let start = model.start(0).unwrap();
+        let start = &model.start(0, 0).unwrap();
         let future = |seed| dynamics.sample(start, 20, seed).unwrap();
         assert_eq!(future(4), future(4));
         let (one, other) = (future(4), future(5));

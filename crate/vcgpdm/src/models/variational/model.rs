@@ -154,7 +154,8 @@ pub struct Vcgpdm {
     pub sums: Vec<DynamicsSums>,
     /// Learned coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
-    /// The latent means of the first p frames of every training sequence: `starts[sequence][part]` [p x Q_i].
+    /// The latent means of the first frames of every training sequence, p or more: `starts[sequence][part]` [T x Q_i]. After a training
+    /// they are there for all frames; older files keep p.
     pub starts: Vec<Vec<DMatrix<f64>>>,
     /// The terms of the bound that training reached, in nats.
     pub terms: BoundTerms,
@@ -185,7 +186,7 @@ impl Vcgpdm {
             experts.push(fitted);
         }
         let starts = objective.sequences().ranges().map(|range| {
-            let start = |part: &PartParams| part.latents.mean.rows(range.start, order).into_owned();
+            let start = |part: &PartParams| part.latents.mean.rows(range.start, range.len()).into_owned();
             params.parts.iter().map(start).collect()
         });
         Ok(Self {
@@ -221,14 +222,26 @@ impl Vcgpdm {
         self.terms.total()
     }
 
-    /// The latent means of the first p frames of a training sequence, counted from 0: [p x Q_i] of each part.
+    /// From how many frames of a training sequence, counted from 0, a rollout can start; 0 where there is no such sequence.
+    pub fn start_frames(&self, sequence: usize) -> usize {
+        let kept = self.starts.get(sequence).and_then(|start| start.first()).map_or(0, DMatrix::nrows);
+        (kept + 1).saturating_sub(self.order)
+    }
+
+    /// The latent means of p frames of a training sequence from `frame` on, both counted from 0: [p x Q_i] of each part.
     ///
     /// # Errors
     ///
-    /// When there is no such sequence.
-    pub fn start(&self, sequence: usize) -> Result<&[DMatrix<f64>], RolloutError> {
-        let start = self.starts.get(sequence).map(Vec::as_slice);
-        start.ok_or(RolloutError::Sequence { count: self.starts.len(), found: sequence })
+    /// When there is no such sequence, or the model does not keep these frames.
+    pub fn start(&self, sequence: usize, frame: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let Some(kept) = self.starts.get(sequence) else {
+            return Err(RolloutError::Sequence { count: self.starts.len(), found: sequence });
+        };
+        let frames = self.start_frames(sequence);
+        if frame >= frames {
+            return Err(RolloutError::StartFrame { most: frames.saturating_sub(1), found: frame });
+        }
+        Ok(kept.iter().map(|x| x.rows(frame, self.order).into_owned()).collect())
     }
 
     /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned, only the weights of
@@ -303,7 +316,7 @@ impl Vcgpdm {
     pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
         let dynamics = self.dynamics(&self.alpha, Reading::AsLearned)?;
-        Ok(self.observations(&dynamics.path(self.start(sequence)?, frames)?))
+        Ok(self.observations(&dynamics.path(&self.start(sequence, 0)?, frames)?))
     }
 
     /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and kernels of all maps,
@@ -319,6 +332,7 @@ impl Vcgpdm {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::rollout::RolloutRequest;
     use crate::models::variational::testing::{fitted, random_case};
     use approx::assert_relative_eq;
 
@@ -326,7 +340,7 @@ mod tests {
     fn re_inferred_under_the_learned_couplings_is_as_learned() {
         let model = fitted(3);
         let path = |alpha: &DMatrix<f64>, reading| {
-            model.dynamics(alpha, reading).unwrap().path(model.start(1).unwrap(), 30).unwrap()
+            model.dynamics(alpha, reading).unwrap().path(&model.start(1, 0).unwrap(), 30).unwrap()
         };
         for (a, b) in
             path(&model.alpha, Reading::AsLearned).iter().zip(&path(&model.alpha, Reading::ReInferred))
@@ -349,11 +363,36 @@ mod tests {
         let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
         let step = |model: &Vcgpdm, reading| {
             let dynamics = model.dynamics(&params.alpha, reading).unwrap();
-            dynamics.path(model.start(0).unwrap(), model.order + 1).unwrap()
+            dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()
         };
         for (a, b) in step(&model, Reading::ReInferred).iter().zip(&step(&refitted, Reading::AsLearned)) {
             assert_relative_eq!(a, b, epsilon = 1e-8, max_relative = 1e-8);
         }
+    }
+
+    #[test]
+    fn a_rollout_starts_from_any_frame_whose_latents_are_kept() {
+        let (params, objective) = random_case(1);
+        let model = fitted(1);
+        let ranges: Vec<_> = objective.sequences().ranges().collect();
+        for (sequence, range) in ranges.iter().enumerate() {
+            let frames = range.len() + 1 - model.order;
+            assert_eq!(model.start_frames(sequence), frames);
+            for frame in [0, frames - 1] {
+                let request = RolloutRequest { frames: 9, sequence, frame, ..RolloutRequest::default() };
+                for (path, part) in model.path(&request).unwrap().iter().zip(&params.parts) {
+                    let trained = part.latents.mean.rows(range.start + frame, model.order);
+                    assert_eq!(path.rows(0, model.order), trained);
+                }
+            }
+            let error = model.start(sequence, frames).unwrap_err().to_string();
+            let most = frames - 1;
+            assert_eq!(
+                error,
+                format!("expected a frame of the sequence from 0 to {most} to start from, found {frames}")
+            );
+        }
+        assert_eq!(model.start_frames(ranges.len()), 0);
     }
 
     #[test]
@@ -366,7 +405,7 @@ mod tests {
             error,
             "expected a positive coupling variance from part 0 to part 1, 1e-100 to 1e100, found -1.0"
         );
-        let error = model.start(9).unwrap_err().to_string();
+        let error = model.start(9, 0).unwrap_err().to_string();
         assert_eq!(error, "expected a training sequence from 0 to 1, found 9");
         let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
         assert!(dynamics.path(&[], 10).is_err());

@@ -175,7 +175,7 @@ mod tests {
     fn hold(seed: u64, frames: usize, draws: u64, (shift, factor): (f64, f64)) {
         let model = fitted(seed);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
-        let start = model.start(0).unwrap();
+        let start = &model.start(0, 0).unwrap();
         let moments = dynamics.moments(start, frames).unwrap();
         let futures: Vec<_> = (0..draws).map(|seed| dynamics.sample(start, frames, seed).unwrap()).collect();
         let count = draws as f64;
@@ -215,7 +215,7 @@ mod tests {
     fn one_step_on_they_are_the_prediction() {
         let model = fitted(3);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::ReInferred).unwrap();
-        let start = model.start(1).unwrap();
+        let start = &model.start(1, 0).unwrap();
         let t = model.order;
         let moments = dynamics.moments(start, t + 1).unwrap();
         for (part, said) in dynamics.predict(start, t).unwrap().iter().enumerate() {

@@ -211,7 +211,8 @@ mod tests {
             let model = fitted(3);
             let mut alpha = model.alpha.clone();
             alpha[(1, 0)] *= 3.0;
-            let path = model.dynamics(&alpha, reading).unwrap().path(model.start(1).unwrap(), 12).unwrap();
+            let path =
+                model.dynamics(&alpha, reading).unwrap().path(&model.start(1, 0).unwrap(), 12).unwrap();
             let dynamics = model.predictive_dynamics(&alpha, reading).unwrap();
             for t in model.order..12 {
                 for (part, said) in dynamics.predict(&path, t).unwrap().iter().enumerate() {
@@ -231,7 +232,7 @@ mod tests {
     fn the_product_is_what_the_weights_make_of_the_experts() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
-        let start = model.start(0).unwrap();
+        let start = &model.start(0, 0).unwrap();
         for (i, said) in dynamics.predict(start, model.order).unwrap().iter().enumerate() {
             let (noise, weights) = coupling_weights(model.alpha.column(i).as_slice());
             for q in 0..said.product.mean.len() {
@@ -249,7 +250,7 @@ mod tests {
     fn far_from_all_inducing_points_an_expert_knows_only_its_prior() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
-        let far: Vec<_> = model.start(0).unwrap().iter().map(|x| x.map(|_| 1e3)).collect();
+        let far: Vec<_> = model.start(0, 0).unwrap().iter().map(|x| x.map(|_| 1e3)).collect();
         for (i, said) in dynamics.predict(&far, model.order).unwrap().iter().enumerate() {
             for (j, expert) in said.experts.iter().enumerate() {
                 assert_relative_eq!(expert.variance, model.alpha[(j, i)] + 1.0, epsilon = 1e-12);
@@ -261,7 +262,7 @@ mod tests {
     #[test]
     fn re_inferred_under_the_learned_couplings_the_variances_are_as_learned() {
         let model = fitted(3);
-        let start = model.start(0).unwrap();
+        let start = &model.start(0, 0).unwrap();
         let said = |reading| {
             model.predictive_dynamics(&model.alpha, reading).unwrap().predict(start, model.order).unwrap()
         };
@@ -294,7 +295,7 @@ mod tests {
     fn a_frame_without_a_history_is_refused() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
-        let start = model.start(0).unwrap();
+        let start = &model.start(0, 0).unwrap();
         assert_eq!(
             dynamics.predict(start, 1).unwrap_err().to_string(),
             "expected at least 2 frames before the predicted one, found 1"

@@ -1,5 +1,6 @@
 //! The ends of hands and feet, and their places along the heading of the body.
 
+use crate::elementary::Elementary;
 use crate::motion::Skeleton;
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::Side;
@@ -83,7 +84,7 @@ pub(super) fn forward_places(
             left += track.at(frame, on_left) - track.at(frame, on_right);
         }
         // Front = left x up. A body that lies on its side keeps the heading that it had.
-        let length = left.x.hypot(left.z);
+        let length = left.x.hypotenuse(left.z);
         if length > 1e-6 {
             forward = Vector3::new(-left.z / length, 0.0, left.x / length);
         }

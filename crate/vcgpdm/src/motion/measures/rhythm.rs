@@ -1,5 +1,6 @@
 //! Whether two limbs swing in step: their phases by complex demodulation.
 
+use crate::elementary::Elementary;
 use nalgebra::Vector2;
 use std::f64::consts::TAU;
 
@@ -22,7 +23,7 @@ pub(super) fn step(a: &[f64], b: &[f64], period: f64) -> Option<Step> {
         product.try_normalize(0.0).unwrap_or_default()
     });
     let sum: Vector2<f64> = directions.sum();
-    let step = Step { ahead: sum.y.atan2(sum.x) / TAU, locking: sum.norm() / a.len() as f64 };
+    let step = Step { ahead: sum.y.arctangent(sum.x) / TAU, locking: sum.norm() / a.len() as f64 };
     (!a.is_empty()).then_some(step)
 }
 
@@ -32,7 +33,7 @@ fn demodulated(swing: &[f64], period: f64) -> Vec<Vector2<f64>> {
     let width = (period.round() as usize).max(2);
     let turns: Vec<Vector2<f64>> = (0..swing.len())
         .map(|k| {
-            let (sin, cos) = (TAU * k as f64 / period).sin_cos();
+            let (sin, cos) = (TAU * k as f64 / period).sine_cosine();
             Vector2::new(cos, -sin)
         })
         .collect();

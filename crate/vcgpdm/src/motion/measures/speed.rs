@@ -1,5 +1,6 @@
 //! How fast a body walks and its joints move, whether its feet slide, and when it comes to stand still.
 
+use crate::elementary::Elementary;
 use crate::motion::Skeleton;
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::measures::track::Track;
@@ -91,5 +92,5 @@ pub(super) fn foot_slide(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track, 
 }
 
 fn along_ground(way: Vector3<f64>) -> f64 {
-    way.x.hypot(way.z)
+    way.x.hypotenuse(way.z)
 }

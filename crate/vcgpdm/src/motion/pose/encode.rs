@@ -20,6 +20,9 @@ pub struct Encoded {
     pub warnings: Vec<String>,
 }
 
+/// A displacement or a height beyond this many leg lengths is no motion of a body.
+const FARTHEST: f64 = 1e5;
+
 /// Positions that vary by less than this share of the body's height count as constant.
 const STILL: f64 = 1e-3;
 
@@ -29,7 +32,7 @@ impl PoseMapping {
     ///
     /// # Errors
     ///
-    /// [`PoseError::Body`] when the clip shows another body.
+    /// [`PoseError::Body`] when the clip shows another body, [`PoseError::Spike`] when its root is absurdly far away.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -41,6 +44,9 @@ impl PoseMapping {
             .map(|(pose, &angles)| RootPose { place: turn * pose.positions[0] / self.leg(), angles })
             .collect();
         for (t, row) in root::rows(&roots).iter().enumerate() {
+            if let Some(&found) = row.iter().find(|value| value.abs() > FARTHEST) {
+                return Err(PoseError::Spike { frame: t, most: FARTHEST, found: found.abs() });
+            }
             for (column, &value) in row.iter().enumerate() {
                 y[(t, column)] = value;
             }

@@ -77,6 +77,19 @@ pub enum PoseError {
         /// The number found.
         found: f64,
     },
+    /// The root is so far away that squares of its numbers would drown all others.
+    #[error(
+        "frame {frame}: expected the root less than {most} leg lengths from the frame before and from the ground, found {found:.0}; is \
+         there a spike in the recording?"
+    )]
+    Spike {
+        /// The frame, counted from 0.
+        frame: usize,
+        /// The limit, in leg lengths.
+        most: f64,
+        /// What was found, in leg lengths.
+        found: f64,
+    },
     /// The start of a motion holds numbers that cannot be used.
     #[error("{field}: expected {expected}")]
     Field {

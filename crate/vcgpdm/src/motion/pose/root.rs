@@ -1,5 +1,6 @@
 //! The root: from its place and orientation to rates that do not depend on its heading, and back.
 
+use crate::elementary::Elementary;
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
@@ -71,7 +72,7 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
                     first[2] + std::f64::consts::PI,
                 ];
                 let other = [turned[0], rotation::wrapped(turned[1]), rotation::wrapped(turned[2])];
-                let tilt = |angles: &[f64; 3]| angles[1].hypot(angles[2]);
+                let tilt = |angles: &[f64; 3]| angles[1].hypotenuse(angles[2]);
                 if tilt(&other) < tilt(&first) { other } else { first }
             }
         };

@@ -8,6 +8,7 @@
 //!
 //! Phases count gait cycles: 0 is the heel contact of that leg, about 0.6 its toe-off, 1 the next contact. Angles are in degrees.
 
+use crate::elementary::Elementary;
 use std::f64::consts::TAU;
 
 /// A periodic curve `a_0 + sum_k a_k cos(2 pi k phase) + b_k sin(2 pi k phase)`, stored as `a_0, a_1, b_1, a_2, b_2, ...`.
@@ -17,7 +18,7 @@ impl<const N: usize> Series<N> {
     fn at(&self, phase: f64) -> f64 {
         let pairs = self.0[1..].chunks_exact(2).zip(1..);
         let waves = pairs.map(|(ab, k)| {
-            let (sine, cosine) = (TAU * f64::from(k) * phase).sin_cos();
+            let (sine, cosine) = (TAU * f64::from(k) * phase).sine_cosine();
             ab[0] * cosine + ab[1] * sine
         });
         self.0[0] + waves.sum::<f64>()
@@ -100,7 +101,7 @@ pub(super) fn arm(phase: f64) -> (f64, f64) {
 
 /// A cosine with its top at the phase `top`.
 pub(super) fn wave(phase: f64, top: f64) -> f64 {
-    (TAU * (phase - top)).cos()
+    (TAU * (phase - top)).cosine()
 }
 
 #[cfg(test)]

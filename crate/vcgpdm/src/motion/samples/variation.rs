@@ -1,5 +1,6 @@
 //! What makes one trial differ from the next, and one step from the next: seeded and smooth in time.
 
+use crate::elementary::Elementary;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardUniform};
 use std::f64::consts::TAU;
@@ -26,7 +27,7 @@ impl Drift {
     pub fn at(&self, seconds: f64) -> f64 {
         self.waves
             .iter()
-            .map(|[amplitude, hertz, phase]| amplitude * (TAU * (hertz * seconds + phase)).sin())
+            .map(|[amplitude, hertz, phase]| amplitude * (TAU * (hertz * seconds + phase)).sine())
             .sum()
     }
 }

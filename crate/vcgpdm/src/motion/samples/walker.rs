@@ -1,5 +1,6 @@
 //! Puts the gait curves on the body, frame by frame, and walks it: the root goes where the standing foot takes it.
 
+use crate::elementary::Elementary;
 use crate::motion::rotation;
 use crate::motion::samples::body::joint;
 use crate::motion::samples::variation::{Drift, between};
@@ -223,10 +224,10 @@ impl Ground {
             foot[2] = foot[1] + rotation * q[first + 3] * body::TOE;
         }
         let lowest = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-        let mut weights = points.map(|p| ((lowest - p.y) / SOFTNESS).exp());
+        let mut weights = points.map(|p| ((lowest - p.y) / SOFTNESS).exponential());
         let sum: f64 = weights.iter().sum();
         weights.iter_mut().for_each(|w| *w /= sum);
-        Ground { points, weights, level: lowest - SOFTNESS * sum.ln() }
+        Ground { points, weights, level: lowest - SOFTNESS * sum.logarithm() }
     }
 
     /// How far the standing points moved over the ground as seen from the root: what the root has to make up for.

@@ -10,6 +10,7 @@
 //! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
 //! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
 
+use crate::elementary::Elementary;
 use crate::gp::{Kernel, NumericsError};
 use crate::models::couplings::coupling_weights;
 use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
@@ -149,7 +150,7 @@ impl LogDensity {
     fn initial(&self, params: &MapParams) -> f64 {
         let rows =
             params.parts.iter().flat_map(|part| self.sequences.initial_frames().map(|t| part.latents.row(t)));
-        rows.map(|row| -0.5 * (row.len() as f64 * TAU.ln() + row.norm_squared())).sum()
+        rows.map(|row| -0.5 * (row.len() as f64 * TAU.logarithm() + row.norm_squared())).sum()
     }
 
     fn poses(&self, params: &MapParams, i: usize) -> DMatrix<f64> {

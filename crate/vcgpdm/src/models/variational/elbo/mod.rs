@@ -7,6 +7,7 @@ mod dynamics;
 mod kinematics;
 mod objective;
 
+use crate::elementary::Elementary;
 use crate::gp::bound::InducingPosterior;
 use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
@@ -195,10 +196,11 @@ impl Objective {
         for (part, histories) in params.parts.iter().zip(histories) {
             let Gaussians { mean, variance } = &part.latents;
             self.sequences.histories_into(&part.latents, histories);
-            terms.entropy += 0.5 * ((TAU.ln() + 1.0) * variance.len() as f64 + sum_of_logarithms(variance));
+            terms.entropy +=
+                0.5 * ((TAU.logarithm() + 1.0) * variance.len() as f64 + sum_of_logarithms(variance));
             for t in self.sequences.initial_frames() {
                 for q in 0..mean.ncols() {
-                    terms.initial -= 0.5 * (TAU.ln() + mean[(t, q)].powi(2) + variance[(t, q)]);
+                    terms.initial -= 0.5 * (TAU.logarithm() + mean[(t, q)].powi(2) + variance[(t, q)]);
                 }
             }
         }
@@ -224,7 +226,7 @@ impl Objective {
 fn sum_of_logarithms(values: &DMatrix<f64>) -> f64 {
     let logarithm = |chunk: &[f64]| {
         let product: f64 = chunk.iter().product();
-        if product.is_normal() { product.ln() } else { chunk.iter().map(|v| v.ln()).sum() }
+        if product.is_normal() { product.logarithm() } else { chunk.iter().map(|v| v.logarithm()).sum() }
     };
     values.as_slice().chunks(8).map(logarithm).sum()
 }

@@ -34,7 +34,8 @@ fn training_raises_the_bound_and_the_rollout_keeps_moving() {
     assert!(best > start.best + 100.0, "{} to {best}", start.best);
     let model = trainer.model().unwrap();
     let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
-    for (path, part) in dynamics.path(model.start(0).unwrap(), 300).unwrap().iter().zip(&trainer.best().parts)
+    for (path, part) in
+        dynamics.path(&model.start(0, 0).unwrap(), 300).unwrap().iter().zip(&trainer.best().parts)
     {
         let spread = |x: &DMatrix<f64>| x.row_variance().sum().sqrt();
         let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));

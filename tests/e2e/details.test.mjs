@@ -1,0 +1,108 @@
+// A closer look: the kernels that a model has learned, and the channels of the motion on the stage, beside what the npm package says.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { dist } from "../../scripts/site.mjs";
+import { barriers, openSite, ready } from "./site.mjs";
+
+/** @type {typeof import("vcgpdm")} */
+const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+describe("a closer look", () => {
+  it("shows the kernels, with terms that can be asked", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("show-kernels").click();
+    const document = JSON.parse(readFileSync(`${dist}/first/model.json`, "utf8"));
+    await page.getByTestId("pose-kernels").waitFor();
+    const cells = await page.getByTestId("pose-kernels").locator("tbody td").allInnerTexts();
+    assert.equal(cells.length, 2 * (2 + 3));
+    assert.ok(Math.abs(Number(cells[0]) / document.parts[0].variance - 1) < 0.05, "signal variance");
+    assert.ok(Math.abs(Number(cells[2]) / Math.sqrt(document.parts[0].lambda[0]) - 1) < 0.05, "lengthscale");
+    assert.equal(await page.getByTestId("expert-kernels").locator("tbody tr").count(), 4);
+    assert.deepEqual(await barriers(page), []);
+    await page.locator("dialog.details .term[data-term=lengthscale]").first().click();
+    await page.getByRole("dialog", { name: "lengthscale" }).waitFor();
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await page.locator("dialog.details").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("plots a channel over time, against its speed, and against another one, and saves what is shown", async () => {
+    const { page, problems, leave } = await site.visit({
+      settings: "alpha=0.1:8",
+      moving: true,
+      viewport: { width: 390, height: 844 },
+    });
+    await ready(page);
+    await page.getByTestId("show-angles").click();
+    // Under other couplings: the motion now, and as learned.
+    await page.locator("dialog.details .course").nth(1).waitFor();
+    assert.equal(await page.locator("dialog.details .course").count(), 2);
+    assert.deepEqual(await barriers(page), []);
+    const save = async () => {
+      const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId("save-angles").click()]);
+      const rows = (await readFile(await file.path(), "utf8")).trim().split("\r\n");
+      return { header: rows[0]?.split(",") ?? [], rows: rows.slice(1).map((row) => row.split(",").map(Number)) };
+    };
+
+    const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
+    const { joints, alpha } = model.info();
+    const columns = joints.flatMap(({ name, channels }) => channels.map((channel) => `${name} ${channel}`));
+    const [knee, elbow] = ["LeftLeg Xrotation", "LeftForeArm Xrotation"].map((name) => columns.indexOf(name));
+    assert.ok(knee && knee > 0 && elbow && elbow > 0, columns.join());
+    await page.getByTestId("angle").selectOption(String(knee));
+    const overTime = await save();
+    assert.deepEqual(overTime.header, [
+      "frame",
+      "time (s)",
+      "the model now: LeftLeg Xrotation (°)",
+      "as learned: LeftLeg Xrotation (°)",
+    ]);
+    const changed = alpha.map((row, source) => row.map((value, target) => (source === 0 && target === 1 ? 8 : value)));
+    const frames = overTime.rows.length;
+    const bvh = model.rollout({ frames, sequence: 0, alpha: changed, reading: "re-inferred" }).toBvh();
+    const written = bvh
+      .trim()
+      .split("\n")
+      .slice(-frames)
+      .map((row) => row.trim().split(/\s+/).map(Number));
+    for (const [frame, row] of overTime.rows.entries())
+      assert.ok(Math.abs((row[2] ?? 0) - (written[frame]?.[knee] ?? 0)) < 1e-6, `frame ${frame}`);
+
+    await page.getByTestId("across").selectOption("speed");
+    const phase = await save();
+    assert.equal(phase.header[3], "the model now: speed of LeftLeg Xrotation (°/s)");
+    const [before = [], now = [], next = []] = phase.rows.slice(99, 102);
+    const slope = ((next[2] ?? 0) - (before[2] ?? 0)) / ((next[1] ?? 0) - (before[1] ?? 0));
+    assert.ok(Math.abs((now[3] ?? 0) - slope) < 1e-6);
+
+    await page.getByTestId("across").selectOption(String(elbow));
+    const against = await save();
+    assert.ok(Math.abs((against.rows[50]?.[2] ?? 0) - (written[50]?.[elbow] ?? 0)) < 1e-6);
+    assert.ok(Math.abs((against.rows[50]?.[3] ?? 0) - (written[50]?.[knee] ?? 0)) < 1e-6);
+
+    // The dot goes where the motion is now.
+    const height = await page.locator("dialog.details .now").getAttribute("cy");
+    await page.waitForFunction(
+      (before) => document.querySelector("dialog.details .now")?.getAttribute("cy") !== before,
+      height,
+    );
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.equal(width, 390);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -1,0 +1,61 @@
+// What the page outlives.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { openSite, ready, saved } from "./site.mjs";
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+describe("the worker that shows the model", () => {
+  it("is started again when it ends without a word, and holds what it held", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    const model = await saved(page, "save-model");
+    await page.getByTestId("coupling-0-1").fill("1.5");
+    await page.waitForTimeout(500);
+    const motion = await saved(page, "save-motion");
+
+    const names = await Promise.all(page.workers().map((worker) => worker.evaluate(() => self.name)));
+    const shows = page.workers()[names.findIndex((name) => name.includes("model"))];
+    // The worker closes itself: no event tells the page.
+    await shows?.evaluate(() => self.close()).catch(() => {});
+    await page.getByText("The program was started again").waitFor({ timeout: 5000 });
+    assert.deepEqual(await saved(page, "save-model"), model);
+    assert.deepEqual(await saved(page, "save-motion"), motion);
+    await page.getByTestId("coupling-0-1").fill("2.5");
+    await page.waitForTimeout(500);
+    assert.notEqual((await saved(page, "save-motion")).text, motion.text);
+    // The clips are there too.
+    await page.locator(".made summary").click();
+    await page
+      .getByRole("button", { name: /^Show / })
+      .first()
+      .click();
+    assert.match((await saved(page, "save-motion")).text, /^HIERARCHY/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a worker that trains", () => {
+  it("is missed when it ends without a word, and the other trainings end as they should", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "trainings=2&iterations=400&fps=15", cores: 2 });
+    await ready(page);
+    /** @type {import("playwright-core").Worker[]} */
+    const workers = [];
+    page.on("worker", (worker) => workers.push(worker));
+    await page.getByTestId("train").click();
+    await page.locator("[data-testid=run][data-state=running]").nth(1).waitFor();
+    await page.waitForTimeout(500);
+    await workers[0]?.evaluate(() => self.close()).catch(() => {});
+    await page.locator("[data-testid=run][data-state=failed]").waitFor({ timeout: 5000 });
+    await page.getByTestId("runs").getByText("the worker that computed it stopped").waitFor();
+    await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -1,0 +1,180 @@
+// One channel of the motion on the stage: over time, against its speed, or against another channel.
+import { html, nothing, svg } from "lit";
+import { axes, path, type Plot, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { linearScale } from "../figures/scale";
+import type { Playback } from "../stage/playback";
+import { download } from "../ui/download";
+import { View } from "../ui/view";
+import { type Channel, courseOf, plottedCsv, type Recorded, speedOf } from "./channels";
+
+/** A motion of the body on the stage. */
+export interface PlottedMotion {
+  name: string;
+  motion: Recorded;
+}
+
+const HEIGHT = 260;
+const TYPE = 12;
+
+export class AnglesView extends View {
+  static override properties = {
+    motions: { attribute: false },
+    channels: { attribute: false },
+    chosen: { state: true },
+    across: { state: true },
+    room: { state: true },
+  };
+  declare playback: Playback;
+  /** The one on the stage first. */
+  declare motions: readonly PlottedMotion[];
+  declare channels: readonly Channel[];
+  /** A channel's column. */
+  declare chosen: number;
+  /** What lies across: time, the channel's speed, or another channel's column. */
+  declare across: "time" | "speed" | number;
+  declare room: number;
+  /** Where the first motion is in each frame, in pixels. */
+  private places: [number, number][] = [];
+
+  constructor() {
+    super();
+    this.across = "time";
+    this.room = 320;
+  }
+
+  protected override stores() {
+    return [];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(this.playback.on(() => this.markNow()));
+    const box = this.querySelector(".details-chart");
+    const measure = () => {
+      this.room = box?.clientWidth || this.room;
+    };
+    if (box) this.watchSize(box, measure);
+    measure();
+  }
+
+  override willUpdate(): void {
+    if (this.chosen === undefined) this.chosen = (this.channels.find(isKnee) ?? this.channels.at(-1))?.column ?? 0;
+  }
+
+  override updated(): void {
+    this.markNow();
+  }
+
+  private markNow(): void {
+    const now = this.querySelector(".now");
+    const place = this.places[Math.min(Math.round(this.playback.frame), this.places.length - 1)];
+    if (!now || !place) return;
+    now.setAttribute("cx", String(place[0]));
+    now.setAttribute("cy", String(place[1]));
+  }
+
+  /** What lies across and what goes up in each frame of a motion. */
+  private courses({ motion }: PlottedMotion): { x: number[] | null; y: number[] } {
+    const [channel, other] = [this.channels[this.chosen], this.channels[Number(this.across)]];
+    const y = channel ? courseOf(motion, channel) : [];
+    if (this.across === "time") return { x: null, y };
+    // A phase plot: where it is lies across, how fast it moves goes up.
+    if (this.across === "speed") return { x: y, y: speedOf(y, motion.frameTime) };
+    return { x: other ? courseOf(motion, other) : [], y };
+  }
+
+  private get titles(): { x: string; y: string } {
+    const title = (column: number) => {
+      const channel = this.channels[column];
+      return channel ? `${channel.joint} ${channel.channel} (${unit(channel)})` : "";
+    };
+    const own = title(this.chosen);
+    if (this.across === "time") return { x: "time (s)", y: own };
+    if (this.across === "speed") {
+      const { joint = "", channel = "" } = this.channels[this.chosen] ?? {};
+      const [of] = this.channels.filter(({ column }) => column === this.chosen).map(unit);
+      return { x: own, y: `speed of ${joint} ${channel} (${of}/s)` };
+    }
+    return { x: title(this.across), y: own };
+  }
+
+  private chart() {
+    const seconds = (t: number, { motion }: PlottedMotion) => t * motion.frameTime;
+    const lines = this.motions.map((plotted) => {
+      const { x, y } = this.courses(plotted);
+      return { x: x ?? y.map((_, t) => seconds(t, plotted)), y };
+    });
+    const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
+    const up = linearScale(
+      lines.flatMap(({ y }) => y),
+      bottom,
+      top,
+    );
+    const upTicks = ticksUp(up, bottom - top, TYPE);
+    const plot: Plot = { left: widthOf(upTicks, TYPE), right: this.room - 8, bottom, type: TYPE };
+    const right = linearScale(
+      lines.flatMap(({ x }) => x),
+      plot.left,
+      plot.right,
+    );
+    const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);
+    const placed = lines.map(({ x, y }) => y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]));
+    this.places = placed[0] ?? [];
+    const { x, y } = this.titles;
+    // The one on the stage lies above the others.
+    return svg`
+      <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
+        ${axes(plot, { scale: right, ticks: rightTicks, title: x }, { scale: up, ticks: upTicks, title: y })}
+        ${placed.map((points, i) => svg`<g class="line-${i}">${path(points)}</g>`).reverse()}
+        <circle class="now" r="5"></circle>
+      </svg>`;
+  }
+
+  private save(): void {
+    const motions = this.motions.map((plotted) => ({ name: plotted.name, ...this.courses(plotted) }));
+    const text = plottedCsv(this.motions[0]?.motion.frameTime ?? 0, motions, this.titles);
+    const { joint = "", channel = "" } = this.channels[this.chosen] ?? {};
+    download(`${joint}-${channel}.csv`, new Blob([text], { type: "text/csv" }));
+  }
+
+  private options(selected: unknown) {
+    const joints = [...new Set(this.channels.map(({ joint }) => joint))];
+    return joints.map(
+      (joint) => html`<optgroup label=${joint}>
+        ${this.channels.flatMap((of) =>
+          of.joint === joint
+            ? [html`<option value=${of.column} ?selected=${of.column === selected}>${joint} ${of.channel}</option>`]
+            : [],
+        )}</optgroup>`,
+    );
+  }
+
+  protected override render() {
+    const value = (event: Event) => (event.target as HTMLSelectElement).value;
+    const against = (event: Event) => {
+      const chosen = value(event);
+      this.across = chosen === "time" || chosen === "speed" ? chosen : Number(chosen);
+    };
+    return html`
+      <div class="details-choice">
+        <label>Joint and channel <select data-testid="angle" @change=${(event: Event) => {
+          this.chosen = Number(value(event));
+        }}>${this.options(this.chosen)}</select></label>
+        <label>against <select data-testid="across" @change=${against}>
+          <option value="time" ?selected=${this.across === "time"}>time</option>
+          <option value="speed" ?selected=${this.across === "speed"}>its speed (phase plot)</option>
+          ${this.options(this.across)}</select></label>
+        <button class="small" data-testid="save-angles" @click=${this.save}>Save CSV</button>
+      </div>
+      <div class="details-chart" data-testid="angle-chart" data-frames=${this.motions[0]?.motion.rows.length ?? 0}>${this.chart()}</div>
+      ${
+        this.motions.length > 1
+          ? html`<p class="details-legend">${this.motions.map(({ name }, i) => html`<span class="line-${i}"><i></i>${name}</span>`)}</p>`
+          : nothing
+      }
+      <p class="hint">As in the BVH file: ${this.motions[0]?.name ?? ""}, angles in degrees. The dot is now; it moves while the stage plays.</p>`;
+  }
+}
+customElements.define("pg-angles", AnglesView);
+
+const isKnee = ({ joint, channel }: Channel) => /leg|knee|shin/i.test(joint) && channel === "Xrotation";
+const unit = ({ isAngle }: Channel) => (isAngle ? "°" : "file units");

@@ -1,0 +1,65 @@
+// What training has learned besides poses and couplings: kernels, lengthscales and noise, as tables.
+import { html } from "lit";
+import "../terms/term";
+import { short } from "../ui/format";
+import { partColour } from "../ui/palette";
+import { swatchStyle } from "../ui/view";
+import type { Kernels } from "./kernels";
+
+const named = (name: string, part: number) =>
+  html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
+const numbers = (values: readonly number[]) => values.map((value) => html`<td>${short(value)}</td>`);
+const lengthscale = html`<pg-term of="lengthscale" text="Lengthscale"></pg-term>`;
+
+/** The dimensions of the widest latent space; parts with fewer leave cells empty. */
+const widest = (rows: readonly { lengthscales: readonly number[] }[]) =>
+  Math.max(1, ...rows.map(({ lengthscales }) => lengthscales.length));
+const latents = (count: number, index: (q: number) => string) =>
+  Array.from({ length: count }, (_, q) => html`<th scope="col">x<sub>${index(q)}</sub></th>`);
+
+export function kernelTables({ poses, experts, order }: Kernels) {
+  const across = widest(poses);
+  const inputs = widest(experts);
+  /** Which of the earlier frames an input dimension belongs to, and which dimension of it. */
+  const history = (q: number) => `${(q % (inputs / order)) + 1}, t−${order - Math.floor((q * order) / inputs)}`;
+  const name = (part: number) => poses[part]?.part ?? "";
+  return html`
+    <section>
+      <h3><pg-term of="pose-map" text="Pose maps"></pg-term>: from latent to pose</h3>
+      <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the pose maps">
+        <table data-testid="pose-kernels">
+          <thead>
+            <tr><th rowspan="2" scope="col">part</th>
+              <th rowspan="2" scope="col"><pg-term of="signal-variance" text="σ²"></pg-term></th>
+              <th rowspan="2" scope="col"><pg-term of="noise-variance" text="β"></pg-term></th>
+              <th colspan=${across} scope="colgroup">${lengthscale} √λ along</th></tr>
+            <tr>${latents(across, (q) => String(q + 1))}</tr>
+          </thead>
+          <tbody>${poses.map(
+            ({ part, variance, noise, lengthscales }, i) =>
+              html`<tr><th scope="row">${named(part, i)}</th>${numbers([variance, noise, ...lengthscales])}</tr>`,
+          )}</tbody>
+        </table>
+      </div>
+    </section>
+    <section>
+      <h3><pg-term of="expert" text="Experts"></pg-term>: from the last ${order === 1 ? "frame" : `${order} frames`} to the next latent</h3>
+      <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the experts">
+        <table data-testid="expert-kernels">
+          <thead>
+            <tr><th rowspan="2" scope="col">from</th><th rowspan="2" scope="col">about</th>
+              <th rowspan="2" scope="col"><pg-term of="alpha" text="α"></pg-term> learned</th>
+              <th colspan=${inputs} scope="colgroup">${lengthscale} √λ along</th></tr>
+            <tr>${latents(inputs, history)}</tr>
+          </thead>
+          <tbody>${experts.map(
+            ({ source, target, coupling, lengthscales }) =>
+              html`<tr><th scope="row">${named(name(source), source)}</th><th scope="row">${named(name(target), target)}</th>
+              ${numbers([coupling, ...lengthscales])}</tr>`,
+          )}</tbody>
+        </table>
+      </div>
+      <p class="hint">Every kernel is squared exponential, without a linear part. The signal variance of every expert is 1: otherwise its scale
+        could be traded for its coupling.</p>
+    </section>`;
+}

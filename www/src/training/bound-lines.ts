@@ -1,0 +1,37 @@
+// The terms of a bound, each a line of the chart.
+import type { TrainingProgress } from "../engine/protocol";
+import { partColour, theme } from "../ui/palette";
+
+export interface Stroke {
+  label: string;
+  colour: string;
+  width?: number;
+  dash?: number[];
+}
+
+export interface Line extends Stroke {
+  value(step: TrainingProgress): number;
+}
+
+export function termLines(parts: readonly string[]): Line[] {
+  const { quiet, faint } = theme();
+  return [
+    ...parts.map(
+      (name, i): Line => ({
+        label: `poses, ${name}`,
+        colour: partColour(i),
+        value: ({ terms }) => terms.kinematics[i] ?? 0,
+      }),
+    ),
+    ...parts.map(
+      (name, i): Line => ({
+        label: `dynamics, ${name}`,
+        colour: partColour(i),
+        dash: [5, 4],
+        value: ({ terms }) => terms.dynamics[i] ?? 0,
+      }),
+    ),
+    { label: "entropy", colour: quiet, value: ({ terms }) => terms.entropy },
+    { label: "first frames", colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
+  ];
+}
