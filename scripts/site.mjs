@@ -9,7 +9,7 @@ export const dist = at("www", "dist");
 
 export function buildSite() {
   const inputs = filesUnder(
-    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs")],
+    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs"), at("scripts/policy.mjs")],
     ["node_modules", "dist"],
   );
   return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>
@@ -29,7 +29,7 @@ export function weigh() {
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
-  const later = inFolders("assets/on-demand/", "comparison/");
+  const later = inFolders("assets/on-demand/", "comparison/", "service.js");
   const first = files.filter((file) => !later.includes(file) && !asked.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */

@@ -87,7 +87,7 @@ impl Clip {
     }
 
     /// The clip's name.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {
         self.clip.name.clone()
@@ -117,7 +117,7 @@ impl Clip {
     }
 
     /// The clip at about another frame rate.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
@@ -167,7 +167,7 @@ impl TrainingSet {
     }
 
     /// How many clips there are.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.clips.len()

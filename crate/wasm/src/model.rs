@@ -3,7 +3,7 @@
 use crate::body::BodyInfo;
 use crate::convert::{flat, from_js, rows, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use crate::predictions::Moments;
 use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
@@ -190,7 +190,7 @@ impl Model {
     }
 
     /// What is known of the latents in every frame of a rollout, by moment matching.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     pub fn moments(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,

@@ -1,9 +1,9 @@
 //! What the experts predict with their uncertainty, and what is known of a rollout's latents.
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use crate::convert::flat;
 use crate::error::VcgpdmError;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use vcgpdm::models::variational::LatentMoments;
 use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction, Vcgpdm};
 use vcgpdm::models::{Rollout, RolloutRequest, TrainedModel};
@@ -76,11 +76,11 @@ impl Predictions {
 }
 
 /// What is known of the latents in every frame of a rollout: a Gaussian each.
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 pub struct Moments(pub(crate) LatentMoments);
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 impl Moments {
     /// Means of a part's latents [frames x Q].
