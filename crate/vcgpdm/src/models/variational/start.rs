@@ -1,12 +1,11 @@
-//! Where the training of a variational model starts: latents from principal components, pose maps that are nearly linear in them,
-//! inducing inputs from a random subset of the latents.
+//! Where the training of a variational model starts: slow latents, pose maps that are nearly linear in them, inducing inputs from a
+//! random subset of the latents.
 
 use crate::gp::{Gaussians, Kernel};
-use crate::models::latents::{
-    STAND_IN, principal_components, starting_couplings, starting_dynamics, starting_pose,
-};
+use crate::models::latents::{STAND_IN, starting_couplings, starting_dynamics, starting_pose};
 use crate::models::sequences::Sequences;
 use crate::models::settings::VariationalSettings;
+use crate::models::variational::first_latents::first_latents;
 use crate::models::variational::params::{Expert, Params, PartParams};
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
@@ -14,7 +13,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal, StandardUniform};
 
 /// The variances S as a part of the mean absolute step of the latents.
-const STEP_SHARE: f64 = 0.1;
+const STEP_SHARE: f64 = 0.2;
 const SMALLEST_S: f64 = 1e-3;
 /// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit variance. Trained pose maps are:
 /// theirs are mostly between 5 and 100. From 1, a map bends first, and some trainings end in a worse bound for it.
@@ -33,7 +32,7 @@ pub fn starting_point(
     let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
     let mut latents = Vec::with_capacity(y.len());
     for y in y {
-        let mean = principal_components(y, settings.latent, &mut rng);
+        let mean = first_latents(y, sequences, settings.latent, &mut rng);
         let s = (STEP_SHARE * mean_absolute_step(&mean, sequences)).max(SMALLEST_S);
         let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
         latents.push(Gaussians { mean, variance });
