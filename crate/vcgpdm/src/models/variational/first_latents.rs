@@ -53,3 +53,54 @@ fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     }
     averages
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use rand_chacha::rand_core::SeedableRng;
+
+    fn latents(y: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
+        let sequences = Sequences::new(vec![y.nrows()], 2).unwrap();
+        first_latents(y, &sequences, count, &mut ChaCha8Rng::seed_from_u64(1))
+    }
+
+    #[test]
+    fn slow_columns_come_before_fast_ones() {
+        let slow = |t: usize| (t as f64 * 0.1).sin();
+        // The second column varies more, but to and fro in every frame.
+        let y = DMatrix::from_fn(
+            126,
+            2,
+            |t, d| if d == 0 { slow(t) } else { 3.0 * (1.0 - 2.0 * (t % 2) as f64) },
+        );
+        let x = latents(&y, 1);
+        let cosine = x.column(0).dot(&y.column(0)) / (x.norm() * y.column(0).norm());
+        assert!(cosine > 0.98, "{cosine}");
+    }
+
+    #[test]
+    fn latents_are_as_large_as_what_they_explain() {
+        let y = DMatrix::from_fn(126, 2, |t, d| {
+            if d == 0 { 4.0 * (t as f64 * 0.1).sin() } else { (t as f64 * 0.1).cos() }
+        });
+        let x = latents(&y, 3);
+        let deviation = |q: usize| x.column(q).norm() / (x.nrows() as f64).sqrt();
+        assert_relative_eq!(deviation(0), 1.0, epsilon = 1e-9);
+        assert_relative_eq!(deviation(1), 0.25, epsilon = 0.02);
+        // There is no third component: noise stands in for it, and stays.
+        assert_relative_eq!(deviation(2), STAND_IN, epsilon = 0.05);
+    }
+
+    #[test]
+    fn sequences_are_smoothed_each_for_itself() {
+        let sequences = Sequences::new(vec![20, 15], 2).unwrap();
+        let apart = DMatrix::from_fn(35, 1, |t, _| if t < 20 { -1.0 } else { 2.0 });
+        assert_relative_eq!(smoothed(&apart, &sequences), apart, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn motionless_columns_give_finite_latents() {
+        assert!(latents(&DMatrix::zeros(12, 2), 3).iter().all(|x| x.is_finite()));
+    }
+}

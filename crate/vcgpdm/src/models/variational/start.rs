@@ -92,7 +92,6 @@ fn random_subset(x: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
 
     fn settings() -> VariationalSettings {
         VariationalSettings { dynamics_ips: 6, pose_ips: 5, ..VariationalSettings::default() }
@@ -106,13 +105,9 @@ mod tests {
     }
 
     #[test]
-    fn latents_have_unit_variance_and_start_is_seeded() {
+    fn the_start_is_seeded() {
         let (y, sequences) = wave();
         let start = starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4);
-        let x = &start.parts[0].latents.mean;
-        for q in 0..2 {
-            assert_relative_eq!(x.column(q).norm_squared() / 40.0, 1.0, epsilon = 1e-9);
-        }
         assert_eq!(start, starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4));
         assert_ne!(start, starting_point(&[y.clone(), y], &sequences, &settings(), 5));
     }

@@ -8,8 +8,9 @@
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-#[path = "shared/seeds.rs"]
+#[path = "../shared/seeds.rs"]
 mod seeds;
+mod ways;
 
 use clap::Parser;
 use nalgebra::DMatrix;
@@ -19,11 +20,10 @@ use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Objective, Params, Trainer, Vcgpdm, schedule, starting_point};
-use vcgpdm::models::{
-    Dataset, Group, Phase, RolloutRequest, Sequences, Source, TrainedModel, VariationalSettings,
-};
+use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
+use ways::{ITERATIONS, OTHERS, OURS, Way};
 
 const START_FRAMES: usize = 5;
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -51,124 +51,6 @@ struct Arguments {
     /// Trainings at a time; absent: as many as there are cores.
     #[arg(long)]
     threads: Option<usize>,
-}
-
-/// A way to train: where it starts and what it does.
-#[derive(Clone, Copy)]
-struct Way {
-    start: &'static str,
-    schedule: &'static str,
-    begin: fn(&[DMatrix<f64>], &Sequences, &VariationalSettings, u32) -> Params,
-    phases: fn() -> Vec<Phase>,
-}
-
-/// Iterations after the blocks.
-const ITERATIONS: usize = 400;
-const X: &[Group] = &[Group::Latents];
-const K: &[Group] = &[Group::Kernels];
-const IP: &[Group] = &[Group::InducingInputs];
-const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
-const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
-
-fn phase(groups: &'static [Group], iterations: usize) -> Phase {
-    Phase { groups, iterations }
-}
-
-const OURS: Way = Way {
-    start: "ours",
-    schedule: "ours: one block of 25, then jointly",
-    begin: starting_point,
-    phases: || schedule(ITERATIONS),
-};
-
-const OTHERS: [Way; 7] = [
-    Way { start: "pose maps that bend, lambda = 1", begin: bent, ..OURS },
-    Way { schedule: "jointly", phases: || vec![phase(ALL, ITERATIONS)], ..OURS },
-    Way {
-        schedule: "five blocks of 50, then jointly",
-        phases: || [K_IP, X, K, IP, K, ALL].map(|groups| phase(groups, 50)).to_vec(),
-        ..OURS
-    },
-    Way {
-        start: "inducing inputs by k-means",
-        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, true),
-        ..OURS
-    },
-    Way {
-        start: "inducing inputs far apart",
-        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, false),
-        ..OURS
-    },
-    Way {
-        start: "the authors'",
-        schedule: "jointly",
-        begin: authors,
-        phases: || vec![phase(ALL, ITERATIONS)],
-    },
-    Way {
-        start: "the authors'",
-        schedule: "the authors' blocks of 300",
-        begin: authors,
-        phases: || {
-            let round = [X, K, IP, K].repeat(4);
-            std::iter::once(K_IP).chain(round).map(|groups| phase(groups, 300)).collect()
-        },
-    },
-];
-
-/// Our start with pose maps of the data's variance and squared lengthscales of 1, in which latents of unit variance bend.
-fn bent(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
-    let mut params = starting_point(y, sequences, settings, seed);
-    for (part, y) in params.parts.iter_mut().zip(y) {
-        part.kernel.lambda.fill(1.0);
-        part.kernel.variance = y.norm_squared() / y.len() as f64;
-    }
-    params
-}
-
-/// The authors' start: lengthscales, signal variance and noise 1, whatever the data's units.
-fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
-    let mut params = bent(y, sequences, settings, seed);
-    for part in &mut params.parts {
-        (part.kernel.variance, part.beta) = (1.0, 1.0);
-    }
-    params
-}
-
-/// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to cluster centres.
-fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params {
-    let histories: Vec<DMatrix<f64>> =
-        params.parts.iter().map(|part| sequences.histories(&part.latents).mean).collect();
-    for part in &mut params.parts {
-        spread(&part.latents.mean, &mut part.r, centres);
-    }
-    for (row, histories) in params.experts.iter_mut().zip(&histories) {
-        row.iter_mut().for_each(|expert| spread(histories, &mut expert.z, centres));
-    }
-    params
-}
-
-/// From the first row of `z` on, takes the row of `x` that is farthest from those taken; then Lloyd's iterations.
-fn spread(x: &DMatrix<f64>, z: &mut DMatrix<f64>, centres: bool) {
-    let distance = |t: usize, z: &DMatrix<f64>, k: usize| (x.row(t) - z.row(k)).norm_squared();
-    for k in 1..z.nrows() {
-        let nearest = |t: usize| (0..k).map(|l| distance(t, z, l)).fold(f64::INFINITY, f64::min);
-        let far = (0..x.nrows()).max_by(|a, b| nearest(*a).total_cmp(&nearest(*b))).unwrap();
-        z.set_row(k, &x.row(far));
-    }
-    for _ in 0..if centres { 30 } else { 0 } {
-        let mut sums = DMatrix::zeros(z.nrows(), z.ncols());
-        let mut counts = vec![0.0; z.nrows()];
-        for t in 0..x.nrows() {
-            let near = (0..z.nrows()).min_by(|a, b| distance(t, z, *a).total_cmp(&distance(t, z, *b)));
-            let mut sum = sums.row_mut(near.unwrap());
-            sum += x.row(t);
-            counts[near.unwrap()] += 1.0;
-        }
-        for (k, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
-            z.set_row(k, &(sums.row(k) / *count));
-        }
-    }
 }
 
 /// The data of one split of the body.
