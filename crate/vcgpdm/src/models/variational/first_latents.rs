@@ -6,10 +6,8 @@ use crate::models::sequences::Sequences;
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 
-/// Standard deviation of the weights of a moving average, in frames.
-const WIDTH: f64 = 4.0;
-/// Frames on either side that count; those farther away weigh less than 0.001.
-const REACH: usize = 15;
+/// Rows that are farther away than so many standard deviations do not count.
+const REACH: f64 = 4.0;
 
 /// The first `count` principal components [N x count] of the columns `y` [N x D], smoothed along time. The first has unit variance; the
 /// variance of each other is smaller as its share in the smoothed columns is.
@@ -34,24 +32,37 @@ pub(super) fn first_latents(
     x
 }
 
-/// The averages of the rows around each row of `x` [N x D], of its own sequence.
+/// The averages of the rows around each row of `x` [N x D], of its own sequence, with the weights of a Gaussian as wide as the movement's
+/// [`pace`]: what is slow for one movement is fast for another.
 fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
-    let weights: Vec<f64> =
-        (0..=REACH).map(|distance| (-0.5 * (distance as f64 / WIDTH).powi(2)).exponential()).collect();
-    let mut averages = DMatrix::zeros(x.nrows(), x.ncols());
+    let width = pace(x, sequences);
+    let reach = (REACH * width).ceil() as usize;
+    let weight = |distance: usize| (-0.5 * (distance as f64 / width).powi(2)).exponential();
+    let weights: Vec<f64> = (1..=reach).map(weight).collect();
+    let mut averages = x.clone();
     for frames in sequences.ranges() {
         for t in frames.clone() {
             let mut average = averages.row_mut(t);
-            let mut total = 0.0;
-            for near in frames.start.max(t.saturating_sub(REACH))..frames.end.min(t + REACH + 1) {
-                let weight = weights[near.abs_diff(t)];
-                average += x.row(near) * weight;
-                total += weight;
+            let mut total = 1.0;
+            for near in frames.start.max(t.saturating_sub(reach))..frames.end.min(t + reach + 1) {
+                if near != t {
+                    let weight = weights[near.abs_diff(t) - 1];
+                    average += x.row(near) * weight;
+                    total += weight;
+                }
             }
             average /= total;
         }
     }
     averages
+}
+
+/// In how many frames the centred columns `x` [N x D] change as much as they vary; of a wave, one radian. 0 where nothing moves.
+fn pace(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
+    let steps = sequences.lagged(x, 0) - sequences.lagged(x, 1);
+    let variance = |x: &DMatrix<f64>| x.norm_squared() / x.nrows().max(1) as f64;
+    let step = variance(&steps);
+    if step > 0.0 { (variance(x) / step).sqrt().min(x.nrows() as f64) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -67,16 +78,27 @@ mod tests {
 
     #[test]
     fn slow_columns_come_before_fast_ones() {
-        let slow = |t: usize| (t as f64 * 0.1).sin();
-        // The second column varies more, but to and fro in every frame.
-        let y = DMatrix::from_fn(
-            126,
-            2,
-            |t, d| if d == 0 { slow(t) } else { 3.0 * (1.0 - 2.0 * (t % 2) as f64) },
-        );
+        let slow = |t: usize| (t as f64 * 0.05).sin();
+        let fast = |t: usize| if t % 4 < 2 { 1.0 } else { -1.0 };
+        // The fast column varies more than each of the slow ones, and is no principal component of what is smoothed.
+        let y =
+            DMatrix::from_fn(
+                252,
+                4,
+                |t, d| if d == 0 { 1.5 * fast(t) } else { slow(t) * (1.0 + d as f64 / 8.0) },
+            );
         let x = latents(&y, 1);
-        let cosine = x.column(0).dot(&y.column(0)) / (x.norm() * y.column(0).norm());
-        assert!(cosine > 0.98, "{cosine}");
+        let cosine = x.column(0).dot(&y.column(1)) / (x.norm() * y.column(1).norm());
+        assert!(cosine.abs() > 0.98, "{cosine}");
+    }
+
+    #[test]
+    fn a_pace_is_the_time_of_one_radian() {
+        let sequences = Sequences::new(vec![126], 2).unwrap();
+        let wave = |slowness: f64| DMatrix::from_fn(126, 1, |t, _| (t as f64 / slowness).sin());
+        assert_relative_eq!(pace(&wave(10.0), &sequences), 10.0, max_relative = 0.05);
+        assert_relative_eq!(pace(&wave(2.0), &sequences), 2.0, max_relative = 0.05);
+        assert_eq!(pace(&wave(0.0).map(|_| 0.0), &sequences), 0.0);
     }
 
     #[test]
