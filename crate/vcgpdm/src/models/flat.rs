@@ -52,7 +52,7 @@ pub const LARGEST_COUPLING: f64 = 10.0;
 //
 // A search gets on well when a step of one unit changes the objective about as much in whatever direction it goes. Where S is best, log S has
 // the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S wants a far larger unit; log beta has N D / 2, some ten thousands,
-// and wants a smaller one. What these units win is in docs/training.md.
+// and wants a smaller one.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
 pub(crate) const S: Kind = positive(Group::Latents, 1e-3, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
