@@ -5,7 +5,7 @@ use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::evaluation::Fold as HeldOut;
+use vcgpdm::evaluation::{Fold as HeldOut, START_FRAMES};
 use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
@@ -50,6 +50,8 @@ export type Candidate =
         model: "tmp";
         /** Null: chosen by the bound. */
         primitives: number | null;
+        /** Over normalised time, with weights that all trials share, as in the papers; absent: over learned phases. */
+        normalisedTime?: boolean;
     }
     | {
         model: "dmp-discrete" | "dmp-rhythmic";
@@ -92,6 +94,10 @@ export interface Outcome {
     storedNumbers: number;
     /** Why training ended, in words. */
     reason: string | null;
+    /** The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in results of earlier programs. */
+    terms?: { kinematics: number[]; dynamics: number[]; initial: number; entropy: number };
+    /** The error of each part; absent in results of earlier programs. */
+    partErrors?: number[];
 }
 "#;
 
@@ -129,7 +135,14 @@ impl Fold {
     ) -> Result<Fold, VcgpdmError> {
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let fold = HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second)?;
+        let fold = HeldOut::new(
+            &clips.clips,
+            held_out,
+            training_trials,
+            &parts,
+            frames_per_second,
+            START_FRAMES,
+        )?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 

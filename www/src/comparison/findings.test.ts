@@ -43,8 +43,8 @@ it("says nothing about a rank correlation that does not exist", () => {
 it("says how time grows", () => {
   expect(
     growthFinding([
-      { model: "vgpdm", label: "", points: [], exponent: 1.014 },
-      { model: "tmp", label: "", points: [], exponent: null },
+      { model: "vgpdm", label: "", points: [], exponent: 1.014, interval: null },
+      { model: "tmp", label: "", points: [], exponent: null, interval: null },
     ]),
   ).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });

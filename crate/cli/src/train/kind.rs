@@ -33,6 +33,9 @@ pub struct Options {
     /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
     #[arg(long)]
     balanced: bool,
+    /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent: over learned phases.
+    #[arg(long)]
+    normalised_time: bool,
     /// How many primitives (tmp); absent: chosen by the bound.
     #[arg(long, value_name = "N")]
     primitives: Option<usize>,
@@ -51,7 +54,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// Which kinds have an option.
-const KINDS: [(&str, &[ModelKind]); 10] = [
+const KINDS: [(&str, &[ModelKind]); 11] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -60,6 +63,7 @@ const KINDS: [(&str, &[ModelKind]); 10] = [
     ("max_iterations", GPDMS),
     ("balanced", POINT),
     ("primitives", TMP),
+    ("normalised_time", TMP),
     ("bases", DMPS),
     ("write_start", VARIATIONAL),
 ];
@@ -86,7 +90,10 @@ impl Options {
             ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),
             ModelKind::MapGpdm => ModelSettings::MapGpdm(point),
             ModelKind::MapCgpdm => ModelSettings::MapCgpdm(point),
-            ModelKind::Tmp => ModelSettings::Tmp(TmpSettings { primitives: self.primitives }),
+            ModelKind::Tmp => {
+                let (primitives, normalised_time) = (self.primitives, self.normalised_time);
+                ModelSettings::Tmp(TmpSettings { primitives, normalised_time })
+            },
             ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
             ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
         })

@@ -151,9 +151,11 @@ fn settings(settings: &ModelSettings, seed: u32) -> Value {
                 ("seed", Value::Number(seed.into())),
             ])
         }
-        ModelSettings::Tmp(TmpSettings { primitives }) => {
-            let field = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
-            Value::Object(field.into_iter().collect())
+        ModelSettings::Tmp(TmpSettings { primitives, normalised_time }) => {
+            // Absent: chosen by the bound; phases learned, as in documents before there was a choice.
+            let count = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
+            let time = normalised_time.then(|| ("normalised_time".to_owned(), Value::whole(1)));
+            Value::Object(time.into_iter().chain(count).collect())
         }
         ModelSettings::DmpDiscrete(settings) | ModelSettings::DmpRhythmic(settings) => {
             let DmpSettings { bases } = settings;

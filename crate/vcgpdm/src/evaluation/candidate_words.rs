@@ -38,10 +38,13 @@ pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
             Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
         }
         ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
-        ModelSettings::Tmp(s) => Some(match s.primitives {
-            None => "primitives by the bound".to_owned(),
-            Some(count) => format!("{count} primitives"),
-        }),
+        ModelSettings::Tmp(s) => {
+            let count = match s.primitives {
+                None => "primitives by the bound".to_owned(),
+                Some(count) => format!("{count} primitives"),
+            };
+            Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
+        }
         ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(format!("{} bases", s.bases)),
     }
 }

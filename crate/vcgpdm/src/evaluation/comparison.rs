@@ -2,11 +2,12 @@
 
 use crate::evaluation::claims::claims;
 use crate::evaluation::correlation::correlations;
+use crate::evaluation::evidence::evidence;
 use crate::evaluation::growth::growth;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::results::Results;
 use crate::evaluation::rows::rows;
-use crate::evaluation::summary::{Claim, Correlation, Growth, ModelSummary};
+use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSummary};
 use serde::Serialize;
 
 /// What the results of a comparison say.
@@ -18,6 +19,8 @@ pub struct Comparison {
     pub correlations: Vec<Correlation>,
     /// For every kind of model that was trained on at least three numbers of trials.
     pub growth: Vec<Growth>,
+    /// In every fold that both variational models have: what their bounds say about one part and several, beside their errors.
+    pub evidence: Vec<Evidence>,
     /// The claims about which there are results.
     pub claims: Vec<Claim>,
 }
@@ -25,11 +28,20 @@ pub struct Comparison {
 impl Comparison {
     /// What these results say.
     pub fn of(results: &Results) -> Self {
-        let (rows, labels) = (rows(results), Labels::of(results));
-        let growth = growth(results, &labels);
-        let claims = claims(&rows, results.setting().trials.len(), &growth, &labels);
+        Self::of_all(&[results])
+    }
+
+    /// What several comparisons say together, each of its own trials: a trial counts as a trial, whoever moves in it. Errors are held
+    /// against each other trial by trial, so that those of different people and movements are never mixed.
+    pub fn of_all(several: &[&Results]) -> Self {
+        let (rows, labels) = (rows(several), Labels::of_all(several));
+        let growth = growth(several, &labels);
+        let trials = several.iter().flat_map(|results| &results.setting().trials);
+        let names: Vec<&str> = trials.map(|trial| trial.name.as_str()).collect();
+        let evidence = evidence(&rows, &|fold| names.get(fold.wrapping_sub(1)).unwrap_or(&"").to_string());
+        let claims = claims(&rows, &growth, &labels);
         let models = rows.iter().filter_map(|row| row.summary(labels.label(row.candidate))).collect();
-        Self { models, correlations: correlations(&rows, &labels), growth, claims }
+        Self { models, correlations: correlations(&rows, &labels), growth, evidence, claims }
     }
 }
 

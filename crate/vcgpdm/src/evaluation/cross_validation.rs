@@ -1,12 +1,13 @@
 //! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
 //! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
 
-use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
+use crate::evaluation::dtw::{Score, ScoreError, score_and_columns};
 use crate::gp::NumericsError;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
-    Sequence, Source,
+    Body, Dataset, DatasetError, EndReason, Learner, LearningProgress, Model, ModelSettings,
+    Movements, RolloutError, Sequence, Source,
 };
+use crate::models::variational::BoundTerms;
 use crate::motion::parts::PartSpec;
 use crate::motion::pose::PoseError;
 use crate::motion::{Clip, ClipError};
@@ -14,7 +15,7 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Frames of the trial held out that a prediction starts from.
+/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
@@ -99,10 +100,28 @@ pub struct Outcome {
     pub stored_numbers: usize,
     /// Why training ended.
     pub reason: Option<String>,
+    /// The terms of the bound, where the model has a bound of such terms; absent in results of earlier programs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terms: Option<BoundTerms>,
+    /// The error of each part along the same warping path, in the order of the setting's parts; empty in results of earlier programs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub part_errors: Vec<f64>,
+}
+
+impl Outcome {
+    /// Whether training ended because nothing changed any more; absent where that is not known.
+    pub fn converged(&self) -> Option<bool> {
+        let reason = self.reason.as_deref()?;
+        if reason == EndReason::Iterations.to_string() {
+            return Some(false);
+        }
+        let settled = [EndReason::BoundSettled, EndReason::DensitySettled];
+        settled.iter().any(|end| reason == end.to_string()).then_some(true)
+    }
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 1, against the first `training_trials` of the others.
+    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first `training_trials` of the others.
     ///
     /// # Errors
     /// There are not so many trials, or they cannot be trained on together at this frame rate.
@@ -112,6 +131,7 @@ impl Fold {
         training_trials: usize,
         parts: &[PartSpec],
         frames_per_second: f64,
+        start_frames: usize,
     ) -> Result<Self, EvaluationError> {
         let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
         let Some(place) = place else {
@@ -124,7 +144,7 @@ impl Fold {
         let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
         let mut sources: Vec<Source> =
             others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
-        sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
+        sources.push(Source { clip: trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
         let lengths = dataset.lengths();
@@ -216,8 +236,16 @@ impl Fold {
         if !(seconds.is_finite() && seconds >= 0.0) {
             return Err(EvaluationError::Seconds(seconds));
         }
+        let (score, columns) = score_and_columns(&self.predict(model)?, &self.actual)?;
+        let layout = &self.body.layout;
+        let part = |part: usize| {
+            let columns = layout.columns(part).iter().map(|column| columns[*column]);
+            columns.sum::<f64>() / layout.columns(part).len().max(1) as f64
+        };
         let outcome = Outcome {
-            score: dtw_mse(&self.predict(model)?, &self.actual)?,
+            score,
+            terms: model.terms().cloned(),
+            part_errors: (0..self.movements.y.len()).map(part).collect(),
             bound: model.bound(),
             objective: training.best,
             iterations: training.iteration,
@@ -267,7 +295,7 @@ mod tests {
             ModelSettings::Vgpdm(gpdm),
             ModelSettings::MapGpdm(point.clone()),
             ModelSettings::MapCgpdm(point),
-            ModelSettings::Tmp(TmpSettings { primitives: Some(4) }),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
             ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
             ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
         ] {

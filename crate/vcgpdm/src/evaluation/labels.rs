@@ -22,9 +22,15 @@ struct Varying {
 impl Labels {
     /// For all candidates of these results.
     pub fn of(results: &Results) -> Self {
+        Self::of_all(&[results])
+    }
+
+    /// For all candidates of several comparisons.
+    pub(super) fn of_all(several: &[&Results]) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
-        for candidate in results.finished().iter().map(|finished| &finished.job.candidate) {
+        let finished = several.iter().flat_map(|results| results.finished());
+        for candidate in finished.map(|finished| &finished.job.candidate) {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
             let differ = varying.entry(candidate.kind()).or_default();
@@ -104,7 +110,7 @@ mod tests {
                 MapGpdm(point(2, false)),
                 MapGpdm(point(1, true)),
                 MapCgpdm(point(2, false)),
-                Tmp(TmpSettings { primitives: None }),
+                Tmp(TmpSettings::default()),
                 DmpRhythmic(DmpSettings { bases: 20 }),
             ]),
             [

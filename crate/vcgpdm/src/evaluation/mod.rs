@@ -7,9 +7,12 @@
 mod candidate_words;
 mod claims;
 mod comparison;
+mod contender;
 mod correlation;
 mod cross_validation;
 mod dtw;
+mod effect;
+mod evidence;
 mod growth;
 mod job;
 mod labels;
@@ -30,4 +33,6 @@ pub use labels::Labels;
 pub use plan::{Plan, PlanError};
 pub use results::{PlannedJob, Results, ResultsError};
 pub use setting::{Setting, SettingError, Trial};
-pub use summary::{BoundAndError, Claim, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
+pub use summary::{
+    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread, TermMeans,
+};

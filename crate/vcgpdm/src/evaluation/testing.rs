@@ -40,6 +40,8 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
         frames,
         stored_numbers: 700,
         reason: None,
+        terms: None,
+        part_errors: Vec::new(),
     }
 }
 

@@ -82,6 +82,18 @@ impl Alignment {
         whole().map(|(_, map)| map.rate).sum::<f64>() / whole().count().max(1) as f64
     }
 
+    /// The whole movement in normalised time: every whole trial from 0 to 1, every other one at the mean rate.
+    pub fn normalised_time(trials: &[Trial]) -> Self {
+        let rate = |trial: &Trial| 1.0 / trial.y.nrows().saturating_sub(1).max(1) as f64;
+        let mut maps: Vec<PhaseMap> =
+            trials.iter().map(|trial| PhaseMap { start: 0.0, rate: rate(trial) }).collect();
+        let mean = Self::mean_rate(trials, &maps);
+        for (map, _) in maps.iter_mut().zip(trials).filter(|(_, trial)| !trial.whole) {
+            map.rate = mean;
+        }
+        Self { axis: PhaseAxis::Trial, maps }
+    }
+
     /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits every trial to it.
     /// At least one trial has to be whole.
     pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
@@ -159,7 +171,7 @@ pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
 }
 
 /// Between which phases a trial may begin.
-pub fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     if axis == PhaseAxis::Cycle {
         return (0.0, 1.0);
     }

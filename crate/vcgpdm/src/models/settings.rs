@@ -52,6 +52,10 @@ impl Default for MapSettings {
 pub struct TmpSettings {
     /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
     pub primitives: Option<usize>,
+    /// Whether the primitives are functions of normalised time, with weights that all trials share (Clever et al. 2016);
+    /// otherwise of a phase that is learned for each trial, as are its weights.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub normalised_time: bool,
 }
 
 /// Settings of dynamic movement primitives, discrete or rhythmic.
@@ -152,7 +156,7 @@ mod tests {
             assert!(text.contains(settings.kind().id()));
         }
         let absent = serde_json::from_str::<ModelSettings>(r#"{"model":"tmp"}"#).unwrap();
-        assert_eq!(absent, ModelSettings::Tmp(TmpSettings { primitives: None }));
+        assert_eq!(absent, ModelSettings::Tmp(TmpSettings::default()));
     }
 
     #[test]
