@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting};
+use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
 use vcgpdm::models::{ModelKind, VariationalSettings};
 use vcgpdm::motion::Clip;
 
@@ -64,12 +64,18 @@ pub struct Arguments {
     /// Balance the dynamics of the MAP models against their many columns.
     #[arg(long)]
     balanced: bool,
+    /// The MAP models have a linear term in the kernels of their dynamics (Wang et al. 2008).
+    #[arg(long)]
+    linear: bool,
     /// Resample the clips to about so many frames a second.
     #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
     fps: f64,
     /// Predict from so many first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = clap::value_parser!(u16).range(1..))]
     start_frames: u16,
+    /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for the discrete DMP.
+    #[arg(long)]
+    whole_cycles: bool,
     /// Only the K-th of N equal shares of the jobs, for a scheduler that runs the others elsewhere.
     #[arg(long, num_args = 3, value_names = ["K", "of", "N"])]
     job: Option<Vec<String>>,
@@ -82,8 +88,11 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let clips: Vec<Clip> =
+    let mut clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
+    if arguments.whole_cycles {
+        clips = whole_cycles(&clips, arguments.fps)?.0;
+    }
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
     let start_frames = usize::from(arguments.start_frames);
     let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
@@ -214,6 +223,7 @@ fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>
         normalised_time: arguments.normalised_time,
         bases: arguments.bases.clone(),
         balanced: arguments.balanced,
+        linear: arguments.linear,
         held_out: folds(&arguments.folds, trials)?,
         seeds: arguments.seeds.clone(),
         training_trials: arguments.training_trials.clone(),

@@ -45,6 +45,8 @@ export type Candidate =
         maxIterations: number;
         /** Whether the dynamics weigh D / Q times as much (Urtasun, Fleet & Fua 2006). */
         balanced: boolean;
+        /** Whether the kernels of the dynamics have a linear term (Wang et al. 2008); absent: no. */
+        linear?: boolean;
     }
     | {
         model: "tmp";

@@ -60,6 +60,8 @@ export interface Plan {
     bases: number[];
     /** Whether the dynamics of the MAP models are balanced. */
     balanced: boolean;
+    /** Whether their kernels have a linear term. */
+    linear?: boolean;
     /** Trials held out, counted from 1; empty: each in turn. */
     heldOut: number[];
     /** Of the models that have random starts; the others get 0. */

@@ -33,6 +33,9 @@ pub struct Options {
     /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
     #[arg(long)]
     balanced: bool,
+    /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
+    #[arg(long)]
+    linear: bool,
     /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent: over learned phases.
     #[arg(long)]
     normalised_time: bool,
@@ -54,7 +57,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// Which kinds have an option.
-const KINDS: [(&str, &[ModelKind]); 11] = [
+const KINDS: [(&str, &[ModelKind]); 12] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -62,6 +65,7 @@ const KINDS: [(&str, &[ModelKind]); 11] = [
     ("order", GPDMS),
     ("max_iterations", GPDMS),
     ("balanced", POINT),
+    ("linear", POINT),
     ("primitives", TMP),
     ("normalised_time", TMP),
     ("bases", DMPS),
@@ -82,9 +86,9 @@ impl Options {
             )
             .into());
         }
-        let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, bases, .. } = self;
+        let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, .. } = self;
         let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
-        let point = MapSettings { latent, order, max_iterations, balanced };
+        let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
             ModelKind::Vcgpdm => ModelSettings::Vcgpdm(variational),
             ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),

@@ -142,14 +142,18 @@ fn settings(settings: &ModelSettings, seed: u32) -> Value {
             variational_settings(settings, seed)
         }
         ModelSettings::MapGpdm(settings) | ModelSettings::MapCgpdm(settings) => {
-            let MapSettings { latent, order, max_iterations, balanced } = settings;
-            Value::object([
+            let MapSettings { latent, order, max_iterations, balanced, linear } = settings;
+            let fields = [
                 ("balanced", Value::whole(usize::from(*balanced))),
                 ("latent", Value::whole(*latent)),
                 ("max_iterations", Value::whole(*max_iterations)),
                 ("order", Value::whole(*order)),
                 ("seed", Value::Number(seed.into())),
-            ])
+            ];
+            // Absent: no linear term, as in documents before there was one.
+            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
+            let linear = linear.then(|| ("linear".to_owned(), Value::whole(1)));
+            Value::Object(fields.chain(linear).collect())
         }
         ModelSettings::Tmp(TmpSettings { primitives, normalised_time }) => {
             // Absent: chosen by the bound; phases learned, as in documents before there was a choice.

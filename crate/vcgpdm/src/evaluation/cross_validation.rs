@@ -273,7 +273,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
+    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
     use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -285,11 +285,11 @@ mod tests {
         let trials = trials();
         let parts =
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0, START_FRAMES).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
-        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
         for candidate in [
             ModelSettings::Vcgpdm(gpdm.clone()),
             ModelSettings::Vgpdm(gpdm),
@@ -308,6 +308,17 @@ mod tests {
             let score = outcome.score;
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
+            assert_eq!(outcome.terms.as_ref().map(|terms| terms.total()), outcome.bound.filter(|_| candidate.is_random()));
+            // The parts have all columns between them.
+            let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
+            let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();
+            let mean = sum / fold.actual().ncols() as f64;
+            assert!((mean / score.dtw_mse - 1.0).abs() < 1e-9, "{:?} {}", outcome.part_errors, score.dtw_mse);
+            match candidate.kind() {
+                ModelKind::Tmp => assert_eq!(outcome.converged(), Some(true)),
+                ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => assert_eq!(outcome.converged(), None),
+                _ => assert_eq!(outcome.converged(), Some(false), "{:?}", outcome.reason),
+            }
             let text = serde_json::to_string(&candidate).unwrap();
             assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
         }
@@ -317,7 +328,7 @@ mod tests {
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
@@ -326,14 +337,14 @@ mod tests {
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
+        let error = Fold::new(&trials, 4, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(
             error,
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
-        assert!(Fold::new(&trials, 0, 2, parts, 20.0).is_err());
-        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0).is_err());
-        let error = Fold::new(&trials, 1, 3, parts, 20.0).unwrap_err().to_string();
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0, START_FRAMES).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0, START_FRAMES).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
@@ -356,7 +367,7 @@ mod tests {
     fn no_outcome_holds_a_number_that_is_not_finite() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let outcome = |to: f64, best: f64, seconds: f64| {
             let training = LearningProgress {
                 iteration: 1,

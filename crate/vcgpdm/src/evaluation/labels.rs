@@ -1,6 +1,6 @@
 //! What candidates are called beside others of their kind.
 
-use crate::evaluation::candidate_words::{Common, balance, common, size};
+use crate::evaluation::candidate_words::{Common, LINEAR, balance, common, size};
 use crate::evaluation::results::Results;
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::HashMap;
@@ -66,6 +66,7 @@ impl Labels {
             differ.order.then(|| format!("order {}", settings.order)),
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
             balanced.map(|balanced| balance(balanced).to_owned()),
+            settings.linear.then(|| LINEAR.to_owned()),
         ]
         .into_iter()
         .flatten()
@@ -85,7 +86,7 @@ mod tests {
     }
 
     fn point(order: usize, balanced: bool) -> MapSettings {
-        MapSettings { latent: 3, order, max_iterations: 100, balanced }
+        MapSettings { latent: 3, order, max_iterations: 100, balanced, linear: false }
     }
 
     fn labels(candidates: &[ModelSettings]) -> Vec<String> {

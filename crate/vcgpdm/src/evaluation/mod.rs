@@ -10,6 +10,7 @@ mod comparison;
 mod contender;
 mod correlation;
 mod cross_validation;
+mod cycles;
 mod dtw;
 mod effect;
 mod evidence;
@@ -27,6 +28,7 @@ mod testing;
 
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
+pub use cycles::{CyclesError, whole_cycles};
 pub use dtw::{Score, ScoreError, dtw_mse};
 pub use job::{Finished, Job};
 pub use labels::Labels;

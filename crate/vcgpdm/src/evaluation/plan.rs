@@ -42,6 +42,9 @@ pub struct Plan {
     pub bases: Vec<usize>,
     /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
     pub balanced: bool,
+    /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
+    #[serde(default)]
+    pub linear: bool,
     /// The trials held out, counted from 1; empty: each in turn.
     pub held_out: Vec<usize>,
     /// The seeds of models with a random start; the others get 0.
@@ -69,6 +72,7 @@ impl Default for Plan {
             normalised_time: false,
             bases: vec![DmpSettings::default().bases],
             balanced: false,
+            linear: false,
             held_out: Vec::new(),
             seeds: vec![0],
             training_trials: Vec::new(),
@@ -127,7 +131,8 @@ impl Plan {
             });
             pairs.map(settings).map(candidate).collect()
         };
-        let map = || MapSettings { latent, order, max_iterations, balanced: self.balanced };
+        let (balanced, linear) = (self.balanced, self.linear);
+        let map = || MapSettings { latent, order, max_iterations, balanced, linear };
         let dmp = |candidate: fn(DmpSettings) -> ModelSettings| {
             self.bases.iter().map(|&bases| candidate(DmpSettings { bases })).collect()
         };

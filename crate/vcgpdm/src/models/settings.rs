@@ -38,11 +38,14 @@ pub struct MapSettings {
     /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise the latents are
     /// at the maximum of their posterior density itself.
     pub balanced: bool,
+    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008); the variational models have none.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub linear: bool,
 }
 
 impl Default for MapSettings {
     fn default() -> Self {
-        Self { latent: 3, order: 2, max_iterations: 800, balanced: false }
+        Self { latent: 3, order: 2, max_iterations: 800, balanced: false, linear: false }
     }
 }
 

@@ -53,6 +53,7 @@ fn map_settings(object: &mut Object) -> Result<MapSettings, FieldError> {
         max_iterations: object.get("max_iterations")?.whole()?,
         // Yes is 1.
         balanced: in_range(&object.get("balanced")?, 0..=1)? == 1,
+        linear: object.optional("linear").map(|field| in_range(&field, 0..=1)).transpose()? == Some(1),
     })
 }
 
