@@ -21,7 +21,11 @@ const EVERY: usize = 5;
 const SMALL_GAIN: f64 = 2e-6;
 /// While numbers are compared: each begins where the one before it ended, with one primitive more, and is soon good enough.
 const SEARCH_GAIN: f64 = 5e-5;
-const SEARCH_SWEEPS: usize = 30;
+/// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One that is not used costs
+/// nothing, and the bound creeps up a little with every sweep.
+const DECISIVE: f64 = 5.0;
+/// From so many primitives on every second number is tried: one more hardly changes the bound.
+const MANY: usize = 10;
 /// The search for the number ends when so many in a row were worse than the best.
 const WORSE_IN_A_ROW: usize = 2;
 /// First step of the phases and factor of the lengthscale; both shrink.
@@ -152,8 +156,7 @@ impl TmpLearner {
         if look {
             self.before = self.bound;
         }
-        let most = if self.is_searching() { SEARCH_SWEEPS } else { self.limits.max_sweeps };
-        if self.sweeps < most && !small {
+        if self.sweeps < self.limits.max_sweeps && !small {
             return Ok(());
         }
         self.keep();
@@ -162,17 +165,31 @@ impl TmpLearner {
             self.reason = Some(EndReason::BoundSettled);
         } else if let Some(end) = self.end.take() {
             self.reason = Some(end);
-        } else if self.count >= best + WORSE_IN_A_ROW {
+        } else if self.worse_in_a_row(best) >= WORSE_IN_A_ROW {
             self.polish(EndReason::MorePrimitivesAreWorse { best });
         } else if self.count >= self.limits.most_primitives {
             self.polish(EndReason::MostPrimitives { best });
         } else {
-            self.count += 1;
-            self.current = self.current.with_one_more(&self.trials)?;
+            let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
+            for _ in 0..more {
+                self.count += 1;
+                self.current = self.current.with_one_more(&self.trials)?;
+            }
             self.bound = self.current.bound(&self.trials)?;
             self.begin();
         }
         Ok(())
+    }
+
+    /// How many numbers of primitives are tried at most.
+    fn numbers_to_try(&self) -> usize {
+        let most = self.limits.most_primitives;
+        most.min(MANY) + most.saturating_sub(MANY).div_ceil(2)
+    }
+
+    /// How many numbers of primitives were tried after the best.
+    fn worse_in_a_row(&self, best: usize) -> usize {
+        self.bounds.iter().filter(|(count, _)| *count > best).count()
     }
 
     /// Whether numbers of primitives are tried; the best one is learned to the end afterwards.
@@ -186,13 +203,20 @@ impl TmpLearner {
         (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);
     }
 
+    /// Whether what is being learned is better than the best before.
+    fn leads(&self) -> bool {
+        self.best.as_ref().is_none_or(|(bound, posterior)| {
+            self.bound > bound + if posterior.primitives() < self.count { DECISIVE } else { 0.0 }
+        })
+    }
+
     /// Notes the bound of this number of primitives, and the posterior where it is the best.
     fn keep(&mut self) {
         match self.bounds.iter_mut().find(|(count, _)| *count == self.count) {
             Some((_, bound)) => *bound = self.bound.max(*bound),
             None => self.bounds.push((self.count, self.bound)),
         }
-        if self.best.as_ref().is_none_or(|(best, _)| self.bound > *best) {
+        if self.leads() {
             self.best = Some((self.bound, self.current.clone()));
         }
     }
@@ -219,9 +243,12 @@ impl Learner for TmpLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        let most = if self.asked.is_some() { 0 } else { self.limits.most_primitives * SEARCH_SWEEPS };
+        let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * self.limits.max_sweeps };
         let most = most + self.limits.max_sweeps;
-        let best = self.best.as_ref().map_or(f64::NEG_INFINITY, |(best, _)| *best).max(self.bound);
+        let best = match &self.best {
+            Some((best, _)) if !self.leads() => *best,
+            _ => self.bound,
+        };
         let share = self.iteration as f64 / most as f64;
         let done = self.reason.is_some();
         LearningProgress {
@@ -250,7 +277,7 @@ impl TmpLearner {
     /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<Tmp, NumericsError> {
         let best = match &self.best {
-            Some((bound, posterior)) if *bound >= self.bound => posterior,
+            Some((_, posterior)) if !self.leads() => posterior,
             _ => &self.current,
         };
         let mut posterior = best.clone();
