@@ -18,8 +18,9 @@ const PRIOR_TRIALS: f64 = 2.0;
 /// Places along a cycle, paces and places on a movement that are looked at first.
 const PLACES: usize = 48;
 const PACES: i32 = 4;
-/// The range of the paces that are looked at, in scales of their prior to either side.
-const REACH: f64 = 2.0;
+/// The ranges of the paces and starts that are looked at, in scales of their priors to either side.
+const PACE_REACH: f64 = 2.5;
+const START_REACH: f64 = 6.0;
 /// Steps of the search are halved so often.
 const HALVINGS: usize = 7;
 
@@ -112,11 +113,11 @@ impl<'a> Beginning<'a> {
             None => (0..PLACES).map(|k| k as f64 / PLACES as f64).collect(),
             Some(start) => {
                 let places = (PLACES / 2) as i32;
-                let step = |k: i32| REACH * start.scale * f64::from(k) / f64::from(places);
+                let step = |k: i32| START_REACH * start.scale * f64::from(k) / f64::from(places);
                 (-places..=places).map(|k| start.centre + step(k)).collect()
             }
         };
-        let stretch = |k: f64| (REACH * self.rate.scale * k / f64::from(PACES)).exponential();
+        let stretch = |k: f64| (PACE_REACH * self.rate.scale * k / f64::from(PACES)).exponential();
         let mut best = PhaseMap { start: starts[starts.len() / 2], rate: pace };
         let mut most = f64::NEG_INFINITY;
         for k in -PACES..=PACES {
@@ -128,7 +129,8 @@ impl<'a> Beginning<'a> {
                 }
             }
         }
-        let (mut shift, mut pace) = (1.0 / PLACES as f64, 1.0);
+        let step = self.start.map_or(1.0, |start| 2.0 * START_REACH * start.scale) / PLACES as f64;
+        let (mut shift, mut pace) = (step, 1.0);
         for _ in 0..HALVINGS {
             (shift, pace) = (0.5 * shift, 0.5 * pace);
             for (shift, pace) in [(shift, 0.0), (-shift, 0.0), (0.0, pace), (0.0, -pace)] {

@@ -162,7 +162,7 @@ impl TmpLearner {
         self.keep();
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
         if self.asked.is_some() {
-            self.reason = Some(EndReason::BoundSettled);
+            self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
         } else if let Some(end) = self.end.take() {
             self.reason = Some(end);
         } else if self.worse_in_a_row(best) >= WORSE_IN_A_ROW {
