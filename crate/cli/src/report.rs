@@ -126,7 +126,10 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
     if comparison.correlations.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| model | settings compared | rank correlation of bound and MSE | so low by chance |\n|---|---|---|---|")?;
+    writeln!(
+        text,
+        "| model | settings compared | rank correlation of bound and MSE | so low by chance |\n|---|---|---|---|"
+    )?;
     for c in &comparison.correlations {
         let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
         let (id, chance) = (c.model.id(), 100.0 * c.chance);
@@ -139,7 +142,10 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.growth.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| model | settings | frames: ms an iteration (s a training) | exponent |\n|---|---|---|---|")?;
+    writeln!(
+        text,
+        "| model | settings | frames: ms an iteration (s a training) | exponent |\n|---|---|---|---|"
+    )?;
     for g in &comparison.growth {
         let point = |p: &FramesAndTime| {
             format!("{:.0}: {:.2} ({:.1})", p.frames, 1e3 * p.seconds, p.training_seconds)

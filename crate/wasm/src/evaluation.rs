@@ -137,14 +137,8 @@ impl Fold {
     ) -> Result<Fold, VcgpdmError> {
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let fold = HeldOut::new(
-            &clips.clips,
-            held_out,
-            training_trials,
-            &parts,
-            frames_per_second,
-            START_FRAMES,
-        )?;
+        let fold =
+            HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 

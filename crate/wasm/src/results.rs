@@ -6,9 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
-use vcgpdm::evaluation::{
-    Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting,
-};
+use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

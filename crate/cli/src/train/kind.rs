@@ -86,7 +86,9 @@ impl Options {
             )
             .into());
         }
-        let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, .. } = self;
+        let &Options {
+            latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, ..
+        } = self;
         let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
@@ -97,7 +99,7 @@ impl Options {
             ModelKind::Tmp => {
                 let (primitives, normalised_time) = (self.primitives, self.normalised_time);
                 ModelSettings::Tmp(TmpSettings { primitives, normalised_time })
-            },
+            }
             ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
             ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
         })

@@ -21,10 +21,8 @@ const MAP_IS_WORSE: Said = Said(
     "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM",
     "2017, section 3.2",
 );
-const MAP_IS_WORSE_TOO: Said = Said(
-    "The same, beside MAP models that the papers did not try",
-    "not in the papers",
-);
+const MAP_IS_WORSE_TOO: Said =
+    Said("The same, beside MAP models that the papers did not try", "not in the papers");
 const BEST: Said = Said(
     "\u{201c}Of all tested models, the 2-part vCGPDM performs best in terms of MSE.\u{201d}",
     "2017, section 3.2",
@@ -57,10 +55,8 @@ const LINEAR: Said = Said(
     "\u{201c}The linear learning time scaling of the vCGPDM is evident, ...\u{201d}",
     "2017, supplement, section 5",
 );
-const CUBIC: Said = Said(
-    "\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}",
-    "2017, supplement, section 5",
-);
+const CUBIC: Said =
+    Said("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
 
 /// Our criteria.
 const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio lies below 1";
@@ -91,7 +87,13 @@ impl Claims {
         }
     }
 
-    fn exponent(&mut self, said: &Said, criterion: &str, growth: &Growth, answer: impl Fn(Interval) -> Answer) {
+    fn exponent(
+        &mut self,
+        said: &Said,
+        criterion: &str,
+        growth: &Growth,
+        answer: impl Fn(Interval) -> Answer,
+    ) {
         if let (Some(exponent), Some(interval)) = (growth.exponent, growth.interval) {
             let found = format!(
                 "time of an iteration grows with the power {exponent:.2} ({:.2} to {:.2}) of the frames, {} numbers of them",
@@ -117,7 +119,8 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
         let names = format!("{} beside {}", parts.words(labels), whole.words(labels));
         claims.lower(&PARTS_PAY, &parts.errors, &whole.errors, &names);
         let (preferred, other) = by_preference(parts, whole);
-        let criterion = "of the split in parts and the whole body, the one of the higher bound has the lower error";
+        let criterion =
+            "of the split in parts and the whole body, the one of the higher bound has the lower error";
         if let Some(effect) = Effect::of(&preferred, &other) {
             let found = format!("the preferred one beside the other: {}", effect.words());
             claims.say(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
@@ -222,7 +225,8 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
             kind.settings.len(),
             effect.words()
         );
-        let criterion = "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
+        let criterion =
+            "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
         claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
     }
     if let Some(c) = correlation(&kind.settings, String::new(), labels) {
@@ -279,6 +283,7 @@ fn bases(claims: &mut Claims, rows: &[&Row]) {
         (Answer::No, _) | (_, Answer::No) => Answer::No,
         _ => Answer::Undecided,
     };
-    let criterion = "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
+    let criterion =
+        "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
     claims.say(&DMP_OPTIMUM, criterion, found, answer);
 }

@@ -48,8 +48,8 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::testing::{finished, map, outcome, results, variational};
     use crate::evaluation::summary::Answer;
+    use crate::evaluation::testing::{finished, map, outcome, results, variational};
     use crate::models::{DmpSettings, ModelKind, ModelSettings, VariationalSettings};
     use approx::assert_relative_eq;
 
@@ -149,7 +149,13 @@ mod tests {
             let mut jobs = Vec::new();
             for (k, ratio) in ratios.iter().enumerate() {
                 let mut add = |candidate, mse| {
-                    jobs.push(finished(candidate, k + 1, ratios.len() - 1, 0, outcome(mse, Some(1.0), 100, 1.0)));
+                    jobs.push(finished(
+                        candidate,
+                        k + 1,
+                        ratios.len() - 1,
+                        0,
+                        outcome(mse, Some(1.0), 100, 1.0),
+                    ));
                 };
                 add(ModelSettings::Vcgpdm(variational(12)), ratio * (k + 1) as f64);
                 add(ModelSettings::Vgpdm(variational(12)), (k + 1) as f64);
@@ -161,7 +167,11 @@ mod tests {
         assert_eq!(pays(&Comparison::of(&a)), Answer::Undecided);
         let both = Comparison::of_all(&[&a, &b]);
         assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (Answer::Yes, 10, 10));
-        assert!(both.claims.iter().any(|claim| claim.found.contains("of 10 trials") && claim.found.contains("lower in 9")));
+        assert!(
+            both.claims
+                .iter()
+                .any(|claim| claim.found.contains("of 10 trials") && claim.found.contains("lower in 9"))
+        );
     }
 
     #[test]
@@ -201,7 +211,10 @@ mod tests {
         assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
         // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
         let claim = &found.claims[0].found;
-        assert!(claim.starts_with("vGPDM, the best of 3 settings") && claim.contains("1.00 times"), "{claim}");
+        assert!(
+            claim.starts_with("vGPDM, the best of 3 settings") && claim.contains("1.00 times"),
+            "{claim}"
+        );
         // A setting that has only another trial: nothing to compare.
         jobs[0].job.held_out = 3;
         jobs.retain(|f| f.job.held_out != 2);

@@ -3,11 +3,11 @@
 
 use crate::evaluation::dtw::{Score, ScoreError, score_and_columns};
 use crate::gp::NumericsError;
-use crate::models::{
-    Body, Dataset, DatasetError, EndReason, Learner, LearningProgress, Model, ModelSettings,
-    Movements, RolloutError, Sequence, Source,
-};
 use crate::models::variational::BoundTerms;
+use crate::models::{
+    Body, Dataset, DatasetError, EndReason, Learner, LearningProgress, Model, ModelSettings, Movements,
+    RolloutError, Sequence, Source,
+};
 use crate::motion::parts::PartSpec;
 use crate::motion::pose::PoseError;
 use crate::motion::{Clip, ClipError};
@@ -308,7 +308,10 @@ mod tests {
             let score = outcome.score;
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
-            assert_eq!(outcome.terms.as_ref().map(|terms| terms.total()), outcome.bound.filter(|_| candidate.is_random()));
+            assert_eq!(
+                outcome.terms.as_ref().map(|terms| terms.total()),
+                outcome.bound.filter(|_| candidate.is_random())
+            );
             // The parts have all columns between them.
             let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
             let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();

@@ -24,7 +24,9 @@ pub enum CyclesError {
     #[error("expected a movement that repeats itself, to be cut to whole cycles; found none in these trials")]
     NoCycle,
     /// A trial without a whole cycle.
-    #[error("expected a whole cycle in every trial, from the same place in the cycle; found none in trial {trial}")]
+    #[error(
+        "expected a whole cycle in every trial, from the same place in the cycle; found none in trial {trial}"
+    )]
     Short {
         /// Counted from 1.
         trial: usize,
@@ -96,7 +98,8 @@ mod tests {
 
     #[test]
     fn walks_hold_equally_many_cycles_from_the_same_place() {
-        let trials: Vec<Clip> = samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect();
+        let trials: Vec<Clip> =
+            samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect();
         let (cut, count) = whole_cycles(&trials, 30.0).unwrap();
         assert!(count >= 1, "{count}");
         for (clip, trial) in cut.iter().zip(&trials) {
@@ -122,7 +125,8 @@ mod tests {
 
     #[test]
     fn what_is_shorter_than_a_cycle_is_refused() {
-        let trials: Vec<Clip> = samples::list().iter().take(2).map(|s| samples::clip(s.id).unwrap()).collect();
+        let trials: Vec<Clip> =
+            samples::list().iter().take(2).map(|s| samples::clip(s.id).unwrap()).collect();
         let short = [trials[0].clone(), trials[1].cut(0, 20).unwrap()];
         let error = whole_cycles(&short, 30.0).unwrap_err().to_string();
         assert!(error.contains("found none in trial 2"), "{error}");

@@ -93,7 +93,11 @@ mod tests {
         assert_eq!((wild.wins, wild.is_below(1.0)), (9, Answer::Yes));
         // The mean, beside it, is carried away.
         assert!(wild.mean > 1.5 && wild.mean_interval.unwrap().high > 4.0, "{wild:?}");
-        assert!(wild.words().starts_with("0.90 times (0.80 to 0.95) in the median of 10 trials, 1.5"), "{}", wild.words());
+        assert!(
+            wild.words().starts_with("0.90 times (0.80 to 0.95) in the median of 10 trials, 1.5"),
+            "{}",
+            wild.words()
+        );
     }
 
     #[test]

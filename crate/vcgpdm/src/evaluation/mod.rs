@@ -36,5 +36,6 @@ pub use plan::{Plan, PlanError};
 pub use results::{PlannedJob, Results, ResultsError};
 pub use setting::{Setting, SettingError, Trial};
 pub use summary::{
-    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread, TermMeans,
+    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
+    TermMeans,
 };

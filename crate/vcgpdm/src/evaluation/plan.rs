@@ -143,7 +143,11 @@ impl Plan {
             ModelKind::MapCgpdm => vec![ModelSettings::MapCgpdm(map())],
             ModelKind::Tmp => {
                 let primitives = self.primitives.iter();
-                primitives.map(|&primitives| ModelSettings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })).collect()
+                primitives
+                    .map(|&primitives| {
+                        ModelSettings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })
+                    })
+                    .collect()
             }
             ModelKind::DmpDiscrete => dmp(ModelSettings::DmpDiscrete),
             ModelKind::DmpRhythmic => dmp(ModelSettings::DmpRhythmic),

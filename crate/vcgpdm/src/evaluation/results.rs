@@ -259,10 +259,11 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
             return Err(ResultsError::Number { index, what, found });
         }
     }
-    for (what, found) in [("a bound", outcome.bound),
+    for (what, found) in [
+        ("a bound", outcome.bound),
         ("an objective", Some(outcome.objective)),
         ("a term of the bound", outcome.terms.as_ref().map(|terms| terms.total())),
-   ] {
+    ] {
         if let Some(found) = found.filter(|found| !found.is_finite()) {
             return Err(ResultsError::NotFinite { index, what, found });
         }

@@ -154,8 +154,12 @@ impl Row<'_> {
             seconds: spread(&|o| Some(o.seconds))?,
             stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
             converged: self.converged(),
-            terms: terms(&|t| t.kinematics.iter().sum()).zip(terms(&dynamics)).map(|(pose, dynamics)| TermMeans { pose, dynamics }),
-            part_errors: (0..parts).map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean)).collect(),
+            terms: terms(&|t| t.kinematics.iter().sum())
+                .zip(terms(&dynamics))
+                .map(|(pose, dynamics)| TermMeans { pose, dynamics }),
+            part_errors: (0..parts)
+                .map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean))
+                .collect(),
             folds: folds.len(),
             runs: self.runs(),
         })

@@ -231,7 +231,8 @@ mod tests {
     #[test]
     fn intervals_as_in_tables() {
         // Two-sided 95 % points of Student's t.
-        for (freedom, quantile) in [(1, 12.706), (2, 4.303), (3, 3.182), (6, 2.447), (9, 2.262), (30, 2.042)] {
+        for (freedom, quantile) in [(1, 12.706), (2, 4.303), (3, 3.182), (6, 2.447), (9, 2.262), (30, 2.042)]
+        {
             assert_relative_eq!(student_quantile(freedom), quantile, epsilon = 1e-3);
         }
         let ten: Vec<f64> = (1..=10).map(f64::from).collect();
@@ -268,7 +269,10 @@ mod tests {
         let pairs = [(1.0, 1.0), (2.0, 2.2), (4.0, 3.9), (8.0, 8.1)];
         let (slope, interval) = exponent_interval(&pairs).unwrap();
         let interval = interval.unwrap();
-        assert!(interval.low < 1.0 && interval.high > 1.0 && interval.high - interval.low < 0.5, "{slope} {interval:?}");
+        assert!(
+            interval.low < 1.0 && interval.high > 1.0 && interval.high - interval.low < 0.5,
+            "{slope} {interval:?}"
+        );
         assert_eq!(exponent_interval(&pairs[..2]).unwrap().1, None);
     }
 }

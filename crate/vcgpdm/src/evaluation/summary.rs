@@ -1,7 +1,7 @@
 //! What a comparison says, as values: its tables and the claims of the papers.
 
-use crate::models::{ModelKind, ModelSettings};
 use crate::evaluation::stats::Interval;
+use crate::models::{ModelKind, ModelSettings};
 use serde::Serialize;
 
 /// A mean over folds; seeds of the same fold are averaged first.

@@ -30,7 +30,13 @@ impl KernelSum {
         for row in coefficients.row_iter() {
             weighted.extend(row.iter().map(|c| c * kernel.variance));
         }
-        Self { scaled, inverse_lengthscales, coefficients: weighted, outputs: coefficients.ncols(), slope: Vec::new() }
+        Self {
+            scaled,
+            inverse_lengthscales,
+            coefficients: weighted,
+            outputs: coefficients.ncols(),
+            slope: Vec::new(),
+        }
     }
 
     /// The sum and the linear function x -> `slope`^T x, `slope` [P x C].

@@ -383,7 +383,8 @@ mod tests {
 
     #[test]
     fn walks_at_several_speeds_are_cycles() {
-        let truth = [(112, 34.0, 0.1), (118, 44.0, 0.85), (66, 26.0, 0.4), (105, 35.0, 0.2), (120, 46.0, 0.6)];
+        let truth =
+            [(112, 34.0, 0.1), (118, 44.0, 0.85), (66, 26.0, 0.4), (105, 35.0, 0.2), (120, 46.0, 0.6)];
         let trials: Vec<Trial> =
             truth.map(|(t, p, s)| Trial { y: walk(t, p, s), whole: true }).into_iter().collect();
         let found = Alignment::new(&trials, None);

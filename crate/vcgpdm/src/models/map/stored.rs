@@ -92,7 +92,9 @@ impl MapModel {
         let linear = match linear.len() {
             0 => DMatrix::zeros(0, 0),
             found if found == m * m => DMatrix::from_vec(m, m, linear),
-            _ => return Err(list.error("expected linear terms in the dynamics into every part, or into none")),
+            _ => {
+                return Err(list.error("expected linear terms in the dynamics into every part, or into none"));
+            }
         };
         let field = object.get("alpha")?;
         let alpha = matrix(&field, m, m)?;

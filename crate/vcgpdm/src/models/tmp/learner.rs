@@ -281,15 +281,21 @@ impl TmpLearner {
             _ => &self.current,
         };
         let mut posterior = best.clone();
+        let mut trials = self.trials.clone();
+        let mut stretch = 0.0;
         for trial in &self.begun {
+            let beginning = Beginning::new(best, &self.trials, trial)?;
             let map = if self.learns_phases {
-                Beginning::new(best)?.find(trial)?
+                beginning.find()?
             } else {
                 PhaseMap { start: 0.0, rate: Alignment::mean_rate(&self.trials, &best.maps) }
             };
-            posterior.include(trial, map)?;
+            posterior.include(beginning.view(&map), map)?;
+            trials.push(beginning.whitened().clone());
+            stretch += beginning.stretch();
         }
-        let trials: Vec<Trial> = self.trials.iter().chain(&self.begun).cloned().collect();
-        Tmp::new(&posterior, &trials, &self.order, &self.columns, &self.bounds)
+        let mut model = Tmp::new(&posterior, &trials, &self.order, &self.columns, &self.bounds)?;
+        model.bound -= stretch;
+        Ok(model)
     }
 }

@@ -324,13 +324,34 @@ impl Posterior {
         }
     }
 
-    /// Takes in a trial that nothing was learned from, where it lies; its weights are its own unless all trials share them.
-    pub fn include(&mut self, trial: &Trial, map: PhaseMap) -> Result<(), NumericsError> {
+    /// Takes in a trial that nothing was learned from, as it looks where it lies; its weights are its own unless all trials share
+    /// them.
+    pub fn include(&mut self, view: View, map: PhaseMap) -> Result<(), NumericsError> {
         let shared_weights = self.sets.len() > 1 && self.set_count() == 1;
         self.sets.push(if shared_weights { 0 } else { self.set_count() });
-        self.views.push(View::new(&self.kernel, trial, &map));
+        self.views.push(view);
         self.maps.push(map);
         self.update_weights()
+    }
+
+    /// How what the primitives leave of a column goes on from frame to frame: its correlation with itself 0, 1, ... frames later, over
+    /// all trials and columns, each weighed by its noise.
+    pub fn residual_correlations(&self, trials: &[Trial], lags: usize) -> Vec<f64> {
+        let mut sums = vec![0.0; lags];
+        for (s, (trial, view)) in trials.iter().zip(&self.views).enumerate() {
+            let left = &trial.y - &view.features * &self.v * self.mean_weights(s).transpose();
+            for (column, noise) in left.column_iter().zip(self.noise.iter()) {
+                for (lag, sum) in sums.iter_mut().enumerate().take(column.len()) {
+                    let rest = column.len() - lag;
+                    *sum += column.rows(0, rest).dot(&column.rows(lag, rest)) / noise;
+                }
+            }
+        }
+        let all = sums.first().copied().unwrap_or(0.0);
+        let correlation = |(lag, sum): (usize, &f64)| {
+            if lag == 0 || all <= 0.0 { f64::from(u8::from(lag == 0)) } else { sum / all }
+        };
+        sums.iter().enumerate().map(correlation).collect()
     }
 
     /// The bound on log p(Y), in nats: E[log p(Y | v, w)] + E[log p(w | mu)] + E[log p(mu)] + entropies - KL(q(v) || p(v)).

@@ -232,7 +232,10 @@ fn what_never_moves_and_single_trials_break_nothing() {
         Movements { y: vec![DMatrix::zeros(5, 1)], sequences: vec![Sequence { frames: 5, whole: false }] };
     let error = TmpLearner::new(&partial, &TmpSettings::default()).err().unwrap().to_string();
     assert_eq!(error, "expected at least one whole movement to learn from, found none");
-    let error = TmpLearner::new(&partial, &TmpSettings { primitives: Some(0), ..TmpSettings::default() }).err().unwrap().to_string();
+    let error = TmpLearner::new(&partial, &TmpSettings { primitives: Some(0), ..TmpSettings::default() })
+        .err()
+        .unwrap()
+        .to_string();
     assert_eq!(error, "the number of primitives must be from 1 to 40, found 0");
 }
 

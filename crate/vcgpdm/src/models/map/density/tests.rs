@@ -15,7 +15,11 @@ pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
     let density =
         LogDensity::new(objective.observations().to_vec(), objective.sequences().clone(), seed % 8 > 3);
     let m = params.alpha.nrows();
-    let linear = if seed % 3 == 1 { DMatrix::from_fn(m, m, |j, i| 0.2 + 0.3 * (j + 2 * i) as f64) } else { DMatrix::zeros(0, 0) };
+    let linear = if seed % 3 == 1 {
+        DMatrix::from_fn(m, m, |j, i| 0.2 + 0.3 * (j + 2 * i) as f64)
+    } else {
+        DMatrix::zeros(0, 0)
+    };
     (MapParams { parts, dynamics, linear, alpha: params.alpha }, density)
 }
 

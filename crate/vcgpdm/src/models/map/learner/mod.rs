@@ -135,7 +135,8 @@ fn starting_point(
     }
     let m = parts.len();
     let dynamics = vec![vec![starting_dynamics(settings.latent, sequences.order()); m]; m];
-    let linear = if settings.linear { DMatrix::from_element(m, m, START_LINEAR) } else { DMatrix::zeros(0, 0) };
+    let linear =
+        if settings.linear { DMatrix::from_element(m, m, START_LINEAR) } else { DMatrix::zeros(0, 0) };
     MapParams { parts, dynamics, linear, alpha: starting_couplings(m) }
 }
 
