@@ -13,8 +13,14 @@ const program = at("target/release/vcgpdm");
 
 /** The movements of which the program makes trials. */
 const MADE = [
-  { name: "walk-made", clips: ["sample:walk-1", "sample:walk-2", "sample:walk-3", "sample:walk-4", "sample:walk-5", "sample:walk-6"] },
-  { name: "walk-and-wave-made", clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"] },
+  {
+    name: "walk-made",
+    clips: ["sample:walk-1", "sample:walk-2", "sample:walk-3", "sample:walk-4", "sample:walk-5", "sample:walk-6"],
+  },
+  {
+    name: "walk-and-wave-made",
+    clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"],
+  },
 ];
 
 /** @typedef {{ name: string, clips: string[] }} Subject */
@@ -36,7 +42,10 @@ const QUICK = { ips: "5,10", poseIps: "8", bases: "5,25,100", primitives: "2,4",
 const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterations }) => [
   { file: "", options: ["--models", "tmp,dmp-discrete,dmp-rhythmic", "--bases", bases, "--primitives", primitives] },
   { file: "", options: ["--models", "tmp", "--normalised-time"] },
-  { file: "", options: ["--models", "vcgpdm,vgpdm", "--ips", ips, "--pose-ips", poseIps, "--max-iterations", iterations] },
+  {
+    file: "",
+    options: ["--models", "vcgpdm,vgpdm", "--ips", ips, "--pose-ips", poseIps, "--max-iterations", iterations],
+  },
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--max-iterations", iterations] },
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--balanced", "--max-iterations", iterations] },
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--linear", "--max-iterations", iterations] },
@@ -89,7 +98,11 @@ await main(async () => {
   mkdirSync(folder, { recursive: true });
   /** @type {string[]} */
   const files = [];
-  const evaluate = async (/** @type {Subject} */ { name, clips }, /** @type {string} */ file, /** @type {string[]} */ options) => {
+  const evaluate = async (
+    /** @type {Subject} */ { name, clips },
+    /** @type {string} */ file,
+    /** @type {string[]} */ options,
+  ) => {
     const path = join(folder, `${name}${file}.json`);
     await run(program, "evaluate", ...clips, "--parts", "lower,upper", ...options, "--out", path);
     if (!files.includes(path)) files.push(path);

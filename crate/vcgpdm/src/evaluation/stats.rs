@@ -115,18 +115,19 @@ pub fn mean_interval(values: &[f64]) -> Option<Interval> {
 
 /// What a Student t of so many degrees of freedom stays within, to both sides of 0, with a probability of 95 %.
 pub fn student_quantile(freedom: usize) -> f64 {
+    let even = freedom.is_multiple_of(2);
     // P(|t| < x) in closed form (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
     let within = |x: f64| {
         let angle = x.arctangent((freedom as f64).sqrt());
         let (sine, cosine) = angle.sine_cosine();
-        let (mut term, mut sum) = (if freedom % 2 == 0 { 1.0 } else { cosine }, 0.0);
-        let mut k = if freedom % 2 == 0 { 1 } else { 2 };
+        let (mut term, mut sum) = (if even { 1.0 } else { cosine }, 0.0);
+        let mut k = if even { 1 } else { 2 };
         while k < freedom {
             sum += term;
             term *= cosine * cosine * k as f64 / (k + 1) as f64;
             k += 2;
         }
-        if freedom % 2 == 0 { sine * sum } else { 2.0 / std::f64::consts::PI * (angle + sine * sum) }
+        if even { sine * sum } else { 2.0 / std::f64::consts::PI * (angle + sine * sum) }
     };
     let (mut low, mut high) = (0.0, 20.0);
     for _ in 0..60 {

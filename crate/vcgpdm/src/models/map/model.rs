@@ -73,17 +73,15 @@ impl MapModel {
         let histories: Vec<DMatrix<f64>> = parts.iter().map(|p| sequences.windows(&p.latents)).collect();
         let sums = coefficients.iter().enumerate().map(|(i, c)| {
             let weights = coupling_weights(alpha.column(i).as_slice()).1;
-            let sources = histories.iter().zip(&dynamics).zip(&weights).enumerate();
-            let sum = |(j, ((h, row), w)): (usize, ((&DMatrix<f64>, &Vec<Kernel>), &f64))| {
-                let c = c * (w * w);
-                let slope = linear.get((j, i)).map(|theta| h.tr_mul(&c) * *theta);
-                let sum = KernelSum::new(h, &row[i], &c);
-                match slope {
-                    Some(slope) => sum.with_slope(&slope),
+            let sum = |(j, w): (usize, &f64)| {
+                let (h, c) = (&histories[j], c * (w * w));
+                let sum = KernelSum::new(h, &dynamics[j][i], &c);
+                match linear.get((j, i)) {
+                    Some(theta) => sum.with_slope(&(h.tr_mul(&c) * *theta)),
                     None => sum,
                 }
             };
-            sources.map(sum).collect()
+            weights.iter().enumerate().map(sum).collect()
         });
         let latent = parts.iter().map(|part| part.latents.ncols()).collect();
         let latent_dynamics = LatentDynamics::new(sequences.order(), latent, sums.collect());
