@@ -18,9 +18,10 @@ const MOST_PRIMITIVES: usize = 40;
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;
 /// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the bound.
-const SMALL_GAIN: f64 = 2e-6;
+const SMALL_GAIN: f64 = 5e-6;
 /// While numbers are compared: each begins where the one before it ended, with one primitive more, and is soon good enough.
 const SEARCH_GAIN: f64 = 5e-5;
+const SEARCH_SWEEPS: usize = 30;
 /// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One that is not used costs
 /// nothing, and the bound creeps up a little with every sweep.
 const DECISIVE: f64 = 5.0;
@@ -156,7 +157,8 @@ impl TmpLearner {
         if look {
             self.before = self.bound;
         }
-        if self.sweeps < self.limits.max_sweeps && !small {
+        let most = if self.is_searching() { SEARCH_SWEEPS } else { self.limits.max_sweeps };
+        if self.sweeps < most && !small {
             return Ok(());
         }
         self.keep();
@@ -243,7 +245,7 @@ impl Learner for TmpLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * self.limits.max_sweeps };
+        let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
         let most = most + self.limits.max_sweeps;
         let best = match &self.best {
             Some((best, _)) if !self.leads() => *best,

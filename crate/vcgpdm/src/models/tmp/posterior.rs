@@ -271,6 +271,9 @@ impl Posterior {
         let shortest = PhaseKernel::shortest(self.kernel.axis, self.range);
         for factor in [factor, 1.0 / factor] {
             let lengthscale = (self.kernel.lengthscale * factor).max(shortest);
+            if lengthscale == self.kernel.lengthscale {
+                continue;
+            }
             let mut other = self.clone();
             other.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
             other.view_again(trials);
