@@ -1,8 +1,10 @@
-// A static file server as plain as the hosts the page is made for: no special headers. Also used by the page's tests.
+// A static file server as plain as the hosts the page is made for: no special headers but the content security policy. Also used by
+// the page's tests.
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, sep } from "node:path";
 import { gzipSync } from "node:zlib";
+import { policy } from "./policy.mjs";
 
 /** @type {Record<string, string>} */
 const TYPES = {
@@ -39,6 +41,7 @@ export async function serve(folder, { port = 0, prefix = "/", before, onSend } =
       "content-type": TYPES[extname(file)] ?? "application/octet-stream",
       "content-length": body.length,
       "cache-control": "no-cache",
+      "content-security-policy": policy,
       ...(zip && { "content-encoding": "gzip" }),
     });
     response.end(request.method === "HEAD" ? undefined : body);

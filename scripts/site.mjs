@@ -3,13 +3,15 @@ import { readFileSync } from "node:fs";
 import { basename, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
 import { budget } from "./budget.mjs";
+import { writeLicences } from "./licences.mjs";
 import { at, Failure, filesUnder, runModule, whenChanged } from "./run.mjs";
 
 export const dist = at("www", "dist");
 
 export function buildSite() {
+  writeLicences();
   const inputs = filesUnder(
-    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs")],
+    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs"), at("scripts/policy.mjs")],
     ["node_modules", "dist"],
   );
   return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>
@@ -29,7 +31,7 @@ export function weigh() {
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
-  const later = inFolders("assets/on-demand/", "comparison/");
+  const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
   const first = files.filter((file) => !later.includes(file) && !asked.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */

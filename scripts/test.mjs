@@ -31,7 +31,7 @@ const STEPS = [
   { name: "house", what: "the order of the rooms", work: () => nodeTests("house") },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
   { name: "clippy", what: "clippy, native", work: () => clippy(...NATIVE, "--all-targets", "--all-features") },
-  { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "comparison,speed") },
+  { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
   { name: "features", what: "each feature alone", work: features },
   { name: "docs", what: "the documentation", work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
@@ -58,8 +58,8 @@ async function format() {
 /** With all features on, code that only compiles beside another feature's would go unseen. `speed` is the library's only one. */
 async function features() {
   await clippy(...NATIVE, "--all-targets");
-  await clippy(...WASM);
-  for (const feature of ["comparison", "speed"]) await clippy(...WASM, "--features", feature);
+  await clippy(...WASM, "--no-default-features");
+  for (const feature of ["training", "speed"]) await clippy(...WASM, "--no-default-features", "--features", feature);
 }
 
 /** With the examples, because the packages then are those of clippy, compiled already. */

@@ -1,16 +1,17 @@
 // The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and a smaller one for a
-// first visit to the page (playground/), without what only comparisons need.
+// first visit to the page (player/), which shows clips and models and trains none.
 import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { noticeOfWasm } from "./licences.mjs";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 /** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
 
 /** @type {Target[]} */
 const TARGETS = [
-  { folder: "web", target: "web", type: "module", features: ["comparison"] },
-  { folder: "node", target: "nodejs", type: "commonjs", features: ["comparison"] },
-  { folder: "playground", target: "web", type: "module", features: [] },
+  { folder: "web", target: "web", type: "module", features: ["training"] },
+  { folder: "node", target: "nodejs", type: "commonjs", features: ["training"] },
+  { folder: "player", target: "web", type: "module", features: [] },
 ];
 
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
@@ -60,6 +61,7 @@ export async function buildPackage(/** @type {string} */ place, /** @type {strin
       ...build,
       ...out,
       "--",
+      "--no-default-features",
       "--features",
       [...features, ...more].join(","),
     );
@@ -100,13 +102,14 @@ function describe() {
     version: crate.version,
     description: crate.description,
     license: crate.license,
-    exports: { ".": { node: entry("node"), default: entry("web") }, "./playground": entry("playground") },
+    exports: { ".": { node: entry("node"), default: entry("web") }, "./player": entry("player") },
     types: "./web/vcgpdm.d.ts",
-    files: TARGETS.map(({ folder }) => folder),
+    files: [...TARGETS.map(({ folder }) => folder), "THIRD-PARTY.txt"],
     sideEffects: false,
     engines: { node: ">=20" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
+  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), noticeOfWasm());
   copyFileSync(at("README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
     copyFileSync(at(file), at("crate/wasm/pkg", file));

@@ -1,6 +1,8 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { defineConfig, type Plugin } from "vite";
+import { policy } from "../scripts/policy.mjs";
 import { leanThree } from "./lean-three.ts";
+import { offline } from "./offline.ts";
 
 // The wasm package is built beside this folder, not installed.
 const wasmPackage = (folder: string) =>
@@ -10,6 +12,7 @@ const wasmPackage = (folder: string) =>
 const WHEN_ASKED = [
   "app/help",
   "app/saving",
+  "app/visit",
   "app/stage-files",
   "clips/parts-editor",
   "clips/trim",
@@ -21,7 +24,10 @@ const WHEN_ASKED = [
   "details/",
   "latents/push-handle",
   "live/",
+  "offline/service-workers",
   "method/",
+  "session/",
+
   "scene/columns",
   "stage/columns-view",
   "terms/card",
@@ -54,14 +60,23 @@ const output = {
     `${folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
+/** Not for `vite dev`, whose style sheets are inline. */
+const heldToPolicy: Plugin = {
+  name: "content-security-policy",
+  apply: "build",
+  transformIndexHtml: () => [
+    { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" },
+  ],
+};
+
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
-  plugins: [leanThree()],
+  plugins: [leanThree(), heldToPolicy, offline()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },
-      { find: /^vcgpdm\/playground$/, replacement: wasmPackage("playground") },
+      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player") },
     ],
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },

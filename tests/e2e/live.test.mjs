@@ -135,9 +135,13 @@ describe("a live rollout", () => {
       }
       assert.fail(`part ${part} was not pushed: ${await farthest(part)}`);
     };
+    /** Of a dot that stands still: a picture or two after the clock has stopped. */
     const middleOf = async (/** @type {number} */ part) => {
-      const { x, y, width, height } = (await page.getByTestId(`push-${part}`).boundingBox()) ?? assert.fail();
-      return { x: x + width / 2, y: y + height / 2 };
+      for (let last = ""; ; await page.waitForTimeout(100)) {
+        const box = (await page.getByTestId(`push-${part}`).boundingBox()) ?? assert.fail();
+        if (JSON.stringify(box) === last) return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+        last = JSON.stringify(box);
+      }
     };
 
     const dot = page.getByRole("button", {

@@ -29,6 +29,30 @@ describe("the clock", () => {
   });
 });
 
+describe("the stage", () => {
+  it("says so when the browser takes the graphics away, and draws again when it gives them back", async () => {
+    const { page, leave } = await site.visit({ moving: true });
+    await ready(page);
+    await page.evaluate(() => {
+      const context = document.querySelector("canvas")?.getContext("webgl2");
+      const taken = context?.getExtension("WEBGL_lose_context");
+      taken?.loseContext();
+      Object.assign(window, { taken });
+    });
+    await page.getByRole("alert").filter({ hasText: "taken the 3-D graphics away" }).waitFor();
+    await page.getByTestId("coupling-0-1").press("ArrowLeft");
+    await page.evaluate(() => /** @type {any} */ (window).taken.restoreContext());
+    await page.getByRole("alert").filter({ hasText: "3-D graphics" }).waitFor({ state: "detached" });
+    const drawn = () => page.evaluate(() => Number(document.querySelector("canvas")?.dataset.framesDrawn));
+    const before = await drawn();
+    await page.waitForFunction(
+      (before) => Number(document.querySelector("canvas")?.dataset.framesDrawn) > before + 3,
+      before,
+    );
+    await leave();
+  });
+});
+
 describe("a coupling", () => {
   it("changes its weight and the motion when its slider is dragged, and comes back with 0", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });

@@ -111,7 +111,11 @@ describe("what may come", () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     // The words below would make the plots smaller.
-    await page.addStyleTag({ content: ".outlook { display: none !important; }" });
+    await page.evaluate(() => {
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(".outlook { display: none !important; }");
+      document.adoptedStyleSheets = [sheet];
+    });
     await page.getByTestId("scrub").fill(String(FRAME));
     await drawn(page, 1);
     const plot = page.getByTestId("latent-1");

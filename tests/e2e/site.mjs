@@ -10,11 +10,12 @@ import { dist } from "../../scripts/site.mjs";
 
 /**
  * @param {object} [options]
+ * @param {string} [options.folder] the built page
  * @param {(path: string) => unknown} [options.before] may hold back a file until its promise is kept
  * @param {(path: string, bytes: number) => void} [options.onSend] told of each file sent
  */
-export async function openSite(options = {}) {
-  const server = await serve(dist, { prefix: "/some/where/", ...options });
+export async function openSite({ folder = dist, ...options } = {}) {
+  const server = await serve(folder, { prefix: "/some/where/", ...options });
   const browser = await launchChromium();
 
   /**
@@ -24,8 +25,14 @@ export async function openSite(options = {}) {
    *   figure walks from the beginning, which costs a core where no graphics card draws; a visitor who wants little motion else
    */
   async function visit({ settings = "", cores = 0, moving = false, ...options } = {}) {
-    const reducedMotion = moving ? "no-preference" : "reduce";
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion, ...options });
+    /** @type {import("playwright-core").BrowserContextOptions} */
+    const usual = {
+      viewport: { width: 1280, height: 800 },
+      reducedMotion: moving ? "no-preference" : "reduce",
+      // With a service worker the files come from there: only its own test wants that.
+      serviceWorkers: "block",
+    };
+    const context = await browser.newContext({ ...usual, ...options });
     const page = await context.newPage();
     if (cores > 0)
       await page.addInitScript(

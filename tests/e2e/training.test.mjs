@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
+import { bvh } from "./clips.mjs";
 import { changes, drop, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -12,13 +13,6 @@ before(async () => {
   site = await openSite();
 });
 after(() => site?.close());
-
-/** A clip as a visitor may bring it. */
-function bvh() {
-  const wave = Clip.samples().find(({ movement }) => movement !== "walk");
-  assert.ok(wave);
-  return Clip.sample(wave.id).cut(0, 60).toBvh();
-}
 
 const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 90_000 });
 const trained = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info();

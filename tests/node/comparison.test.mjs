@@ -199,6 +199,6 @@ describe("comparing models from Node", () => {
   });
 
   it("comes in a smaller build for a page's first visit", () => {
-    assert.ok(existsSync(installed.require.resolve("vcgpdm/playground")));
+    assert.ok(existsSync(installed.require.resolve("vcgpdm/player")));
   });
 });

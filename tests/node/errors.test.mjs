@@ -92,6 +92,27 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["results", () => results.merge(others), /^these results are of other trials/],
     ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
   ];
+  // What is no text, and no whole number.
+  const odd = /** @type {any} */ ({ number: 7, nothing: undefined, word: "x", object: {} });
+  cases.push(
+    ["clip", () => Clip.sample(odd.number), /^the id of a sample: expected a text, found 7/],
+    ["clip", () => Clip.read(odd.nothing, new Uint8Array(3)), /^the name: expected a text, found undefined/],
+    ["model", () => Model.fromJson(odd.object), /^the document: expected a text, found object/],
+    ["results", () => Results.fromJson(odd.number), /^the document: expected a text, found 7/],
+    ["clip", () => clip.cut(-1, 5), /^the first frame: expected a whole number from 0 to \d+, found -1/],
+    ["clip", () => clip.cut(0, 2.5), /^the end: expected a whole number from 0 to \d+, found 2.5/],
+    [
+      "comparison",
+      () => new Evaluation(new Fold(clips, common, 1, 1), odd.object, odd.word),
+      /^the seed: expected a whole number from 0 to \d+, found string/,
+    ],
+    ["model", () => model.poseIps(odd.word), /^the part: expected a whole number from 0 to \d+, found string/],
+    [
+      "rollout",
+      () => model.sampledRollouts({ frames: 5, sequence: 0 }, NaN, 1),
+      /^the number of rollouts: .*found NaN/,
+    ],
+  );
   assert.equal(set(clip, taller.withBonesOf(clip)).length, 2);
   const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/node/vcgpdm.d.ts"), "utf8")).types.get("ErrorCode");
   assert.ok(declared?.kind === "union");

@@ -13,6 +13,7 @@ import type { PageView } from "./app/page";
 import { startEngine } from "./engine/engine";
 import { browserAddressBar } from "./settings/address";
 import { isEmbedded } from "./settings/settings";
+import { whenIdle } from "./ui/idle";
 
 const app = new App(browserAddressBar, isEmbedded(location.search));
 const root = document.documentElement;
@@ -41,7 +42,23 @@ listenToKeys({
 listenToDrops((files, at) => void openFiles(app, files, at));
 addEventListener("hashchange", () => app.followAddress());
 
-void app.start(startEngine, fetchFirstModel());
+const start = () => app.start(startEngine, fetchFirstModel());
+// What could not be loaded may be there now.
+addEventListener("online", () => void (app.engine.state === "failed" && start()));
+void start().then(() => {
+  // What cannot be kept is no reason to say so to somebody who has nothing to keep.
+  if (!app.embedded && app.engine.state === "ready")
+    whenIdle(() => {
+      app.session.get().then(
+        (session) => {
+          if (page) page.session = session;
+        },
+        () => {},
+      );
+    });
+  if (import.meta.env.PROD && "serviceWorker" in navigator)
+    whenIdle(() => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()));
+});
 fetchFirstMotion().then(
   (motion) => {
     // Until the model has rolled out the real thing.

@@ -9,6 +9,7 @@ mod evaluate;
 mod files;
 mod interrupt;
 mod report;
+mod reproduce;
 mod results;
 mod rollout;
 mod score;
@@ -39,6 +40,7 @@ enum Command {
     Bound(bound::Arguments),
     Clip(clip::Arguments),
     Train(train::Arguments),
+    Reproduce(reproduce::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
     Evaluate(evaluate::Arguments),
@@ -82,6 +84,7 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
@@ -92,7 +95,7 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
 fn usage(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound, clip, train, rollout, score, evaluate and report (try --help)".to_owned();
+        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate and report (try --help)".to_owned();
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");

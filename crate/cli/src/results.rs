@@ -3,8 +3,11 @@
 
 use crate::files;
 use std::error::Error;
-use std::fs::File;
+use std::fs::{File, TryLockError};
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
 use vcgpdm::evaluation::{Finished, Results, Setting};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -41,6 +44,22 @@ impl Store {
         path.push(".lock");
         let path = PathBuf::from(path);
         let lock = File::create(&path).map_err(|error| files::about(&path, &error))?;
+        match lock.try_lock() {
+            Ok(()) => return Ok(lock),
+            Err(TryLockError::WouldBlock) => {}
+            Err(TryLockError::Error(error)) => return Err(files::about(&path, &error)),
+        }
+        // Held for a moment as a rule; who waits for longer is told what for.
+        let begin = Instant::now();
+        while begin.elapsed() < Duration::from_secs(2) {
+            thread::sleep(Duration::from_millis(20));
+            if lock.try_lock().is_ok() {
+                return Ok(lock);
+            }
+        }
+        let name = files::shown(&self.path.display().to_string());
+        // Nobody is left to tell when stderr is closed.
+        let _ = writeln!(std::io::stderr(), "vcgpdm: waiting for another program that writes {name}");
         lock.lock().map_err(|error| files::about(&path, &error))?;
         Ok(lock)
     }

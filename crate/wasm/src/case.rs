@@ -1,6 +1,7 @@
 //! A golden case, for measuring.
 
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Text;
 use vcgpdm::golden::Case as GoldenCase;
 use vcgpdm::models::variational::Workspace;
 use wasm_bindgen::prelude::*;
@@ -16,9 +17,10 @@ pub struct Case {
 impl Case {
     /// Reads a golden case.
     #[wasm_bindgen(js_name = fromJson)]
-    pub fn from_json(text: &str) -> Result<Case, VcgpdmError> {
+    pub fn from_json(text: &Text) -> Result<Case, VcgpdmError> {
+        let text = text.get(ErrorCode::Settings, "the document")?;
         let case =
-            GoldenCase::from_json(text).map_err(|reason| VcgpdmError::new(ErrorCode::Settings, &reason))?;
+            GoldenCase::from_json(&text).map_err(|reason| VcgpdmError::new(ErrorCode::Settings, &reason))?;
         let workspace = case.objective.workspace(&case.params);
         Ok(Case { case, workspace })
     }

@@ -3,6 +3,7 @@
 use crate::body::BodyInfo;
 use crate::convert::{to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::{Text, Whole};
 use serde::Serialize;
 use vcgpdm::models::{same_body, with_bones_of};
 use vcgpdm::motion::parts::PartsPreset;
@@ -67,13 +68,15 @@ pub struct Clip {
 impl Clip {
     /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
     /// and what was found.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
-        Ok(Clip { clip: bvh::read(name, bytes)?.into_clip() })
+    pub fn read(name: &Text, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
+        let name = name.get(ErrorCode::Clip, "the name")?;
+        Ok(Clip { clip: bvh::read(&name, bytes)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.
-    pub fn sample(id: &str) -> Result<Clip, VcgpdmError> {
-        let clip = samples::clip(id).ok_or_else(|| {
+    pub fn sample(id: &Text) -> Result<Clip, VcgpdmError> {
+        let id = id.get(ErrorCode::Clip, "the id of a sample")?;
+        let clip = samples::clip(&id).ok_or_else(|| {
             let message = format_args!("expected the id of a sample clip, found \"{id}\"");
             VcgpdmError::new(ErrorCode::Clip, &message)
         })?;
@@ -87,7 +90,7 @@ impl Clip {
     }
 
     /// The clip's name.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {
         self.clip.name.clone()
@@ -112,12 +115,14 @@ impl Clip {
     }
 
     /// The frames from `first` up to but not including `end`.
-    pub fn cut(&self, first: usize, end: usize) -> Result<Clip, VcgpdmError> {
+    pub fn cut(&self, first: &Whole, end: &Whole) -> Result<Clip, VcgpdmError> {
+        let first = first.count(ErrorCode::Clip, "the first frame")?;
+        let end = end.count(ErrorCode::Clip, "the end")?;
         Ok(Clip { clip: self.clip.cut(first, end)? })
     }
 
     /// The clip at about another frame rate.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
@@ -167,7 +172,7 @@ impl TrainingSet {
     }
 
     /// How many clips there are.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.clips.len()

@@ -33,6 +33,7 @@ pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result
 }
 
 /// Two values with their fields side by side in one object: the fields of these names are the first's, the others the second's.
+#[cfg(feature = "training")]
 pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
     code: ErrorCode,
     what: &str,
@@ -44,14 +45,14 @@ pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
 }
 
 /// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would weigh more.
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
     let value = value.serialize(&SERIALIZER).map_err(unconverted)?;
     js_sys::JSON::stringify(&value).map(String::from).map_err(|reason| unconverted(reason.into()))
 }
 
 /// A value from the JSON of a file, with the fields of the library.
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -> Result<T, VcgpdmError> {
     let value = js_sys::JSON::parse(text).map_err(Error::from).and_then(serde_wasm_bindgen::from_value);
     value.map_err(|reason| refused(code, what, plain(&reason.to_string())))
@@ -86,6 +87,7 @@ fn refused(code: ErrorCode, what: &str, reason: &str) -> VcgpdmError {
 }
 
 /// The object's fields of these names, and the others.
+#[cfg(feature = "training")]
 fn divided(value: &JsValue, names: &[&str]) -> (Object, Object) {
     let (first, second) = (Object::new(), Object::new());
     if value.is_object() {

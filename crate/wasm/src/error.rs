@@ -3,7 +3,7 @@
 use js_sys::Reflect;
 use std::fmt::Display;
 use vcgpdm::document::DocumentError;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::InducingError;
@@ -11,7 +11,7 @@ use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
@@ -58,10 +58,10 @@ pub enum ErrorCode {
     /// A rollout that cannot be made.
     Rollout,
     /// A comparison, or a job of it.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     Comparison,
     /// Results, or their file.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     Results,
     /// A number out of bounds, or a matrix that cannot be factorised.
     Numerics,
@@ -78,9 +78,9 @@ impl ErrorCode {
             ErrorCode::Training => "training",
             ErrorCode::Model => "model",
             ErrorCode::Rollout => "rollout",
-            #[cfg(feature = "comparison")]
+            #[cfg(feature = "training")]
             ErrorCode::Comparison => "comparison",
-            #[cfg(feature = "comparison")]
+            #[cfg(feature = "training")]
             ErrorCode::Results => "results",
             ErrorCode::Numerics => "numerics",
         }
@@ -141,7 +141,7 @@ about! {
     NumericsError => Numerics,
 }
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 about! {
     PlanError => Comparison,
     ResultsError => Results,
@@ -182,7 +182,7 @@ impl LibraryError for RolloutError {
     }
 }
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 impl LibraryError for EvaluationError {
     fn code(&self) -> ErrorCode {
         match self {
@@ -198,7 +198,7 @@ impl LibraryError for EvaluationError {
     }
 }
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 impl LibraryError for SyntheticError {
     fn code(&self) -> ErrorCode {
         match self {

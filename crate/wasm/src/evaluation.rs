@@ -3,6 +3,7 @@
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::evaluation::{Fold as HeldOut, START_FRAMES};
@@ -132,9 +133,12 @@ impl Fold {
     pub fn new(
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
-        #[wasm_bindgen(js_name = heldOut)] held_out: usize,
-        #[wasm_bindgen(js_name = trainingTrials)] training_trials: usize,
+        #[wasm_bindgen(js_name = heldOut)] held_out: &Whole,
+        #[wasm_bindgen(js_name = trainingTrials)] training_trials: &Whole,
     ) -> Result<Fold, VcgpdmError> {
+        let held_out = held_out.count(ErrorCode::Comparison, "the trial held out")?;
+        let training_trials =
+            training_trials.count(ErrorCode::Comparison, "the number of training trials")?;
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
         let fold =
@@ -174,8 +178,9 @@ impl Evaluation {
     pub fn new(
         fold: &Fold,
         #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
-        seed: u32,
+        seed: &Whole,
     ) -> Result<Evaluation, VcgpdmError> {
+        let seed = seed.get(ErrorCode::Comparison, "the seed")?;
         let candidate: ModelSettings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed)?;
         Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })

@@ -10,17 +10,19 @@ mod case;
 mod clip;
 mod convert;
 mod error;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 mod evaluation;
+mod given;
 mod live;
 mod model;
 mod predictions;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 mod results;
 mod rollout;
 mod settings;
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 mod synthetic;
+#[cfg(feature = "training")]
 mod trainer;
 
 use error::{ErrorCode, VcgpdmError};

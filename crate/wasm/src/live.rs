@@ -1,7 +1,8 @@
 //! A rollout that never ends.
 
 use crate::convert::flat;
-use crate::error::VcgpdmError;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 use crate::rollout::Rollout;
 use nalgebra::DMatrix;
 use std::rc::Rc;
@@ -24,7 +25,8 @@ pub struct LiveRollout {
 impl LiveRollout {
     /// Goes on behind a frame of a rollout, under the same couplings.
     #[wasm_bindgen(constructor)]
-    pub fn new(rollout: &Rollout, frame: usize) -> Result<LiveRollout, VcgpdmError> {
+    pub fn new(rollout: &Rollout, frame: &Whole) -> Result<LiveRollout, VcgpdmError> {
+        let frame = frame.count(ErrorCode::Rollout, "the frame")?;
         let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
         let live = vcgpdm::models::LiveRollout::behind(&model, &rollout.rollout, frame, request.sequence)?;
         let (alpha, reading) = (request.alpha_or(&model.model.alpha).clone(), request.reading);
@@ -47,7 +49,9 @@ impl LiveRollout {
     }
 
     /// Cuts a coupling from the next frame on, or lets it act again. A part's last coupling cannot be cut.
-    pub fn cut(&mut self, source: usize, target: usize, cut: bool) -> Result<(), VcgpdmError> {
+    pub fn cut(&mut self, source: &Whole, target: &Whole, cut: bool) -> Result<(), VcgpdmError> {
+        let source = source.count(ErrorCode::Rollout, "the source")?;
+        let target = target.count(ErrorCode::Rollout, "the target")?;
         let mut cuts = self.cuts.clone();
         cuts.retain(|other| *other != (source, target));
         if cut {
@@ -59,17 +63,20 @@ impl LiveRollout {
     }
 
     /// The next frames.
-    pub fn advance(&mut self, frames: usize) -> Result<LiveFrames, VcgpdmError> {
+    pub fn advance(&mut self, frames: &Whole) -> Result<LiveFrames, VcgpdmError> {
+        let frames = frames.count(ErrorCode::Rollout, "the number of frames")?;
         Ok(LiveFrames(self.live.advance(&self.model, &self.dynamics, frames)?))
     }
 
     /// Pushes a part by so much in each latent dimension [Q], felt by the next frame.
-    pub fn push(&mut self, part: usize, by: Vec<f64>) -> Result<(), VcgpdmError> {
+    pub fn push(&mut self, part: &Whole, by: Vec<f64>) -> Result<(), VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
         Ok(self.live.push(&Push { part, by, ..Push::default() })?)
     }
 
     /// Pushes the part to which a node of the figure belongs, so that the node moves by about so much [x, y, z], metres.
-    pub fn pull(&mut self, node: usize, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
+    pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
+        let node = node.count(ErrorCode::Rollout, "the node")?;
         let push = self.live.pull(&self.model, node, [x, y, z])?;
         Ok(self.live.push(&push)?)
     }
@@ -82,7 +89,8 @@ pub struct LiveFrames(MotionFrames);
 #[wasm_bindgen]
 impl LiveFrames {
     /// The latent path of a part [frames x Q].
-    pub fn latents(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
         let paths = &self.0.latents;
         Ok(flat(paths.get(part).ok_or(InducingError::Part { count: paths.len(), found: part })?))
     }

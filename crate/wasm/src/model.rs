@@ -3,7 +3,8 @@
 use crate::body::BodyInfo;
 use crate::convert::{flat, from_js, rows, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
-#[cfg(feature = "comparison")]
+use crate::given::{Text, Whole};
+#[cfg(feature = "training")]
 use crate::predictions::Moments;
 use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
@@ -32,6 +33,12 @@ export interface SequenceInfo {
     frames: number;
     /** Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not known. */
     restsFrom: number | null;
+    /** The frames of the file that were used, the first and the one after the last; null: all, or not known. */
+    piece: [number, number] | null;
+    /** The name of the clip whose bones it was given; null: it kept its own, or not known. */
+    bonesOf: string | null;
+    /** Whether all of the clip's frames are there; else only its first ones are. */
+    whole: boolean;
 }
 
 /** How a model was made. */
@@ -141,8 +148,9 @@ pub struct Model {
 impl Model {
     /// Reads a shared model. Throws the reason and the path of the field when the text is not one.
     #[wasm_bindgen(js_name = fromJson)]
-    pub fn from_json(text: &str) -> Result<Model, VcgpdmError> {
-        Ok(Model { model: Rc::new(TrainedModel::<Vcgpdm>::from_json(text)?) })
+    pub fn from_json(text: &Text) -> Result<Model, VcgpdmError> {
+        let text = text.get(ErrorCode::Model, "the document")?;
+        Ok(Model { model: Rc::new(TrainedModel::<Vcgpdm>::from_json(&text)?) })
     }
 
     /// The model as a JSON document.
@@ -180,9 +188,11 @@ impl Model {
     pub fn sampled_rollouts(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
-        count: u32,
-        seed: u32,
+        count: &Whole,
+        seed: &Whole,
     ) -> Result<Vec<Rollout>, VcgpdmError> {
+        let count = count.get(ErrorCode::Rollout, "the number of rollouts")?;
+        let seed = seed.get(ErrorCode::Rollout, "the seed")?;
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
         let rollouts = self.model.sampled_rollouts(&request, seeds)?;
@@ -190,7 +200,7 @@ impl Model {
     }
 
     /// What is known of the latents in every frame of a rollout, by moment matching.
-    #[cfg(feature = "comparison")]
+    #[cfg(feature = "training")]
     pub fn moments(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
@@ -201,19 +211,24 @@ impl Model {
 
     /// Pose inducing inputs r of a part [L x Q].
     #[wasm_bindgen(js_name = poseIps)]
-    pub fn pose_ips(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn pose_ips(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Model, "the part")?;
         Ok(flat(self.model.model.pose_map(part)?.r()))
     }
 
     /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source], oldest state first.
     #[wasm_bindgen(js_name = dynamicsIps)]
-    pub fn dynamics_ips(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn dynamics_ips(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let source = source.count(ErrorCode::Model, "the source")?;
+        let target = target.count(ErrorCode::Model, "the target")?;
         Ok(flat(self.model.model.expert(source, target)?.z()))
     }
 
     /// What the source's dynamics inducing points predict, `E[u]` [K x Q of the target].
     #[wasm_bindgen(js_name = dynamicsIvs)]
-    pub fn dynamics_ivs(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn dynamics_ivs(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let source = source.count(ErrorCode::Model, "the source")?;
+        let target = target.count(ErrorCode::Model, "the target")?;
         Ok(flat(self.model.model.expert(source, target)?.mean()))
     }
 
@@ -221,10 +236,12 @@ impl Model {
     #[wasm_bindgen(js_name = poseIpWeights)]
     pub fn pose_ip_weights(
         &self,
-        part: usize,
-        index: usize,
+        part: &Whole,
+        index: &Whole,
         latents: &[f64],
     ) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Model, "the part")?;
+        let index = index.count(ErrorCode::Model, "the index")?;
         Ok(self.model.model.pose_ip_weights(part, index, latents)?)
     }
 
@@ -233,16 +250,20 @@ impl Model {
     #[wasm_bindgen(js_name = dynamicsIpWeights)]
     pub fn dynamics_ip_weights(
         &self,
-        source: usize,
-        target: usize,
-        index: usize,
+        source: &Whole,
+        target: &Whole,
+        index: &Whole,
         latents: &[f64],
     ) -> Result<Vec<f64>, VcgpdmError> {
+        let source = source.count(ErrorCode::Model, "the source")?;
+        let target = target.count(ErrorCode::Model, "the target")?;
+        let index = index.count(ErrorCode::Model, "the index")?;
         Ok(self.model.model.dynamics_ip_weights(source, target, index, latents)?)
     }
 
     /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at their mean pose.
-    pub fn pose(&self, part: usize, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
+    pub fn pose(&self, part: &Whole, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
+        let part = part.count(ErrorCode::Model, "the part")?;
         Ok(self.model.pose(part, latent)?)
     }
 }

@@ -1,9 +1,11 @@
 //! What the experts predict with their uncertainty, and what is known of a rollout's latents.
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 use crate::convert::flat;
-use crate::error::VcgpdmError;
-#[cfg(feature = "comparison")]
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
+#[cfg(feature = "training")]
+#[cfg(feature = "training")]
 use vcgpdm::models::variational::LatentMoments;
 use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction, Vcgpdm};
 use vcgpdm::models::{Rollout, RolloutRequest, TrainedModel};
@@ -53,44 +55,52 @@ impl Predictions {
     }
 
     /// Means of the product of all experts about a part [predicted frames x Q].
-    pub fn means(&self, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn means(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, None)?.iter().flat_map(|said| said.mean.iter().copied()).collect())
     }
 
     /// Variances of the product of all experts about a part [predicted frames].
-    pub fn variances(&self, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn variances(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, None)?.iter().map(|said| said.variance).collect())
     }
 
     /// Means of what the source alone says about the target [predicted frames x Q of the target].
     #[wasm_bindgen(js_name = expertMeans)]
-    pub fn expert_means(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn expert_means(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let source = source.count(ErrorCode::Rollout, "the source")?;
+        let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, Some(source))?.iter().flat_map(|said| said.mean.iter().copied()).collect())
     }
 
     /// Variances of what the source alone says about the target [predicted frames]: alpha and the expert's own.
     #[wasm_bindgen(js_name = expertVariances)]
-    pub fn expert_variances(&self, source: usize, target: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn expert_variances(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let source = source.count(ErrorCode::Rollout, "the source")?;
+        let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, Some(source))?.iter().map(|said| said.variance).collect())
     }
 }
 
 /// What is known of the latents in every frame of a rollout: a Gaussian each.
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 pub struct Moments(pub(crate) LatentMoments);
 
-#[cfg(feature = "comparison")]
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 impl Moments {
     /// Means of a part's latents [frames x Q].
-    pub fn means(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn means(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
         let means = &self.0.means;
         Ok(flat(means.get(part).ok_or(InducingError::Part { count: means.len(), found: part })?))
     }
 
     /// Covariances of a part's latents [frames x Q x Q].
-    pub fn covariances(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn covariances(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
         let all = &self.0.covariances;
         let frames = all.get(part).ok_or(InducingError::Part { count: all.len(), found: part })?;
         Ok(frames.iter().flat_map(|covariance| covariance.iter().copied()).collect())

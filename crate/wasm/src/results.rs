@@ -4,6 +4,7 @@ use crate::clip::TrainingSet;
 use crate::convert::{from_js, from_json, to_js, to_js_beside, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
+use crate::given::Text;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
 use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
@@ -255,9 +256,10 @@ impl Results {
 
     /// Reads a file of results, from the page or from the terminal program.
     #[wasm_bindgen(js_name = fromJson)]
-    pub fn from_json(text: &str) -> Result<Results, VcgpdmError> {
+    pub fn from_json(text: &Text) -> Result<Results, VcgpdmError> {
+        let text = text.get(ErrorCode::Results, "the document")?;
         let results: AllResults =
-            from_json(ErrorCode::Results, "expected the results of an evaluation", text)?;
+            from_json(ErrorCode::Results, "expected the results of an evaluation", &text)?;
         results.check()?;
         Ok(Results { results })
     }

@@ -1,7 +1,8 @@
 //! Rolled-out motions.
 
 use crate::convert::{flat, rows, to_js, to_js_beside};
-use crate::error::VcgpdmError;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 use crate::predictions::Predictions;
 use serde::Serialize;
 use std::rc::Rc;
@@ -129,7 +130,8 @@ impl Rollout {
     }
 
     /// The latent path of a part [frames x Q].
-    pub fn latents(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
         let paths = &self.rollout.latents;
         Ok(flat(paths.get(part).ok_or(InducingError::Part { count: paths.len(), found: part })?))
     }
@@ -152,7 +154,8 @@ impl Rollout {
 
     /// What the body does from this frame on, counted from 0, to the end.
     #[wasm_bindgen(unchecked_return_type = "Measures")]
-    pub fn measures(&self, first: usize) -> Result<JsValue, VcgpdmError> {
+    pub fn measures(&self, first: &Whole) -> Result<JsValue, VcgpdmError> {
+        let first = first.count(ErrorCode::Rollout, "the first frame")?;
         let (body, frames) = (&self.model.body, self.frames());
         let values = self.positions.len() / frames * first.min(frames);
         let measured = measures(body.mapping.skeleton(), &self.positions[values..], body.frame_time);

@@ -1,7 +1,11 @@
 //! What a training is asked to do: in JavaScript one object with the model's own settings and what they are applied to.
 
-use crate::convert::{from_js_beside, to_js_beside};
-use crate::error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "training")]
+use crate::convert::from_js_beside;
+use crate::convert::to_js_beside;
+#[cfg(feature = "training")]
+use crate::error::ErrorCode;
+use crate::error::VcgpdmError;
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::VariationalSettings;
 use vcgpdm::motion::parts::PartSpec;
@@ -46,6 +50,7 @@ pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsV
 }
 
 /// The settings of a training from JavaScript.
+#[cfg(feature = "training")]
 pub fn settings_from_js(value: &JsValue) -> Result<(Task, VariationalSettings), VcgpdmError> {
     from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "framesPerSecond", "seed"])
 }

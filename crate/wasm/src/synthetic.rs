@@ -1,7 +1,8 @@
 //! The synthetic experiment: who drives whom, where the truth is known.
 
 use crate::convert::{flat, rows, to_js};
-use crate::error::VcgpdmError;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 use serde::Serialize;
 use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
@@ -109,7 +110,8 @@ impl SyntheticExperiment {
     /// Makes the data and finds where training starts; both follow from the seed, a whole number from 0 to 4294967295.
     /// `driving`: whether the first part drives the second.
     #[wasm_bindgen(constructor)]
-    pub fn new(seed: u32, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
+    pub fn new(seed: &Whole, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
+        let seed = seed.get(ErrorCode::Settings, "the seed")?;
         let data = Synthetic::draw(seed, if driving { DRIVE } else { 0.0 })?;
         Ok(SyntheticExperiment { experiment: Experiment::new(data, &Synthetic::settings(), seed)? })
     }

@@ -2,7 +2,8 @@
 
 use crate::clip::TrainingSet;
 use crate::convert::{flat, to_js};
-use crate::error::VcgpdmError;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 use crate::model::Model;
 use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
@@ -82,8 +83,10 @@ impl Trainer {
     }
 
     /// Allows so many more iterations: training goes on where it stopped, as if they had been allowed from the beginning.
-    pub fn extend(&mut self, iterations: usize) {
+    pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
+        let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
         self.training.extend(iterations);
+        Ok(())
     }
 
     /// The best model so far, at any time.
@@ -93,7 +96,8 @@ impl Trainer {
     }
 
     /// Latent means of the training frames at the best so far [frames x Q] of one part, sequences one after the other.
-    pub fn latents(&self, part: usize) -> Result<Vec<f64>, VcgpdmError> {
+    pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let part = part.count(ErrorCode::Training, "the part")?;
         let params = self.training.best();
         let count = params.parts.len();
         let part = params.parts.get(part).ok_or(InducingError::Part { count, found: part })?;

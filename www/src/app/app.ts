@@ -6,6 +6,7 @@ import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import type { SupervisedEvents } from "../engine/supervised";
+import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AddressBar } from "../settings/address";
@@ -19,6 +20,7 @@ import { Lazy } from "./lazy";
 export class App {
   readonly notices = new NoticesStore();
   readonly engine = new EngineStore();
+  readonly offline = new OfflineStore(() => location.reload());
   readonly settings: SettingsStore;
   readonly playback: Playback;
   readonly stage: StageStore;
@@ -39,8 +41,20 @@ export class App {
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
-    return new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+    const comparison = new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+    comparison.on(this.#touched);
+    return comparison;
   });
+
+  /** What a visit holds is kept from now on. */
+  readonly session = new Lazy(async () => {
+    const [{ openSession }, { visitOf }] = await Promise.all([import("../session/session"), import("./visit")]);
+    const session = await openSession(visitOf(this));
+    for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
+    return session;
+  });
+
+  readonly #touched = () => this.session.loaded?.touched();
 
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");

@@ -1,7 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { modelName, motionName, plain, type RolledOut } from "./file-names";
 
-const sequence = (name: string) => ({ name, sha256: "", frames: 90, restsFrom: null });
+const sequence = (name: string) => ({
+  name,
+  sha256: "",
+  frames: 90,
+  restsFrom: null,
+  piece: null,
+  bonesOf: null,
+  whole: true,
+});
 const part = (name: string) => ({ name, joints: [], latent: 3, poseIps: 12 });
 const asLearned: RolledOut = {
   info: {

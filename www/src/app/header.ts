@@ -27,8 +27,8 @@ export class HeaderView extends View {
   declare app: App;
 
   protected override stores() {
-    const { engine, settings } = this.app;
-    return [...wordStores(this.app), engine, settings, settings.address];
+    const { engine, settings, offline } = this.app;
+    return [...wordStores(this.app), engine, settings, settings.address, offline];
   }
 
   private tell(type: string, detail?: unknown): void {
@@ -79,6 +79,14 @@ export class HeaderView extends View {
       : nothing;
   }
 
+  /** Taken when the visitor says so: what is under way is not interrupted. */
+  private newVersion() {
+    const { offline } = this.app;
+    if (!offline.hasNewVersion) return nothing;
+    return html`<button data-testid="new-version" title="A new version of this page is there. Loading it begins anew: save first what you want to keep."
+      @click=${() => offline.takeNewVersion()}>Load new version</button>`;
+  }
+
   protected override render() {
     return html`
       <div class="title">
@@ -87,6 +95,7 @@ export class HeaderView extends View {
       </div>
       ${this.views()}
       <div class="actions" role="group" aria-label="Files">
+        ${this.newVersion()}
         ${fileButton({
           label: "Open",
           meaning: "Open a model (.json) or clips (.bvh)",

@@ -10,6 +10,7 @@ import "../ui/notices-view";
 import type { HoldCoupling } from "../couplings/body-map";
 import type { Detail } from "../details/details";
 import type { LiveStore } from "../live/live-store";
+import type { SessionStore } from "../session/session-store";
 import { messageOf } from "../ui/format";
 import { View } from "../ui/view";
 import type { App } from "./app";
@@ -66,7 +67,9 @@ const PLACES = {
 } as const satisfies Record<string, { tab: Tab | null; focus: string }>;
 
 export class PageView extends View {
-  static override properties = { tab: { state: true }, liveView: { state: true } };
+  static override properties = { tab: { state: true }, liveView: { state: true }, session: { state: true } };
+  /** What is kept of visits; null where nothing is, or not yet. */
+  declare session: SessionStore | null;
   /** How to draw the live motion, once it has been asked for. */
   declare liveView: (() => TemplateResult) | null;
   private keyHolds: { source: number; target: number } | null = null;
@@ -78,6 +81,7 @@ export class PageView extends View {
     super();
     this.tab = "couplings";
     this.liveView = null;
+    this.session = null;
   }
 
   /** Goes on live, or back to the clip; the first time loads what that needs. */
@@ -262,6 +266,24 @@ export class PageView extends View {
       }`;
   }
 
+  private forgetButton() {
+    const { session } = this;
+    if (!session) return nothing;
+    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings and models of your visits, so that you find them again."
+      @click=${() => void this.forget(session)}>Forget everything</button>`;
+  }
+
+  private async forget(session: SessionStore): Promise<void> {
+    const { notices } = this.app;
+    try {
+      await session.forgetAll();
+      const text = "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
+      notices.add({ kind: "done", title: "Forgotten", text, at: null });
+    } catch (problem) {
+      notices.addError("Not all was forgotten", messageOf(problem));
+    }
+  }
+
   protected override render() {
     const { app } = this;
     const { engine, settings, model, notices, embedded, isPlayView } = app;
@@ -275,6 +297,7 @@ export class PageView extends View {
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
+        ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}
         ${
           foreign === null
             ? nothing
@@ -306,7 +329,8 @@ export class PageView extends View {
             ? nothing
             : html`
           <footer>
-            <span>Nothing you load leaves your machine.</span>
+            <span>Nothing you load leaves your machine. ${this.forgetButton()}</span>
+            <span><a href="licences.txt">Licences</a> of what others wrote.</span>
             <span>The start model was trained on CMU subject 7. ${ACKNOWLEDGEMENT}</span>
           </footer>`
         }

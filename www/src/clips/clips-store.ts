@@ -27,6 +27,9 @@ export interface ClipEntry {
   end: number;
 }
 
+/** What another visit needs to have a clip again. */
+export type KeptClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
+
 export class ClipsStore extends Store {
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
@@ -136,6 +139,36 @@ export class ClipsStore extends Store {
     const key = `own-${loaded.id}`;
     this.#add({ key, title, origin: "own", source: { name: title, file: new Blob([bytes]) }, loaded, ticked: true });
     if (first) this.show(key);
+  }
+
+  /** The clips as another visit can take them up. */
+  get kept(): KeptClip[] {
+    return this.#clips.map(({ key, title, origin, source, ticked, first, end }) => ({
+      ...{ key, title, origin, source, ticked, first, end },
+    }));
+  }
+
+  /** Takes the clips of an earlier visit up; those of this visit stay. Answers the numbers that they have now, by their keys of then. */
+  async takeUp(kept: readonly KeptClip[], firstBones: boolean): Promise<Map<string, number>> {
+    const { engine } = this.#engine;
+    if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
+    const ids = new Map<string, number>();
+    for (const { key, title, origin, source, ticked, first, end } of kept) {
+      let now = origin === "made" ? key : null;
+      if (now === null && "file" in source) {
+        const loaded = await engine.readClip(source.name, new Uint8Array(await source.file.arrayBuffer()));
+        now = `own-${loaded.id}`;
+        this.#add({ key: now, title, origin, source, loaded, ticked });
+      }
+      const clip = now === null ? undefined : this.#find(now);
+      if (!clip) continue;
+      ids.set(key, clip.loaded.id);
+      this.#update(clip.key, { ticked });
+      if (first !== 0 || end !== clip.loaded.info.frames) this.cut(clip.key, first, end);
+    }
+    this.#firstBones = firstBones;
+    await this.checkClash();
+    return ids;
   }
 
   async tick(key: string, ticked: boolean): Promise<void> {

@@ -6,10 +6,11 @@ import { MAX_PARTS } from "../engine/limits";
 import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
 import { completeSplit, moveBranch } from "./parts";
 import "./parts-editor.css";
+import { partStyle } from "../ui/styled";
 
 export class PartsEditor extends View {
   declare settings: SettingsStore;
@@ -57,7 +58,7 @@ export class PartsEditor extends View {
         <div class="part-names">
           ${split.map(
             ({ name }, i) => html`
-            <div style=${swatchStyle(partColour(i))}>
+            <div style=${partStyle(partColour(i))}>
               <i class="swatch"></i>
               <input type="text" maxlength="24" aria-label="Name of part ${i + 1}" .value=${name} ?disabled=${locked} @change=${this.rename(i)} />
               <button class="round" aria-label="Remove part ${name}" ?disabled=${locked || split.length < 2} @click=${() => this.removePart(i)}>${icon("close")}</button>
@@ -70,7 +71,7 @@ export class PartsEditor extends View {
         <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">
           ${joints.map(
             ({ name }, joint) => html`
-            <li style="${swatchStyle(partColour(Math.max(0, index(joint))))};--depth:${Math.min(depth[joint] ?? 0, 12)}">
+            <li style=${partStyle(partColour(Math.max(0, index(joint))), { "--depth": Math.min(depth[joint] ?? 0, 12) })}>
               <i class="swatch"></i><span>${name}</span>
               <select aria-label="Part of ${name}" ?disabled=${locked}
                 @change=${(event: Event) => {

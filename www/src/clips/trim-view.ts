@@ -5,6 +5,7 @@ import type { StageStore } from "../stage/stage-store";
 import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
 import "./trim.css";
+import { styled } from "../ui/styled";
 
 export class TrimView extends View {
   declare clips: ClipsStore;
@@ -37,7 +38,7 @@ export class TrimView extends View {
     return html`
       <div class="trim" role="group" aria-label="Trim ${title}">
         <span>Keep</span>
-        <div class="handles" style="--from:${share(first)};--to:${share(end)}">
+        <div class="handles" style=${styled({ "--from": share(first), "--to": share(end) })}>
           <input type="range" data-testid="trim-first" aria-label="Trim the start of ${title}" min="0" max=${frames} .value=${String(first)}
             aria-valuetext="frame ${first + 1}, ${seconds(first)}" ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.cut(key, { first: value(event) })} />

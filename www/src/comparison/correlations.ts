@@ -9,6 +9,7 @@ import { inColour, modelMark, modelStyle } from "./model-style";
 import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Correlation } from "../engine/whole-protocol";
+import { styled } from "../ui/styled";
 
 const GAP = 28;
 const LEAST = 250;
@@ -89,7 +90,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     const columns = Math.max(1, Math.min(3, drawn.length, Math.floor((this.width + GAP) / (LEAST + GAP))));
     const width = Math.floor(Math.min(440, (this.width - (columns - 1) * GAP) / columns));
     return html`
-      <div class="panels" style="grid-template-columns:repeat(${columns}, minmax(0, ${width}px));gap:18px ${GAP}px">
+      <div class="panels" style=${styled({ "grid-template-columns": `repeat(${columns}, minmax(0, ${width}px))`, gap: `18px ${GAP}px` })}>
         ${drawn.map((correlation) => this.panel(correlation, width))}
       </div>
       <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1. Each panel has scales of its own.</figcaption>`;

@@ -3,6 +3,7 @@
 // and dark.
 import type { ModelKind } from "../engine/whole-protocol";
 import { type MarkShape, markAt } from "../figures/marks";
+import { styled } from "../ui/styled";
 
 interface Look {
   name: string;
@@ -28,8 +29,8 @@ export function modelStyle(kind: ModelKind): { name: string; colour: string; mar
 }
 
 /** The style of an element whose drawings have the colour of a model. */
-export function inColour(kind: ModelKind): string {
-  return `--series:${modelStyle(kind).colour}`;
+export function inColour(kind: ModelKind) {
+  return styled({ "--series": modelStyle(kind).colour });
 }
 
 /** The mark of a model around a point. */

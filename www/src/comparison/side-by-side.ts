@@ -12,6 +12,7 @@ import "./distance";
 import type { Distances, DistanceFigure } from "./distance";
 import { modelStyle } from "./model-style";
 import { chosenOf, foldsOf, MOST_COLUMNS, motionOf, type Prediction, predictionsOf, toggled } from "./predictions";
+import { styled } from "../ui/styled";
 
 const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
 
@@ -209,7 +210,7 @@ export class SideBySide extends View {
     const chosen = chosenOf(predictionsOf(shown, fold), look.picked);
     return html`
       ${this.#choices(shown, folds, fold, chosen)}
-      <div class="columns" style="--columns:${chosen.length}">
+      <div class="columns" style=${styled({ "--columns": chosen.length })}>
         <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
           aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}

@@ -4,10 +4,11 @@ import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import { type Body, bodyOf, bowPath, HEIGHT, loopPath, NODE, WIDTH } from "./body-layout";
 import type { ModelStore } from "./model-store";
 import { shareWord } from "./shares";
+import { partStyle } from "../ui/styled";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
@@ -98,7 +99,7 @@ export class BodyMap extends View {
     const colour = partColour(source);
     const head = `head-${source}-${target}`;
     return svg`
-      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${swatchStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
+      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
         @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetCoupling(source, target)}>
         <title>${name(source)} to ${name(target)}: weight ${shareWord(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
@@ -115,12 +116,12 @@ export class BodyMap extends View {
     return html`
       <svg class="body-map" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" data-testid="body-map"
         aria-label="Body map: an arrow for each coupling, as thick as its weight. The sliders in the table change the same couplings.">
-        ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${swatchStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
+        ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${partStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
         ${parts.flatMap((_, source) => parts.map((__, target) => this.arrow(source, target)))}
         ${parts.map(({ name }, part) =>
           spots[part]
             ? svg`
-          <g style=${swatchStyle(partColour(part))}>
+          <g style=${partStyle(partColour(part))}>
             <circle class="map-node" cx=${spots[part].x} cy=${spots[part].y} r=${NODE} />
             <title>${name}</title>
           </g>`

@@ -7,7 +7,7 @@ import type { Playback } from "../stage/playback";
 import { clipTitle, short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import "../terms/term";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import "./body-map";
 import type { BodyStore } from "./body-store";
 import "./couplings.css";
@@ -18,6 +18,7 @@ import "./readings-view";
 import "./share-bar";
 import { isOff, shareWord } from "./shares";
 import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
+import { partStyle, styled } from "../ui/styled";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -49,10 +50,10 @@ export class CouplingsView extends View {
     const label = `${name(source)} to ${name(target)}`;
     const classes = `${changed ? "changed" : ""} ${isOff(w) ? "off" : ""}`;
     return html`
-      <td style=${swatchStyle(partColour(source))} class=${classes}>
+      <td style=${partStyle(partColour(source))} class=${classes}>
         <div class="slider">
-          <span class="fill" style="--at:${placeOf(alpha).toFixed(4)}"></span>
-          <span class="tick" style="--at:${placeOf(learned).toFixed(4)}" title="As learned: ${short(learned)}"></span>
+          <span class="fill" style=${styled({ "--at": placeOf(alpha).toFixed(4) })}></span>
+          <span class="tick" style=${styled({ "--at": placeOf(learned).toFixed(4) })} title="As learned: ${short(learned)}"></span>
           <input type="range" min=${WEAKEST} max=${STRONGEST} step="0.01" .value=${strengthOf(alpha).toFixed(2)}
             aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${shareWord(w)}; learned ${short(learned)}"
             data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
@@ -71,7 +72,7 @@ export class CouplingsView extends View {
   private table(info: ModelInfo) {
     const { parts } = info;
     const head = (name: string, part: number) =>
-      html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
+      html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
     return html`
       <table class="couplings" data-parts=${parts.length}>
         <thead>

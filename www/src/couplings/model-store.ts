@@ -52,6 +52,7 @@ export class ModelStore extends Store {
   #model: ModelView | null = null;
   /** The hash of the model that the page opens with. */
   #startModel: string | null = null;
+  #text = "";
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #foreign: Foreign | null = null;
@@ -106,6 +107,11 @@ export class ModelStore extends Store {
   /** Whether a coupling differs from the learned one. */
   get altered(): boolean {
     return Object.keys(this.#settings.values.alpha).length > 0;
+  }
+
+  /** The document of the model, where it is not the one that the page opens with. */
+  get opened(): string | null {
+    return this.#model === null || this.#model.sha256 === this.#startModel ? null : this.#text;
   }
 
   learnedAlpha(source: number, target: number): number {
@@ -167,6 +173,7 @@ export class ModelStore extends Store {
   /** Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are known. */
   async open(text: string, keep = KEEP_NOTHING, trainingLatents: Float64Array[] | null = null): Promise<void> {
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
+    this.#text = text;
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
   }
 

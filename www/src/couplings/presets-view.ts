@@ -4,12 +4,13 @@ import type { Reading } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import "../terms/term";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import type { BodyStore } from "./body-store";
 import { measuredWords } from "./measured";
 import type { ModelStore } from "./model-store";
 import { START_PRESETS } from "./presets";
 import "./presets-view.css";
+import { partStyle } from "../ui/styled";
 
 /** More presets than those of the first model go into one row that scrolls. */
 const ONE_ROW = START_PRESETS.length;
@@ -47,7 +48,7 @@ export class PresetsView extends View {
         <span><pg-term of="measured" text="Measured"></pg-term>, beside as learned:</span>
         ${parts.map(
           ({ part, words }) => html`
-          <span class="limbs" data-testid="measured-${part}" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,
+          <span class="limbs" data-testid="measured-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,
         )}
         ${end}
       </p>`;

@@ -1,10 +1,11 @@
 // Who decides where a part goes next: a bar of the shares of its sources, with a divider between each two that can be moved.
 import { html } from "lit";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import type { ModelStore } from "./model-store";
 import "./share-bar.css";
 import { dividersOf, shareWord } from "./shares";
+import { partStyle, styled } from "../ui/styled";
 
 /** How far a key moves a divider; without a number: to that end. */
 const STEPS: Record<string, number> = {
@@ -93,11 +94,11 @@ export class ShareBar extends View {
         @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetInto(target)}>
         <div class="shares">${shares.map(
-          (share, source) => html`<i style="${swatchStyle(partColour(source))};flex-grow:${share.toFixed(5)}"></i>`,
+          (share, source) => html`<i style=${partStyle(partColour(source), { "flex-grow": share.toFixed(5) })}></i>`,
         )}</div>
         ${dividersOf(shares).map(
           (place, divider) => html`
-          <span class="divider" role="slider" tabindex="0" style="--at:${place.toFixed(5)}" data-testid="divider-${target}-${divider}"
+          <span class="divider" role="slider" tabindex="0" style=${styled({ "--at": place.toFixed(5) })} data-testid="divider-${target}-${divider}"
             aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"
             aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * place).toFixed(0)}
             aria-valuetext="${said(divider)}, ${said(divider + 1)}"

@@ -3,11 +3,11 @@ import { html } from "lit";
 import "../terms/term";
 import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
-import { swatchStyle } from "../ui/view";
 import type { Kernels } from "./kernels";
+import { partStyle } from "../ui/styled";
 
 const named = (name: string, part: number) =>
-  html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
+  html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
 const numbers = (values: readonly number[]) => values.map((value) => html`<td>${short(value)}</td>`);
 const lengthscale = html`<pg-term of="lengthscale" text="Lengthscale"></pg-term>`;
 

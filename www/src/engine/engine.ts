@@ -2,6 +2,7 @@
 import * as Comlink from "comlink";
 import { messageOf } from "../ui/format";
 import { type Hired, Pool } from "./pool";
+import { loadPlayer, loadWhole, loadWholeWhenIdle } from "./programs";
 import { isTrap, SupervisedEngine, type SupervisedEvents } from "./supervised";
 import type { Engine, Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
 
@@ -10,15 +11,6 @@ export interface TrainingWorker {
   train(job: TrainingJob, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
   /** Goes on with what it trained last, for so many iterations more. */
   goOn(iterations: number, report: Report, signal: AbortSignal): Promise<TrainingOutcome>;
-}
-
-/** Compiles a program, once for all its workers. */
-export async function compile(place: URL): Promise<WebAssembly.Module> {
-  const answer = await fetch(place);
-  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
-  // Not every host knows what a .wasm file is.
-  const named = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
-  return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
 /** What is wrong with a worker that reports an error: only a program that runs reports what and where. */
@@ -46,9 +38,10 @@ export function watched(worker: Worker, name: string, started: Promise<unknown>)
   return broken;
 }
 
-function open(what: string) {
+/** A worker of the whole program. */
+export function openWhole(what: string) {
   const name = nameOf(what);
-  return { name, worker: new Worker(new URL("../workers/playground.ts", import.meta.url), { type: "module", name }) };
+  return { name, worker: new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name }) };
 }
 
 /** A trap of the wasm names an instruction, which is no news to a person. */
@@ -75,10 +68,10 @@ export async function cancellable<Result>(
   }
 }
 
-function hire(wasm: WebAssembly.Module): Hired<TrainingWorker> {
-  const { worker, name } = open("training");
+function hire(): Hired<TrainingWorker> {
+  const { worker, name } = openWhole("training");
   const remote = Comlink.wrap<Trainee>(worker);
-  const ready = remote.start(wasm);
+  const ready = loadWhole().then((wasm) => remote.start(wasm));
   const heard = (signal: AbortSignal, work: () => Promise<TrainingOutcome>) =>
     cancellable(signal, () => remote.cancelTraining(), work);
   return {
@@ -101,7 +94,8 @@ export interface StartedEngine {
 
 /** A worker that shows, and what it says when it has started. */
 async function startWorkbench(program: Promise<WebAssembly.Module>) {
-  const { worker, name } = open("model");
+  const name = nameOf("model");
+  const worker = new Worker(new URL("../workers/player.ts", import.meta.url), { type: "module", name });
   const remote = Comlink.wrap<Workbench>(worker);
   const started = program.then((wasm) => remote.start(wasm));
   const broken = watched(worker, name, started);
@@ -114,14 +108,14 @@ export async function startEngine(events: SupervisedEvents): Promise<StartedEngi
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
-  const program = compile(new URL("../../../crate/wasm/pkg/playground/vcgpdm_bg.wasm", import.meta.url));
+  const program = loadPlayer();
   const start = () =>
     startWorkbench(program).catch((problem: unknown) => {
       throw new Error(`its program could not be loaded (${messageOf(problem)}). Reloading the page may help.`);
     });
   const { running, version, samples } = await start();
   const { engine } = new SupervisedEngine(running, async () => (await start()).running, events);
-  const wasm = await program;
-  const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), () => hire(wasm));
+  const pool = new Pool(Math.max(1, navigator.hardwareConcurrency || 1), hire);
+  loadWholeWhenIdle();
   return { engine, pool, version, samples };
 }

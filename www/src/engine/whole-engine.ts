@@ -1,8 +1,8 @@
 // Promises over the workers of the whole program, which is loaded when it is asked for. No wasm import.
 import * as Comlink from "comlink";
-import { messageOf } from "../ui/format";
-import { cancellable, compile, nameOf, watched } from "./engine";
+import { cancellable, openWhole, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
+import { loadWhole } from "./programs";
 import type { TrainingOutcome } from "./protocol";
 import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
 
@@ -38,8 +38,7 @@ export interface WholeProgram {
 }
 
 function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
-  const name = nameOf("whole");
-  const worker = new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name });
+  const { worker, name } = openWhole("whole");
   const remote = Comlink.wrap<WholeWorker>(worker);
   const ready = remote.start(wasm);
   return {
@@ -69,22 +68,12 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
 }
 
 export class WholeEngine implements WholeProgram {
-  #workers: Promise<WholeProgramWorkers> | null = null;
+  #workers: WholeProgramWorkers | null = null;
 
-  load(): Promise<WholeProgramWorkers> {
-    this.#workers ??= this.#start();
+  async load(): Promise<WholeProgramWorkers> {
+    const wasm = await loadWhole();
+    const cores = Math.max(1, navigator.hardwareConcurrency || 1);
+    this.#workers ??= { pool: new Pool(cores, () => hire(wasm)), desk: new Pool(1, () => hire(wasm)) };
     return this.#workers;
-  }
-
-  async #start(): Promise<WholeProgramWorkers> {
-    try {
-      const wasm = await compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url));
-      const cores = Math.max(1, navigator.hardwareConcurrency || 1);
-      return { pool: new Pool(cores, () => hire(wasm)), desk: new Pool(1, () => hire(wasm)) };
-    } catch (problem) {
-      this.#workers = null;
-      const why = messageOf(problem);
-      throw new Error(`the program for it could not be loaded (${why}). Try again when you are online.`);
-    }
   }
 }

@@ -11,7 +11,7 @@ import type {
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
-import type { RolloutRequest, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
+import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
   Candidate,
@@ -127,6 +127,4 @@ export interface UncertaintyWorker {
 }
 
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends ComparisonWorker, ExperimentWorker, UncertaintyWorker {
-  start(wasm: WebAssembly.Module): Promise<unknown>;
-}
+export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker {}

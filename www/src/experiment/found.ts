@@ -5,12 +5,12 @@ import { grouped, short, weight } from "../ui/format";
 import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
 import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
-import { swatchStyle } from "../ui/view";
+import { partStyle } from "../ui/styled";
 
 const PARTS = [0, 1];
 
 const partName = (part: number) =>
-  html`<span class="part-name" style=${swatchStyle(partColour(part))}><i class="swatch"></i>Part ${part + 1}</span>`;
+  html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>Part ${part + 1}</span>`;
 
 /** alpha and w of each source (row) and target (column). */
 export function alphaTable(findings: SyntheticFindings | null) {
@@ -18,7 +18,7 @@ export function alphaTable(findings: SyntheticFindings | null) {
     const alpha = findings?.alpha[source]?.[target];
     const w = findings?.weights[source]?.[target];
     return html`
-      <td style="${swatchStyle(partColour(source))};--w:${(w ?? 0).toFixed(4)}">
+      <td style=${partStyle(partColour(source), { "--w": (w ?? 0).toFixed(4) })}>
         <span class="share" aria-hidden="true"></span>
         <div class="numbers">
           <span><i>α</i> <output data-testid="experiment-alpha-${source}-${target}">${alpha === undefined ? "–" : short(alpha)}</output></span>

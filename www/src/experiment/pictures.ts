@@ -3,8 +3,8 @@ import { html, nothing, svg } from "lit";
 import { percent } from "../figures/numbers";
 import { partColour } from "../ui/palette";
 import type { SyntheticTruth } from "../engine/whole-protocol";
-import { swatchStyle } from "../ui/view";
 import { curvePaths, frameOf, linePath } from "./paths";
+import { partStyle } from "../ui/styled";
 
 const SIDE = 200;
 /** Frames of the curves: more would be a blur. */
@@ -23,7 +23,7 @@ export function latentPicture(
     ? `Part ${part + 1}: the learned latents over the true ones, of which they explain ${percent(explained ?? 0)}`
     : `Part ${part + 1}: the true latents, a path in the plane`;
   return html`
-    <figure class="latent-picture" style=${swatchStyle(partColour(part))}>
+    <figure class="latent-picture" style=${partStyle(partColour(part))}>
       <svg viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
         <path class="true-path" d=${linePath(actual, frame)} />
         ${learned ? svg`<path class="learned-path" d=${linePath(learned, frame)} />` : nothing}
@@ -39,7 +39,7 @@ export function curvesPicture(part: number, truth: SyntheticTruth | null) {
     ? curvePaths({ values: truth.observed[part] ?? [], columns: truth.columns, frames: CURVE_FRAMES, width, height })
     : [];
   return html`
-    <figure class="curves-picture" style=${swatchStyle(partColour(part))}>
+    <figure class="curves-picture" style=${partStyle(partColour(part))}>
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="Part ${part + 1}: ten noisy curves over time">
         ${paths.map((path) => svg`<path d=${path} />`)}
       </svg>

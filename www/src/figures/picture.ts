@@ -64,7 +64,8 @@ function styled(element: Element): Element | null {
   const copy = element.cloneNode(false) as HTMLElement | SVGElement;
   copy.removeAttribute("class");
   copy.removeAttribute("id");
-  copy.setAttribute("style", PROPERTIES.map((name) => `${name}:${style.getPropertyValue(name)}`).join(";"));
+  // Not as an attribute: the content security policy forbids those.
+  copy.style.cssText = PROPERTIES.map((name) => `${name}:${style.getPropertyValue(name)}`).join(";");
   // A drawing keeps its size: it was made for it.
   if (element instanceof SVGSVGElement) {
     const { width, height } = element.getBoundingClientRect();

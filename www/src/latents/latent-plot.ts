@@ -6,7 +6,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
 import { Plane } from "./plane";
 import { type DrawnPredictions, StepBand } from "./prediction-drawing";
@@ -14,6 +14,7 @@ import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
 import type { PushHandle } from "./push-handle";
 import { type Projection, principalAxes, type Turn } from "./projection";
+import { partStyle } from "../ui/styled";
 
 /** The inducing points that the plots show. */
 export interface Layers {
@@ -75,7 +76,10 @@ export class LatentPlot extends View {
 
   protected override arrived(): void {
     for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paintSoon()));
-    this.whenLeaving(() => cancelAnimationFrame(this.frame));
+    this.whenLeaving(() => {
+      cancelAnimationFrame(this.frame);
+      this.frame = 0;
+    });
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
     if (box) this.watchSize(box, () => this.requestUpdate());
@@ -142,10 +146,14 @@ export class LatentPlot extends View {
     this.paintSoon();
   }
 
-  /** Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. */
+  /**
+   * Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. What is
+   * asked for stays asked for: the clock ticks before each picture, and would put it off for ever.
+   */
   private paintSoon(): void {
-    cancelAnimationFrame(this.frame);
+    if (this.frame !== 0) return;
     this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
       this.paint();
       if (this.moved) this.placeButtons();
       this.moved = false;
@@ -287,7 +295,7 @@ export class LatentPlot extends View {
     const name = this.model.model?.info.parts[this.bodyPart]?.name ?? "";
     const point = (to: InducingPoint | null) => () => pointing.pointAt(to);
     return html`
-      <figure class="latent" style=${swatchStyle(partColour(this.bodyPart))}>
+      <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
         <figcaption><i class="swatch"></i>${name}</figcaption>
         <div class="plot" tabindex="0" role="group" aria-label="Latent space of ${name}. Drag, or use the arrow keys, to turn it."
           data-testid="latent-${this.bodyPart}"

@@ -27,6 +27,13 @@ export class SettingsStore extends Store {
     this.changed();
   }
 
+  /** Takes over what another address says. */
+  takeFragment(fragment: string): void {
+    this.#values = readSettings(fragment);
+    this.address.writeSoon(this.#values);
+    this.changed();
+  }
+
   /** Takes over what the address says, after a visitor has followed a link or pressed Back. */
   readAddress(): void {
     this.#values = readSettings(this.address.read());

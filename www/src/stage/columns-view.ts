@@ -7,6 +7,7 @@ import "./columns-view.css";
 import type { Playback } from "./playback";
 import { sameBody } from "./stage";
 import type { Shown, StageColumn, StageStore } from "./stage-store";
+import { styled } from "../ui/styled";
 
 export class ColumnsView extends View {
   declare stage: StageStore;
@@ -74,7 +75,7 @@ export class ColumnsView extends View {
     return html`
       <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="stage-columns"
         aria-label="${columns.length} figures side by side: ${titles.join(", ")}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
-      <ol class="stage-columns" style="--columns:${columns.length}">${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
+      <ol class="stage-columns" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
   }
 }
 customElements.define("pg-columns", ColumnsView);

@@ -1,11 +1,12 @@
 // The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show anything.
 import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import { LONGEST_PICTURE, type Playback } from "./playback";
 import { Stage } from "./stage";
 import "./stage.css";
 import type { StageStore } from "./stage-store";
+import { partStyle } from "../ui/styled";
 
 export class StageView extends View {
   declare stage: StageStore;
@@ -33,6 +34,16 @@ export class StageView extends View {
       return;
     }
     const { scene } = this;
+    this.listen(canvas, "webglcontextlost", () => {
+      this.problem =
+        "The browser has taken the 3-D graphics away, perhaps because other pages need them. The figure comes back when it gives them back; reloading the page may help.";
+      this.requestUpdate();
+    });
+    this.listen(canvas, "webglcontextrestored", () => {
+      this.problem = "";
+      scene.update();
+      this.requestUpdate();
+    });
     this.whenLeaving(this.stage.on(() => scene.update()));
     this.whenLeaving(this.playback.on(() => scene.tick()));
     this.whenLeaving(() => scene.dispose());
@@ -70,7 +81,7 @@ export class StageView extends View {
       ${this.columns()}
       <ul class="stage-legend" aria-label="Parts">
         ${(this.stage.shown?.parts ?? []).map(
-          ({ name }, part) => html`<li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
+          ({ name }, part) => html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
         )}
       </ul>
     `;

@@ -3,11 +3,12 @@ import { html, nothing } from "lit";
 import { grouped } from "../ui/format";
 import "../terms/term";
 import { onThemeChange } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import type { BoundDrawing } from "./bound-drawing";
 import { termLines } from "./bound-lines";
 import type { TrainingStore } from "./training-store";
 import { phaseWords } from "./words";
+import { partStyle } from "../ui/styled";
 
 export class BoundChart extends View {
   declare training: TrainingStore;
@@ -78,7 +79,7 @@ export class BoundChart extends View {
         <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`
-            <li style=${swatchStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
+            <li style=${partStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`,
           )}
         </ul>

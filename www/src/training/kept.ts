@@ -52,14 +52,14 @@ export class Kept {
     for (const run of [...this.#held.keys()]) this.letGo(run);
   }
 
-  /** Goes on with a run for as many iterations again. It is let go when its bound has settled. */
-  async goOn(run: Run, { report, signal, begun }: Send): Promise<TrainingOutcome> {
+  /** Goes on with a run, and allows it so many iterations more. It is let go when its bound has settled. */
+  async goOn(run: Run, more: number, { report, signal, begun }: Send): Promise<TrainingOutcome> {
     const held = this.#held.get(run);
     const { pool } = this.#engine;
     if (!held || !pool) throw new Error("The worker that trained it is gone.");
     const work = (worker: TrainingWorker) => {
       begun();
-      return worker.goOn(run.portion, report, signal);
+      return worker.goOn(more, report, signal);
     };
     const outcome = await pool.run(work, signal, held.worker);
     if (outcome.reason === "settled") this.letGo(run);

@@ -44,6 +44,8 @@ function run(change: Partial<Run> = {}, iteration = 0, best = 0): Run {
     elapsed: 0,
     ending: "",
     model: null,
+    open: false,
+    catchingUp: false,
     portion: 100,
     ...change,
   };

@@ -27,6 +27,10 @@ export interface Run {
   model: TrainedModel | null;
   /** The iterations that it was first asked for: it goes on for as many again. */
   portion: number;
+  /** Whether it stopped before its bound had settled. */
+  open: boolean;
+  /** Whether it is trained anew up to where it stopped, and has not got there yet. */
+  catchingUp: boolean;
 }
 
 export const isOver = ({ state }: Pick<Run, "state">): boolean => state !== "waiting" && state !== "running";

@@ -8,6 +8,7 @@ import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
+import type { Run } from "./runs";
 import { TrainingStore } from "./training-store";
 
 let engine: FakeEngine;
@@ -38,6 +39,7 @@ async function begin(fragment = "", workers = 2): Promise<void> {
 beforeEach(() => begin("seed=5&trainings=1"));
 
 const states = () => training.runs.map(({ state }) => state).join(" ");
+const seedOf = ({ model }: Run) => (JSON.parse(model?.text ?? "{}") as { seed?: number }).seed;
 const seedOnStage = () => model.model?.info.provenance.settings.seed;
 const worker = (index: number) => {
   const found = trainers.trainings[index];
@@ -287,10 +289,11 @@ describe("a run that stopped before its bound had settled", () => {
     expect([run.elapsed, run.settings.maxIterations, trainers.hired]).toEqual([1500, 1200, 1]);
   });
 
-  it("can be cancelled, and goes on after that too, but not when its bound has settled", async () => {
+  it("can be cancelled, and goes on to its own end after that, but not when its bound has settled", async () => {
     const run = await stopped(cancelled);
     const over = training.continue(run);
     await settled();
+    expect([worker(1).more, run.settings.maxIterations]).toEqual([0, 600]);
     training.cancel();
     worker(1).end(cancelled);
     await over;
@@ -302,19 +305,31 @@ describe("a run that stopped before its bound had settled", () => {
     expect([states(), training.canContinue(run)]).toEqual(["done", false]);
   });
 
-  it("is let go where the next training begins, or when it is removed", async () => {
-    const run = await stopped(used);
+  it("is trained anew up to where it stopped when its worker has gone on to the next training", async () => {
+    const run = await stopped(cancelled);
     void training.start();
     await settled();
     expect([worker(1).worker, trainers.hired]).toEqual([0, 1]);
     worker(1).end(used);
     await settled();
+    const over = training.continue(run);
+    await settled();
+    expect([worker(2).more, worker(2).job.settings.maxIterations, run.catchingUp]).toEqual([null, 600, true]);
+    worker(2).report(300, -50, modelText(8));
+    expect([run.steps.length, run.catchingUp, run.elapsed, seedOf(run)]).toEqual([1, true, 600, 5]);
+    worker(2).report(600, -40);
+    expect([run.steps.length, run.catchingUp]).toEqual([1, false]);
+    worker(2).report(900, -20, modelText(9));
+    worker(2).end(settledDown);
+    await over;
+    expect(run.steps.map(({ iteration }) => iteration)).toEqual([600, 900]);
+    expect([seedOf(run), run.elapsed, training.canContinue(run)]).toEqual([9, 900, false]);
+  });
+
+  it("does not go on when it has been removed", async () => {
+    const run = await stopped(used);
+    training.remove(run);
     expect(training.canContinue(run)).toBe(false);
-    const next = training.runs[1];
-    if (!next) throw new Error("no second run");
-    expect(training.canContinue(next)).toBe(true);
-    training.remove(next);
-    expect(training.canContinue(next)).toBe(false);
   });
 
   it("does not go on when its bound had settled", async () => {

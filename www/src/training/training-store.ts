@@ -10,7 +10,7 @@ import { Store } from "../ui/store";
 import { Kept, type Send } from "./kept";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
-import { endingOfRuns, endingWords } from "./words";
+import { endingOfRuns, endingWords, LEFT, STOPPED } from "./words";
 
 /** The runs from a press of Train until all are over. */
 interface Session {
@@ -38,6 +38,9 @@ const MOST_UNASKED = 4;
 
 /** So many inducing points are tried next where a model does not keep moving. */
 const POINTS = [20, 30, 40] as const;
+
+/** Whether a training can go on. */
+const isOpen = ({ cancelled, reason }: TrainingOutcome) => cancelled || reason === "iterations";
 
 export class TrainingStore extends Store {
   readonly #engine: EngineStore;
@@ -143,22 +146,33 @@ export class TrainingStore extends Store {
     if (begins) await this.#finish(session);
   }
 
-  /** Whether the run stopped before its bound had settled, and its worker still holds it. */
+  /** Whether the run stopped before its bound had settled. */
   canContinue(run: Run): boolean {
-    return !this.busy && this.#kept.has(run);
+    return !this.busy && run.open && this.#runs.includes(run);
   }
 
-  /** Goes on with a run where it stopped, for as many iterations again. */
+  /** How many more iterations a run is allowed when it goes on: none where it was cancelled before it had used its own. */
+  moreIterations({ state, portion }: Run): number {
+    return state === "cancelled" ? 0 : portion;
+  }
+
+  /**
+   * Goes on with a run where it stopped: in the worker that holds it; otherwise it is trained anew up to there, which gives the same bits.
+   * Both end as a training that was never stopped.
+   */
   async continue(run: Run): Promise<void> {
     if (!this.canContinue(run)) return;
+    const more = this.moreIterations(run);
+    const held = this.#kept.has(run);
     this.#begin([run]);
     const session = this.#session;
     session.runs.push(run);
     run.state = "waiting";
-    run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + run.portion };
+    run.catchingUp = !held;
+    run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + more };
     this.changed();
-    const more = (send: Send) => this.#kept.goOn(run, send);
-    session.work.push(this.#carryOut(run, session.stop.signal, more));
+    const work = (send: Send) => (held ? this.#kept.goOn(run, more, send) : this.#train(run, send));
+    session.work.push(this.#carryOut(run, session.stop.signal, work));
     await this.#finish(session);
   }
 
@@ -226,6 +240,25 @@ export class TrainingStore extends Store {
     for (const run of this.#runs) this.remove(run);
   }
 
+  /**
+   * Takes runs of an earlier visit up, before those of this one. Those that were not over then are like cancelled ones: they can go on.
+   * `chosen`: the place of the one whose model is on the stage; none: -1.
+   */
+  async takeUp(runs: readonly Run[], chosen: number): Promise<void> {
+    const known = runs.map((run): Run => {
+      this.#lastId += 1;
+      const over = isOver(run)
+        ? run
+        : { ...run, state: "cancelled" as const, ending: LEFT, open: run.steps.length > 0 };
+      return { ...over, id: this.#lastId, catchingUp: false };
+    });
+    this.#runs = [...known, ...this.#runs];
+    this.changed();
+    const run = known[chosen];
+    if (run?.model && !this.busy) await this.#staging.stage(run, { couplings: "visitor", clip: true });
+    if (run && !this.busy) this.#look(run);
+  }
+
   async newSeed(): Promise<void> {
     const seed = await this.#engine.engine?.freshSeed();
     if (seed !== undefined) this.#settings.change({ seed });
@@ -246,8 +279,8 @@ export class TrainingStore extends Store {
         maxIterations,
       };
       this.#lastId += 1;
-      const fresh = { state: "waiting" as const, steps: [], elapsed: 0, ending: "", model: null };
-      return { id: this.#lastId, settings, clips, ...fresh, portion: maxIterations };
+      const course = { state: "waiting" as const, steps: [], elapsed: 0, ending: "", open: false, catchingUp: false };
+      return { id: this.#lastId, settings, clips, ...course, model: null, portion: maxIterations };
     });
   }
 
@@ -267,8 +300,7 @@ export class TrainingStore extends Store {
     return pool.run(async (worker) => {
       begun();
       const outcome = await worker.train({ clips: run.clips, settings: run.settings, frames }, report, signal);
-      const open = outcome.cancelled || outcome.reason === "iterations";
-      if (open) this.#kept.keep(run, worker, bestBound(run));
+      if (isOpen(outcome)) this.#kept.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
   }
@@ -276,11 +308,15 @@ export class TrainingStore extends Store {
   /** Carries one run out, from its beginning or from where it stopped. Its failure is its own. */
   async #carryOut(run: Run, signal: AbortSignal, work: (send: Send) => Promise<TrainingOutcome>): Promise<void> {
     const before = run.elapsed;
+    const anew = run.catchingUp;
+    const known = run.steps.at(-1)?.iteration ?? 0;
     const report: Report = ({ steps, elapsed, model }) => {
       if (run.state !== "running") return false;
-      run.steps.push(...steps);
-      run.elapsed = before + elapsed;
-      if (model) run.model = model;
+      // What is known of an earlier course comes out the same again.
+      run.steps.push(...steps.filter(({ iteration }) => iteration > known));
+      run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < known;
+      run.elapsed = anew ? Math.max(before, elapsed) : before + elapsed;
+      if (model && !run.catchingUp) run.model = model;
       this.changedSoon();
       return this.#follow(run);
     };
@@ -291,12 +327,16 @@ export class TrainingStore extends Store {
     try {
       const outcome = await work({ report, signal, begun });
       run.state = outcome.cancelled ? "cancelled" : "done";
+      run.open = isOpen(outcome);
       run.ending = endingWords(outcome);
     } catch (problem) {
       const stopped = problem === signal.reason;
       run.state = stopped ? "cancelled" : "failed";
-      run.ending = stopped ? "You cancelled before it began." : messageOf(problem);
+      // One that goes on had begun before; another that has come to a model can be trained anew up to there.
+      run.open = run.model !== null;
+      run.ending = stopped ? (run.open ? STOPPED : "You cancelled before it began.") : messageOf(problem);
     }
+    run.catchingUp = false;
     this.changed();
   }
 

@@ -8,13 +8,14 @@ import type { SettingsStore } from "../settings/settings-store";
 import { sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
-import { swatchStyle, View } from "../ui/view";
+import { View } from "../ui/view";
 import "../terms/term";
 import type { TermName } from "../terms/terms";
 import "./bound-chart";
 import { isOver, secondsLeft, share } from "./runs";
 import "./training.css";
 import type { TrainingStore } from "./training-store";
+import { partStyle } from "../ui/styled";
 
 export class TrainingView extends View {
   declare training: TrainingStore;
@@ -63,7 +64,7 @@ export class TrainingView extends View {
       <ul class="part-row" aria-label="The parts to train">
         ${clips.parts.map(
           ({ name, joints }, part) => html`
-          <li style=${swatchStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
+          <li style=${partStyle(partColour(part))}><i class="swatch"></i>${name} <small>${joints.length} ${joints.length === 1 ? "joint" : "joints"}</small></li>`,
         )}
       </ul>
       ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;
@@ -79,6 +80,7 @@ export class TrainingView extends View {
       : nothing;
     if (busy) {
       if (asked.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
+      if (asked.some(({ catchingUp }) => catchingUp)) return html`<span>Catching up with where it stopped</span>`;
       const done =
         asked.length > 1
           ? html`<span>${asked.filter(isOver).length} of ${asked.length} trainings done</span>`
@@ -100,8 +102,10 @@ export class TrainingView extends View {
     const { training } = this;
     const run = training.charted;
     if (!run || !training.canContinue(run)) return nothing;
-    return html`<button data-testid="continue" title="Goes on where seed ${run.settings.seed} stopped, for ${run.portion} more iterations"
-      @click=${() => void training.continue(run)}>Continue, ${run.portion} more</button>`;
+    const more = training.moreIterations(run);
+    const how = more > 0 ? `, for ${more} more iterations` : ", as if it had not been cancelled";
+    return html`<button data-testid="continue" title="Goes on where seed ${run.settings.seed} stopped${how}"
+      @click=${() => void training.continue(run)}>Continue${more > 0 ? `, ${more} more` : ""}</button>`;
   }
 
   /** Heard by screen readers: the state, not each iteration. */

@@ -16,8 +16,12 @@ export function phaseWords(phase: TrainingProgress["phase"]): string {
   return PHASES[phase];
 }
 
+/** How a run ended whose page was left. */
+export const LEFT = "You left the page; this is the best so far.";
+export const STOPPED = "You cancelled; this is the best so far.";
+
 export function endingWords({ cancelled, reason }: TrainingOutcome): string {
-  if (cancelled) return "You cancelled; this is the best so far.";
+  if (cancelled) return STOPPED;
   return reason ? ENDINGS[reason] : "Done.";
 }
 

@@ -4,6 +4,7 @@ import { icon } from "./icons";
 import "./notices.css";
 import type { Notice, NoticesStore } from "./notices-store";
 import { View } from "./view";
+import { styled } from "./styled";
 
 export function noticeCard(notices: NoticesStore, { id, kind, title, text }: Notice): TemplateResult {
   return html`
@@ -26,7 +27,7 @@ export class NoticesView extends View {
     if (!at) return html``;
     const left = Math.max(12, Math.min(at.x - 20, innerWidth - 372));
     const top = Math.max(12, Math.min(at.y - 20, innerHeight - 60 - 80 * dropped.length));
-    return html`<div class="dropped-notices" style="left:${left}px;top:${top}px">
+    return html`<div class="dropped-notices" style=${styled({ left: `${left}px`, top: `${top}px` })}>
       ${dropped.map((notice) => noticeCard(this.notices, notice))}</div>`;
   }
 }

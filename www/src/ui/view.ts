@@ -49,8 +49,3 @@ export abstract class View extends LitElement {
     for (const stop of this.#leaving.splice(0)) stop();
   }
 }
-
-/** A swatch in the colour of a part. */
-export function swatchStyle(colour: string): string {
-  return `--part:${colour}`;
-}

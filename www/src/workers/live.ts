@@ -1,5 +1,5 @@
 // A rollout that never ends, of the model that the page shows. No DOM.
-import { LiveRollout } from "vcgpdm/playground";
+import { LiveRollout } from "vcgpdm/player";
 import type { LiveChange, LiveFrames, ModelInfo, RolloutRequest } from "../engine/protocol";
 import { handOver } from "./hand-over";
 import type { ShownModel } from "./shown-model";

@@ -1,5 +1,5 @@
 // The clips that the worker holds for the page, each under a number. No DOM.
-import { type Clip, TrainingSet, type VcgpdmError } from "vcgpdm/playground";
+import { type Clip, TrainingSet, type VcgpdmError } from "vcgpdm/player";
 import type { Clash, LoadedClip } from "../engine/protocol";
 import { handOver } from "./hand-over";
 import { using } from "./using";

@@ -1,5 +1,5 @@
 // The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
-import { Model, type Rollout } from "vcgpdm/playground";
+import { Model, type Rollout } from "vcgpdm/player";
 import { MAX_PARTS } from "../engine/limits";
 import type {
   BodyReport,

@@ -1,5 +1,5 @@
 // What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
-import { Clip, type Model, Trainer, TrainingSet } from "vcgpdm/playground";
+import { Clip, type Model, Trainer, TrainingSet } from "vcgpdm";
 import type {
   Health,
   Report,

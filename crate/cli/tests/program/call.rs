@@ -51,3 +51,17 @@ pub fn folder(name: &str) -> PathBuf {
 pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
+
+/// The second made walk, of a body whose bones are longer by a tenth.
+pub fn taller_walk(folder: &Path) -> PathBuf {
+    let taller = folder.join("taller.bvh");
+    prints(&["clip", "sample:walk-2", "--out", text(&taller)]);
+    let written = fs::read_to_string(&taller).unwrap();
+    let longer = |line: &str| {
+        let Some(offset) = line.trim_start().strip_prefix("OFFSET") else { return format!("{line}\n") };
+        let numbers = offset.split_whitespace().map(|x| (1.1 * x.parse::<f64>().unwrap()).to_string());
+        format!("OFFSET {}\n", numbers.collect::<Vec<_>>().join(" "))
+    };
+    fs::write(&taller, written.lines().map(longer).collect::<String>()).unwrap();
+    taller
+}

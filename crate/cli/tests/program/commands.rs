@@ -1,6 +1,6 @@
 //! The terminal program as a user meets it: what it prints, what it writes, how it fails.
 
-use crate::call::{fails, folder, json, run, text};
+use crate::call::{fails, folder, json, run, taller_walk, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -282,15 +282,7 @@ fn training_that_cannot_begin_says_why() {
 #[test]
 fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
     let folder = folder("bones");
-    let taller = folder.join("taller.bvh");
-    json(&["clip", "sample:walk-2", "--out", text(&taller)]);
-    let written = fs::read_to_string(&taller).unwrap();
-    let longer = |line: &str| {
-        let Some(offset) = line.trim_start().strip_prefix("OFFSET") else { return format!("{line}\n") };
-        let numbers = offset.split_whitespace().map(|x| (1.1 * x.parse::<f64>().unwrap()).to_string());
-        format!("OFFSET {}\n", numbers.collect::<Vec<_>>().join(" "))
-    };
-    fs::write(&taller, written.lines().map(longer).collect::<String>()).unwrap();
+    let taller = taller_walk(&folder);
     let model = folder.join("model.json");
     let mut arguments = vec!["train", "sample:walk-1", text(&taller), "--parts", "whole", "--fps", "15"];
     arguments.extend(["--max-iterations", "5", "--out", text(&model)]);

@@ -6,4 +6,5 @@ mod commands;
 mod evaluate;
 mod files;
 mod models;
+mod reproduce;
 mod rollout;

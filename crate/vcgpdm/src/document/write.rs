@@ -55,6 +55,15 @@ fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
     if let Some(seconds) = info.rests_from {
         fields.push(("rests_from".to_owned(), Value::Number(seconds)));
     }
+    if let Some((first, end)) = info.piece {
+        fields.push(("piece".to_owned(), Value::list([first, end], Value::whole)));
+    }
+    if let Some(first) = &info.bones_of {
+        fields.push(("bones_of".to_owned(), Value::text(first)));
+    }
+    if !info.whole {
+        fields.push(("whole".to_owned(), Value::Bool(false)));
+    }
     fields
 }
 

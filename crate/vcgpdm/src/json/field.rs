@@ -114,6 +114,14 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// True or false.
+    pub fn boolean(&self) -> Result<bool, FieldError> {
+        match self.value {
+            Value::Bool(value) => Ok(*value),
+            _ => Err(self.wrong("true or false")),
+        }
+    }
+
     /// A string.
     pub fn text(&self) -> Result<&'a str, FieldError> {
         match self.value {

@@ -30,6 +30,12 @@ pub struct SequenceInfo {
     pub frames: usize,
     /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not known.
     pub rests_from: Option<f64>,
+    /// The frames of the file that were used, as [`Clip::piece`](crate::motion::Clip::piece) has them; `None`: all, or not known.
+    pub piece: Option<(usize, usize)>,
+    /// The name of the clip whose bones it was given; `None`: it kept its own, or not known.
+    pub bones_of: Option<String>,
+    /// Whether all of the clip's frames are there; else only its first ones are.
+    pub whole: bool,
 }
 
 /// Why clips cannot be trained on together.
@@ -195,7 +201,7 @@ impl Dataset {
         }
         let y = layout.split(&stacked);
         let frame_time = clips[0].frame_time;
-        let info = |(clip, y): (&Clip, &DMatrix<f64>)| {
+        let info = |((clip, y), source): ((&Clip, &DMatrix<f64>), &Source)| {
             // Rows of a recording are poses.
             let positions = mapping.decode_positions(y, &RootStart::default()).unwrap_or_default();
             SequenceInfo {
@@ -203,9 +209,12 @@ impl Dataset {
                 sha256: clip.sha256.clone(),
                 frames: y.nrows(),
                 rests_from: rests_from(mapping.skeleton(), &positions, frame_time),
+                piece: clip.piece,
+                bones_of: clip.bones_of.clone(),
+                whole: source.first_frames.is_none(),
             }
         };
-        let sequences = clips.iter().zip(&rows).map(info).collect();
+        let sequences = clips.iter().zip(&rows).zip(sources).map(info).collect();
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
     }
 

@@ -47,6 +47,7 @@ impl Clip {
         // Rounded here: to write a number with so many digits takes code that nothing else on the page needs.
         let rounded = (1000.0 * scale).round() / 1000.0;
         let first = &other.name;
+        clip.bones_of = Some(first.clone());
         clip.warnings
             .push(format!("The bones are those of {first}; the way of the root is scaled by {rounded}"));
         Ok(clip)

@@ -31,6 +31,8 @@ pub struct Clip {
     pub piece: Option<(usize, usize)>,
     /// Seconds from one frame of the file to the next. Resampling changes [`frame_time`](Self::frame_time), not this.
     pub file_frame_time: f64,
+    /// The name of the clip whose bones this one took over ([`Clip::with_bones_of`]); `None`: they are its own.
+    pub bones_of: Option<String>,
 }
 
 /// Why a clip could not be cut or resampled.
@@ -217,6 +219,7 @@ impl Clip {
             warnings: self.warnings.clone(),
             sha256: self.sha256.clone(),
             piece: self.piece,
+            bones_of: self.bones_of.clone(),
             file_frame_time: self.file_frame_time,
         }
     }

@@ -53,6 +53,7 @@ impl Recording {
             warnings,
             sha256,
             piece: None,
+            bones_of: None,
             file_frame_time: frame_time,
         }
     }

@@ -99,7 +99,27 @@ pub(super) fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, Field
             Some(seconds) if *seconds.value() != Value::Null => Some(within(seconds, 0.0..=1e9, "seconds")?),
             _ => None,
         },
+        piece: match sequence.optional("piece") {
+            Some(piece) if *piece.value() != Value::Null => Some(piece_of_file(&piece)?),
+            _ => None,
+        },
+        bones_of: match sequence.optional("bones_of") {
+            Some(first) if *first.value() != Value::Null => Some(first.text()?.to_owned()),
+            _ => None,
+        },
+        whole: match sequence.optional("whole") {
+            Some(whole) => whole.boolean()?,
+            None => true,
+        },
     })
+}
+
+/// The first frame of the file that was used, and the one after the last.
+fn piece_of_file(field: &Field) -> Result<(usize, usize), FieldError> {
+    match field.list(|frame| frame.whole())?[..] {
+        [first, end] if first < end => Ok((first, end)),
+        _ => Err(field.error("expected two frames, the first before the end")),
+    }
 }
 
 /// What a person wants to say about the model.

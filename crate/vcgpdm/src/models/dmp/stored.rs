@@ -46,10 +46,7 @@ impl DmpDiscrete {
         let weights = tame_matrix(&field)?;
         shape(&field, &weights, bases, d)?;
         let field = object.get("scaled")?;
-        let scaled = field.list(|item| match item.value() {
-            Value::Bool(scaled) => Ok(*scaled),
-            _ => Err(item.wrong("true or false")),
-        })?;
+        let scaled = field.list(|item| item.boolean())?;
         count(&field, scaled.len(), d..=d)?;
         let field = object.get("starts")?;
         let starts = field.list(|item| {

@@ -25,6 +25,7 @@ impl Clip {
             values,
             warnings: Vec::new(),
             piece: None,
+            bones_of: None,
             file_frame_time: frame_time,
         }
     }

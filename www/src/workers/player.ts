@@ -1,12 +1,11 @@
-// The worker that shows, with the clips and the model; and the workers of the pool, which train. No DOM.
+// The worker that shows, with the clips and the model. No DOM.
 import * as Comlink from "comlink";
-import init, { bestToShow, Clip, freshSeed, version } from "vcgpdm/playground";
+import init, { bestToShow, Clip, freshSeed, version } from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
 import { showLife } from "./life";
 import { OpenClips } from "./open-clips";
 import { ShownModel } from "./shown-model";
-import { trainee } from "./training";
 
 const clips = new OpenClips();
 const model = new ShownModel();
@@ -37,5 +36,4 @@ const workbench: Workbench = {
   clipBvh: (id, first, end) => clips.toBvh(id, first, end),
 };
 
-// One program for both: a worker of the pool is never asked for the rest.
-Comlink.expose({ ...trainee, ...workbench });
+Comlink.expose(workbench);

@@ -1,0 +1,163 @@
+//! `vcgpdm reproduce`: trains a model again from what its file says, and compares.
+
+use crate::{files, interrupt};
+use serde_json::{Value, json};
+use std::error::Error;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+use vcgpdm::models::{
+    Dataset, Model, Movements, Sequence, SequenceInfo, Source, TrainedModel, with_bones_of,
+};
+use vcgpdm::motion::Clip;
+
+/// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON object.
+///
+/// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program gives the same bits. On another
+/// one, and in wasm, the bound has the same bits too; what is computed from it at the end can differ in its last digits, because products
+/// of large matrices are summed as the processor can do it best.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The model, as `vcgpdm train` or the page has saved it.
+    #[arg(value_name = "MODEL.json")]
+    model: PathBuf,
+    /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their content.
+    #[arg(value_name = "CLIP", required = true)]
+    clips: Vec<String>,
+    /// How far a number may be from the recorded one, relative to the larger of the two.
+    #[arg(long, value_name = "T", default_value_t = 1e-8)]
+    tolerance: f64,
+    /// Write the model that was trained again to this file.
+    #[arg(long, value_name = "MODEL.json")]
+    out: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let path = &arguments.model;
+    let recorded = TrainedModel::<Model>::from_json(&files::read_text(path)?)
+        .map_err(|reason| files::about(path, &reason))?;
+    if let Some(out) = &arguments.out {
+        let read = arguments.clips.iter().map(std::path::Path::new);
+        files::check_writable(out, read.chain([path.as_path()]))?;
+    }
+    let given = arguments.clips.iter().map(|place| files::read_clip(place));
+    let given = given.collect::<Result<Vec<Clip>, _>>()?;
+    let infos = &recorded.body.sequences;
+    let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;
+    let first_frames = |info: &SequenceInfo| (!info.whole).then_some(info.frames);
+    let sources = clips.iter().zip(infos);
+    let sources: Vec<Source> =
+        sources.map(|(clip, info)| Source { clip, first_frames: first_frames(info) }).collect();
+
+    let made = &recorded.provenance;
+    let dataset = Dataset::new(&sources, recorded.body.layout.parts(), made.frames_per_second)?;
+    let sequences =
+        dataset.sequences.iter().map(|info| Sequence { frames: info.frames, whole: info.whole }).collect();
+    let movements = Movements { y: dataset.y.clone(), sequences };
+    let begin = Instant::now();
+    let learner = made.settings.learner(&movements, made.seed);
+    let mut learner = learner.map_err(|reason| dataset.refusal(reason))?;
+    let stopped = interrupt::flag()?;
+    loop {
+        let progress = learner.step();
+        // A training that was cancelled is cancelled again.
+        if progress.done || progress.iteration >= made.iterations {
+            break;
+        }
+        if stopped.load(Ordering::Relaxed) {
+            return Err("stopped before the training had come as far as the recorded one".into());
+        }
+    }
+    let settings = made.settings.clone();
+    let again =
+        TrainedModel::<Model>::trained(&dataset, &*learner, settings, made.seed, made.frames_per_second)?;
+    if let Some(out) = &arguments.out {
+        files::write_text(out, &again.to_json()?)?;
+    }
+
+    let difference = difference(&recorded, &again)?;
+    let beyond = difference.clone().filter(|(_, relative)| *relative > arguments.tolerance);
+    files::print_json(&json!({
+        "same_bits": difference.is_none(),
+        "within_tolerance": beyond.is_none(),
+        "largest_difference": difference.as_ref().map(|(at, relative)| json!({ "at": at, "relative": relative })),
+        "recorded_objective": made.objective,
+        "objective": again.provenance.objective,
+        "iterations": again.provenance.iterations,
+        "seconds": begin.elapsed().as_secs_f64(),
+    }))?;
+    match beyond {
+        Some((at, relative)) => Err(format!(
+            "the model differs from the recorded one, most at {at}, by {relative:.1e} of it. Files of {} may need that program",
+            made.engine
+        )
+        .into()),
+        None => Ok(()),
+    }
+}
+
+/// The clip of a sequence, as it was used.
+fn clip_of(info: &SequenceInfo, infos: &[SequenceInfo], given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
+    let find = |info: &SequenceInfo| {
+        given.iter().find(|clip| clip.sha256 == info.sha256).ok_or_else(|| {
+            let start: String = info.sha256.chars().take(8).collect();
+            format!("expected the clip {} (SHA-256 {start}...) among those given, found none", info.name)
+        })
+    };
+    let mut clip = find(info)?.clone();
+    if let Some(name) = &info.bones_of {
+        let owner = infos.iter().find(|other| other.name == *name);
+        let owner = owner.ok_or_else(|| format!("expected a sequence of the clip {name}, found none"))?;
+        clip = with_bones_of(&clip, find(owner)?)?;
+    }
+    Ok(match info.piece {
+        Some((first, end)) => clip.cut(first, end)?,
+        None => clip,
+    })
+}
+
+/// Where two models differ most, and by how much relative to the larger number; infinity where they are not even alike.
+fn difference(
+    recorded: &TrainedModel<Model>,
+    again: &TrainedModel<Model>,
+) -> Result<Option<(String, f64)>, Box<dyn Error>> {
+    let document = |model: &TrainedModel<Model>| -> Result<Value, Box<dyn Error>> {
+        let mut document: Value = serde_json::from_str(&model.to_json()?)?;
+        // Which program made it and what somebody noted is not the model.
+        for name in ["engine", "note"] {
+            document["provenance"].as_object_mut().and_then(|made| made.remove(name));
+        }
+        Ok(document)
+    };
+    let mut largest = None;
+    compare("model", &document(recorded)?, &document(again)?, &mut largest);
+    Ok(largest)
+}
+
+fn compare(at: &str, a: &Value, b: &Value, largest: &mut Option<(String, f64)>) {
+    let mut found = |relative: f64| {
+        if largest.as_ref().is_none_or(|(_, before)| relative > *before) {
+            *largest = Some((at.to_owned(), relative));
+        }
+    };
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => {
+            let (a, b) = (a.as_f64().unwrap_or(f64::NAN), b.as_f64().unwrap_or(f64::NAN));
+            if a != b {
+                found((a - b).abs() / a.abs().max(b.abs()));
+            }
+        }
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            for (k, (a, b)) in a.iter().zip(b).enumerate() {
+                compare(&format!("{at}[{k}]"), a, b, largest);
+            }
+        }
+        (Value::Object(a), Value::Object(b)) if a.len() == b.len() => {
+            for (name, a) in a {
+                compare(&format!("{at}.{name}"), a, b.get(name).unwrap_or(&Value::Null), largest);
+            }
+        }
+        _ if a == b => {}
+        _ => found(f64::INFINITY),
+    }
+}

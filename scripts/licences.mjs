@@ -1,0 +1,84 @@
+// The licences of what others wrote and the site and the npm package contain: crates that are compiled into the wasm, npm packages that are
+// bundled into the page. Texts that are the same stand once.
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { at, Failure, output } from "./run.mjs";
+
+/** @typedef {{ name: string, version: string, licence: string, folder: string }} Part */
+
+const IS_LICENCE = /^(licen[cs]e|copying|notice|unlicense)([-._].*)?$/i;
+
+/** The crates in the wasm, without our own. @returns {Part[]} */
+function crates() {
+  const text = output("cargo", "metadata", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown");
+  const { packages, resolve } = JSON.parse(text ?? "null") ?? {};
+  if (!packages) throw new Failure("cargo metadata says nothing");
+  const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
+  const inside = new Set();
+  const visit = (/** @type {string} */ id) => {
+    if (inside.has(id)) return;
+    inside.add(id);
+    for (const { pkg, dep_kinds } of nodes.get(id).deps)
+      // Build scripts and tests are not in the wasm.
+      if (dep_kinds.some((/** @type {{ kind: string | null }} */ { kind }) => kind === null)) visit(pkg);
+  };
+  visit(packages.find((/** @type {{ name: string }} */ { name }) => name === "vcgpdm-wasm").id);
+  return packages
+    .filter((/** @type {{ id: string, source: string | null }} */ { id, source }) => inside.has(id) && source !== null)
+    .map((/** @type {any} */ { name, version, license, manifest_path }) => ({
+      ...{ name, version, licence: license ?? "see below", folder: dirname(manifest_path) },
+    }));
+}
+
+/** The npm packages that the page imports, and what they import. @returns {Part[]} */
+function npmPackages() {
+  /** @type {Map<string, Part>} */
+  const found = new Map();
+  const visit = (/** @type {string} */ manifest) => {
+    const { dependencies = {} } = JSON.parse(readFileSync(manifest, "utf8"));
+    const require = createRequire(manifest);
+    for (const name of Object.keys(dependencies)) {
+      const folder = require.resolve
+        .paths(name)
+        ?.map((place) => join(place, name))
+        .find((place) => existsSync(join(place, "package.json")));
+      if (!folder) throw new Failure(`${name} is not installed`);
+      const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+      // Types alone are not in the page.
+      if (found.has(name) || name.startsWith("@types/")) continue;
+      found.set(name, { name, version, licence: license ?? "see below", folder });
+      visit(join(folder, "package.json"));
+    }
+  };
+  visit(at("www/package.json"));
+  return [...found.values()];
+}
+
+/** The notice for these parts. */
+function notice(/** @type {Part[]} */ parts) {
+  /** @type {Map<string, string[]>} */
+  const texts = new Map();
+  const lines = parts.map((part) => {
+    const { name, version, licence, folder } = part;
+    const files = readdirSync(folder).filter((file) => IS_LICENCE.test(file));
+    for (const file of files) {
+      const text = readFileSync(join(folder, file), "utf8").replaceAll("\r\n", "\n").trim();
+      texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
+    }
+    return `${name} ${version}: ${licence}${files.length === 0 ? " (it comes without a text)" : ""}`;
+  });
+  const quoted = [...texts].map(([text, of]) => `${"-".repeat(72)}\n${of.join(", ")}\n\n${text}`);
+  return `This contains software of others:\n\n${lines.join("\n")}\n\n${quoted.join("\n\n")}\n`;
+}
+
+const sorted = (/** @type {Part[]} */ parts) => parts.sort((a, b) => a.name.localeCompare(b.name, "en"));
+
+/** For the npm package, which holds the wasm. */
+export const noticeOfWasm = () => notice(sorted(crates()));
+
+/** Beside the page: `licences.txt`. */
+export function writeLicences() {
+  mkdirSync(at("www/public"), { recursive: true });
+  writeFileSync(at("www/public/licences.txt"), notice(sorted([...crates(), ...npmPackages()])));
+}

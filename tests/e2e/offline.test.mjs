@@ -1,0 +1,83 @@
+// Without a network: what was visited once works, every view and worker of it; and a new version waits until it is asked for.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, it } from "node:test";
+import { dist } from "../../scripts/site.mjs";
+import { openSite, ready } from "./site.mjs";
+
+/** A copy of the built page, which a test may change. */
+const folder = mkdtempSync(join(tmpdir(), "vcgpdm-offline-"));
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+
+before(async () => {
+  cpSync(dist, folder, { recursive: true });
+  site = await openSite({ folder });
+});
+after(async () => {
+  await site?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Waits until the service worker serves this page: it has kept all files by then. */
+const kept = (/** @type {import("playwright-core").Page} */ page) =>
+  page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated", null, { timeout: 60_000 });
+
+describe("after the first visit", () => {
+  it("everything works without a network", async () => {
+    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow" });
+    await ready(page);
+    await kept(page);
+    await page.context().setOffline(true);
+    await page.reload();
+    await ready(page);
+
+    await page.getByTestId("train").click();
+    await page.getByTestId("cancel").waitFor();
+    await page.waitForFunction(() => /\d/.test(document.querySelector("pg-bound-chart")?.textContent ?? ""));
+    await page.getByTestId("cancel").click();
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    await page.getByTestId("help").click();
+    await page.locator("dialog[open]").waitFor();
+    await page.keyboard.press("Escape");
+    for (const [view, element] of [
+      ["compare", "pg-comparison"],
+      ["synthetic", "pg-synthetic"],
+    ]) {
+      await page.getByTestId(`view-${view}`).click();
+      await page.locator(/** @type {string} */ (element)).waitFor();
+    }
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("a new version waits until it is asked for", async () => {
+    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow" });
+    await ready(page);
+    await kept(page);
+
+    const service = join(folder, "service.js");
+    const index = join(folder, "index.html");
+    const old = readFileSync(service, "utf8");
+    const text = readFileSync(index, "utf8");
+    writeFileSync(index, text.replace("<title>", "<title>New: "));
+    writeFileSync(service, old.replace(/(url:`index\.html`,revision:`)\w+|("index\.html","revision":")\w+/, "$1$2new"));
+    assert.notEqual(readFileSync(service, "utf8"), old, "the list names the page");
+
+    await page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.update());
+    await page.getByTestId("new-version").waitFor({ timeout: 60_000 });
+    assert.ok(!(await page.title()).startsWith("New: "), "the visitor goes on in the old one");
+    await page.reload();
+    assert.ok(!(await page.title()).startsWith("New: "), "after a reload too");
+    await ready(page);
+    await page.getByTestId("new-version").click({ timeout: 60_000 });
+    await page.waitForFunction(() => document.title.startsWith("New: "));
+    await ready(page);
+    assert.equal(await page.getByTestId("new-version").count(), 0);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -1,0 +1,100 @@
+// A page that is left in the middle of something: the next visit brings back what it held, when it is asked for.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { bvh } from "./clips.mjs";
+import { drop, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** What the trainings of the page have come to. */
+const runs = (/** @type {Page} */ page) =>
+  page.locator("pg-training").evaluate((view) =>
+    /** @type {any} */ (view).training.runs.map((/** @type {any} */ run) => ({
+      state: run.state,
+      iterations: run.steps.at(-1)?.iteration ?? 0,
+      bound: run.steps.at(-1)?.bound,
+      text: run.model?.text,
+    })),
+  );
+
+/** Enough for a page to be left on the way. */
+const ITERATIONS = 400;
+const SETTINGS = `trainings=1&iterations=${ITERATIONS}&fps=30&dynamics=16&poses=16`;
+
+async function trained(/** @type {Page} */ page) {
+  await page.getByTestId("train").waitFor({ timeout: 120_000 });
+  const [run] = await runs(page);
+  return run;
+}
+
+describe("a page that is closed in the middle of a training", () => {
+  it("has clips and training again at a press, and ends in the same model as one that was never left", async () => {
+    const { page, problems, leave } = await site.visit({ settings: SETTINGS });
+    await ready(page);
+    await drop(page, { "mine.bvh": bvh() });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    assert.equal(await page.getByTestId("earlier-visit").count(), 0);
+
+    await page.getByTestId("train").click();
+    const whole = await trained(page);
+    assert.equal(whole.iterations, ITERATIONS);
+    await page.locator("pg-training").evaluate((view) => /** @type {any} */ (view).training.clear());
+
+    // The same again, and the page is left on the way.
+    await page.getByTestId("train").click();
+    await page.waitForFunction(() => {
+      const { training } = /** @type {any} */ (document.querySelector("pg-training"));
+      const isOnTheWay = training.runs[0]?.steps.length > 10;
+      if (isOnTheWay) training.cancel();
+      return isOnTheWay;
+    });
+    await page.getByTestId("continue").waitFor();
+    const [stopped] = await runs(page);
+    assert.ok(stopped.iterations < ITERATIONS, `${stopped.iterations} iterations before it was cancelled`);
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
+    await page.reload();
+    await ready(page);
+
+    const offer = page.getByTestId("earlier-visit");
+    await offer.waitFor();
+    assert.match((await offer.textContent()) ?? "", /: a clip and a training\./);
+    assert.equal(await page.getByTestId("own-clips").count(), 0, "nothing comes back by itself");
+    await page.getByTestId("bring-back").click();
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await offer.waitFor({ state: "detached" });
+    await page.getByTestId("continue").click();
+    const ended = await trained(page);
+    assert.equal(ended.iterations, ITERATIONS);
+    assert.equal(ended.bound, whole.bound);
+    // The seconds that it took are not the same.
+    const bare = (/** @type {string} */ text) => text.replace(/"seconds":[^,}]*/g, "");
+    assert.equal(bare(ended.text), bare(whole.text));
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("is forgotten when that is asked for", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await drop(page, { "mine.bvh": bvh() });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await page.getByTestId("forget").waitFor();
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
+    await page.getByTestId("forget").click();
+    await page.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
+    await page.reload();
+    await ready(page);
+    await page.getByTestId("forget").waitFor();
+    assert.equal(await page.getByTestId("earlier-visit").count(), 0);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
