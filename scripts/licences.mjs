@@ -19,8 +19,8 @@ function crates() {
   const visit = (/** @type {string} */ id) => {
     if (inside.has(id)) return;
     inside.add(id);
+    // Build scripts and tests are not in the wasm.
     for (const { pkg, dep_kinds } of nodes.get(id).deps)
-      // Build scripts and tests are not in the wasm.
       if (dep_kinds.some((/** @type {{ kind: string | null }} */ { kind }) => kind === null)) visit(pkg);
   };
   visit(packages.find((/** @type {{ name: string }} */ { name }) => name === "vcgpdm-wasm").id);

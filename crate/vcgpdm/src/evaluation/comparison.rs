@@ -131,7 +131,7 @@ mod tests {
         add(ModelSettings::Vgpdm(variational(12)), 1, 0.25);
         let found = Comparison::of(&results(3, &jobs));
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
-        assert!(claim.found.contains("0.80 times in the median of 1 trials"), "{claim:?}");
+        assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
         // A single trial has no interval: whatever is found says neither yes nor no.
         assert!(found.claims.iter().all(|claim| claim.answer == Answer::Undecided), "{:?}", found.claims);
         // The table shows all that each of them has.

@@ -63,10 +63,11 @@ impl Effect {
             interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high))
         };
         format!(
-            "{:.2} times{} in the median of {} trials, {:.2} times{} in the mean; lower in {}",
+            "{:.2} times{} in the median of {} {}, {:.2} times{} in the mean; lower in {}",
             self.median,
             range(&self.median_interval),
             self.folds,
+            if self.folds == 1 { "trial" } else { "trials" },
             self.mean,
             range(&self.mean_interval),
             self.wins
