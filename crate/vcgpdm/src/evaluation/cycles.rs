@@ -3,7 +3,7 @@
 
 use crate::models::{Alignment, Dataset, DatasetError, PhaseAxis, PhaseMap, Source, Trial};
 use crate::motion::parts::PartSpec;
-use crate::motion::{Clip, ClipError, RHYTHMIC, period};
+use crate::motion::{Clip, ClipError};
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -48,11 +48,11 @@ pub fn whole_cycles(trials: &[Clip], frames_per_second: f64) -> Result<(Vec<Clip
         movements.push(dataset.y[0].rows(at, frames).into_owned());
         at += frames;
     }
-    if period(&movements).is_none_or(|period| period.correlation < RHYTHMIC) {
+    let aligned: Vec<Trial> = movements.into_iter().map(|y| Trial { y, whole: true }).collect();
+    let Alignment { axis, maps } = Alignment::new(&aligned, None);
+    if axis != PhaseAxis::Cycle {
         return Err(CyclesError::NoCycle);
     }
-    let aligned: Vec<Trial> = movements.into_iter().map(|y| Trial { y, whole: true }).collect();
-    let maps = Alignment::new(&aligned, Some(PhaseAxis::Cycle)).maps;
     let counts = |place: f64| -> Vec<usize> {
         maps.iter().zip(&aligned).map(|(map, trial)| cycles(map, trial.y.nrows(), place)).collect()
     };
