@@ -63,8 +63,15 @@ const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterati
 ];
 
 /** How time grows with the frames: one job at a time, so that none waits for another. Three seeds are repeats. */
-const times = (/** @type {Extent} */ extent) => [
-  ...["--models", "vcgpdm,map-cgpdm", "--training-trials", extent.times, "--folds", "1", "--seeds", "0,1,2"],
+const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => [
+  ...["--models", "vcgpdm,map-cgpdm", "--folds", "1", "--seeds", "0,1,2"],
+  ...[
+    "--training-trials",
+    extent.times
+      .split(",")
+      .filter((count) => Number(count) < trials)
+      .join(","),
+  ],
   ...["--ips", "10", "--max-iterations", "100", "--threads", "1"],
 ];
 
@@ -110,7 +117,7 @@ await main(async () => {
   };
   const [first] = subjects;
   if (!first) throw new Failure("expected a subject");
-  const timed = await evaluate(first, "-times", times(extent));
+  const timed = await evaluate(first, "-times", times(extent, first.clips.length));
   for (const one of subjects) for (const { file, options } of sweeps(extent)) await evaluate(one, file, options);
   // The times are of the first subject's trials: the report puts them together with its other results.
   const named = [...files.filter((file) => file !== timed), timed];

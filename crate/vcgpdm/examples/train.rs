@@ -29,7 +29,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, &split.parts, 20.0)?;
 
-    // A few iterations, so that it takes seconds. The default is 800.
+    // A few iterations, so that it takes seconds. The default is 250.
     let settings = VariationalSettings { max_iterations: 60, ..VariationalSettings::default() };
     let seed = 1;
     let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, seed)?;

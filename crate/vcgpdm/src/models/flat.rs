@@ -14,7 +14,8 @@ pub enum Group {
     InducingInputs,
 }
 
-/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm) and the box it is held in.
+/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm), the box it is held in and the
+/// unit in which the optimiser counts it.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// Its block.
@@ -22,26 +23,42 @@ pub struct Kind {
     positive: bool,
     lowest: f64,
     highest: f64,
+    unit: f64,
 }
 
 const fn free(group: Group, limit: f64) -> Kind {
-    Kind { group, positive: false, lowest: -limit, highest: limit }
+    Kind { group, positive: false, lowest: -limit, highest: limit, unit: 1.0 }
 }
 
 const fn positive(group: Group, lowest: f64, highest: f64) -> Kind {
-    Kind { group, positive: true, lowest, highest }
+    Kind { group, positive: true, lowest, highest, unit: 1.0 }
+}
+
+impl Kind {
+    const fn in_units_of(self, unit: f64) -> Kind {
+        Kind { unit, ..self }
+    }
+
+    /// The flat entry of a value.
+    fn flat(&self, value: f64) -> f64 {
+        (if self.positive { value.logarithm() } else { value }) / self.unit
+    }
 }
 
 /// The largest coupling variance that training can reach.
 pub const LARGEST_COUPLING: f64 = 10.0;
 
 // The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
+//
+// A search gets on well when a step of one unit changes the objective about as much in whatever direction it goes. Where S is best, log S has
+// the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S wants a far larger unit; log beta has N D / 2, some ten thousands,
+// and wants a smaller one.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
-pub(crate) const S: Kind = positive(Group::Latents, 1e-3, 2.0);
+pub(crate) const S: Kind = positive(Group::Latents, 1e-3, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
 pub(crate) const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
 pub(crate) const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
-pub(crate) const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2);
+pub(crate) const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2).in_units_of(0.3);
 pub(crate) const ALPHA: Kind = positive(Group::Kernels, 1e-3, LARGEST_COUPLING);
 
 /// Named parameters that an optimiser can see as one flat vector.
@@ -52,14 +69,12 @@ pub trait Parameters: Clone {
     /// The same, to change the values.
     fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64]));
 
-    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes.
+    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes and counted in the
+    /// units of their kinds.
     fn to_flat(&self) -> Vec<f64> {
         let mut flat = Vec::new();
         self.visit(&mut |kind, values| {
-            flat.extend(values.iter().map(|v| {
-                let held = v.clamp(kind.lowest, kind.highest);
-                if kind.positive { held.logarithm() } else { held }
-            }));
+            flat.extend(values.iter().map(|v| kind.flat(v.clamp(kind.lowest, kind.highest))));
         });
         flat
     }
@@ -69,8 +84,9 @@ pub trait Parameters: Clone {
         let mut rest = flat.iter();
         self.visit_mut(&mut |kind, values| {
             for (value, flat) in values.iter_mut().zip(&mut rest) {
+                let counted = kind.unit * flat;
                 // Through the box once more, because the exponential of a logarithm can round past its end.
-                *value = if kind.positive { exp(*flat) } else { *flat }.clamp(kind.lowest, kind.highest);
+                *value = if kind.positive { exp(counted) } else { counted }.clamp(kind.lowest, kind.highest);
             }
         });
     }
@@ -82,9 +98,7 @@ pub trait Parameters: Clone {
         let mut k = 0;
         at.visit(&mut |kind, values| {
             for (g, value) in flat[k..k + values.len()].iter_mut().zip(values) {
-                if kind.positive {
-                    *g *= value;
-                }
+                *g *= if kind.positive { kind.unit * value } else { kind.unit };
             }
             k += values.len();
         });
@@ -102,10 +116,6 @@ pub trait Parameters: Clone {
 impl Kind {
     /// The box of a flat entry of this kind.
     pub fn flat_box(&self) -> (f64, f64) {
-        if self.positive {
-            (self.lowest.logarithm(), self.highest.logarithm())
-        } else {
-            (self.lowest, self.highest)
-        }
+        (self.flat(self.lowest), self.flat(self.highest))
     }
 }

@@ -21,7 +21,7 @@ pub struct VariationalSettings {
 
 impl Default for VariationalSettings {
     fn default() -> Self {
-        Self { latent: 3, order: 2, dynamics_ips: 12, pose_ips: 12, max_iterations: 800 }
+        Self { latent: 3, order: 2, dynamics_ips: 12, pose_ips: 12, max_iterations: 250 }
     }
 }
 
@@ -145,7 +145,7 @@ mod tests {
         for (settings, text) in [
             (
                 ModelSettings::Vcgpdm(VariationalSettings::default()),
-                r#"{"model":"vcgpdm","latent":3,"order":2,"dynamics_ips":12,"pose_ips":12,"max_iterations":800}"#,
+                r#"{"model":"vcgpdm","latent":3,"order":2,"dynamics_ips":12,"pose_ips":12,"max_iterations":250}"#,
             ),
             (
                 ModelSettings::MapGpdm(MapSettings::default()),

@@ -103,6 +103,8 @@ pub struct Ascent<T: Target> {
     iteration: usize,
     max_iterations: usize,
     optimizer: Option<Optimizer>,
+    /// Whether the optimiser has got on since it began.
+    moved: bool,
     /// Best values of the last phase, iteration by iteration.
     trace: Vec<f64>,
     value: f64,
@@ -140,6 +142,7 @@ where
             iteration: 0,
             max_iterations,
             optimizer: None,
+            moved: false,
             trace: Vec::new(),
             value,
             reason: None,
@@ -179,19 +182,24 @@ where
             self.trace.push(best);
             let settled = self.trace.len() > PATIENCE
                 && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
-            if !moved || settled {
+            // What the optimiser remembers can mislead it far from any optimum: only one that begins anew knows that there is none better.
+            if settled || !(moved || self.moved) {
                 self.reason = Some(SearchEnd::Settled);
             }
         }
-        if last || (moved && self.phase_iterations < self.phases[self.phase].iterations) {
+        if moved && (last || self.phase_iterations < self.phases[self.phase].iterations) {
             self.optimizer = Some(optimizer);
+            self.moved = true;
         } else {
-            self.phase += 1;
-            self.phase_iterations = 0;
+            self.moved = false;
+            if !last {
+                self.phase += 1;
+                self.phase_iterations = 0;
+            }
         }
     }
 
-    /// Every phase starts from the best point so far.
+    /// Every phase starts from the best point so far, and so does an optimiser that begins anew within the last.
     fn begin_phase(&self) -> Optimizer {
         let mut search = self.search();
         search.flat = search.best_flat.clone();
@@ -250,3 +258,6 @@ fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     // Evaluations do not unwind; if one ever did, the best so far would still be whole.
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,6 +4,7 @@ mod cycle;
 mod disturbances;
 pub(crate) mod elbo;
 mod familiarity;
+mod first_latents;
 mod futures;
 pub(crate) mod inducing;
 pub(crate) mod learner;

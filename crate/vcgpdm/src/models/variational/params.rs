@@ -129,4 +129,20 @@ mod tests {
         params.set_flat(&flat);
         assert_eq!(params.alpha[(0, 0)], 10.0);
     }
+
+    #[test]
+    fn flat_entries_lie_in_their_flat_boxes_and_reach_both_ends() {
+        let (mut params, ..) = random_case(0);
+        let boxes: Vec<(f64, f64)> = params.flat_kinds().iter().map(|kind| kind.flat_box()).collect();
+        let inside = |flat: &[f64]| flat.iter().zip(&boxes).all(|(x, (low, high))| (low..=high).contains(&x));
+        assert!(inside(&params.to_flat()));
+        for end in [boxes.iter().map(|b| b.0).collect::<Vec<f64>>(), boxes.iter().map(|b| b.1).collect()] {
+            params.set_flat(&end);
+            let back = params.to_flat();
+            assert!(inside(&back));
+            for (a, b) in back.iter().zip(&end) {
+                assert_relative_eq!(a, b, max_relative = 1e-12);
+            }
+        }
+    }
 }

@@ -1,21 +1,23 @@
-//! Where the training of a variational model starts: latents from principal components, inducing inputs from a random subset
-//! of the latents.
+//! Where the training of a variational model starts: slow latents, pose maps that are nearly linear in them, inducing inputs from a
+//! random subset of the latents.
 
-use crate::gp::Gaussians;
-use crate::models::latents::{
-    STAND_IN, principal_components, starting_couplings, starting_dynamics, starting_pose,
-};
+use crate::gp::{Gaussians, Kernel};
+use crate::models::latents::{STAND_IN, starting_couplings, starting_dynamics, starting_pose};
 use crate::models::sequences::Sequences;
 use crate::models::settings::VariationalSettings;
+use crate::models::variational::first_latents::first_latents;
 use crate::models::variational::params::{Expert, Params, PartParams};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal, StandardUniform};
 
 /// The variances S as a part of the mean absolute step of the latents.
-const STEP_SHARE: f64 = 0.1;
+const STEP_SHARE: f64 = 0.2;
 const SMALLEST_S: f64 = 1e-3;
+/// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit variance. Trained pose maps are:
+/// theirs are mostly between 5 and 100. From 1, a map bends first, and some trainings end in a worse bound for it.
+const NEARLY_LINEAR: f64 = 10.0;
 
 /// The starting point on the centred observations `y` [N x D_i] of each part.
 ///
@@ -30,7 +32,7 @@ pub fn starting_point(
     let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
     let mut latents = Vec::with_capacity(y.len());
     for y in y {
-        let mean = principal_components(y, settings.latent, &mut rng);
+        let mean = first_latents(y, sequences, settings.latent, &mut rng);
         let s = (STEP_SHARE * mean_absolute_step(&mean, sequences)).max(SMALLEST_S);
         let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
         latents.push(Gaussians { mean, variance });
@@ -38,6 +40,7 @@ pub fn starting_point(
     let mut parts = Vec::with_capacity(y.len());
     for (latents, y) in latents.iter().zip(y) {
         let (kernel, beta) = starting_pose(y, settings.latent);
+        let kernel = nearly_linear(&kernel);
         let r = random_subset(&latents.mean, settings.pose_ips, &mut rng);
         parts.push(PartParams { latents: latents.clone(), r, kernel, beta });
     }
@@ -52,6 +55,16 @@ pub fn starting_point(
         experts.push(row);
     }
     Params { parts, experts, alpha: starting_couplings(y.len()) }
+}
+
+/// A kernel of functions that are nearly linear in latents of unit variance and vary as much there as those of `kernel`: of a slope with
+/// the variance sigma^2 / lambda in each of Q dimensions.
+fn nearly_linear(kernel: &Kernel) -> Kernel {
+    let latent = kernel.lambda.len();
+    Kernel {
+        lambda: DVector::from_element(latent, NEARLY_LINEAR),
+        variance: kernel.variance * NEARLY_LINEAR / latent as f64,
+    }
 }
 
 fn mean_absolute_step(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
@@ -79,7 +92,6 @@ fn random_subset(x: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
 
     fn settings() -> VariationalSettings {
         VariationalSettings { dynamics_ips: 6, pose_ips: 5, ..VariationalSettings::default() }
@@ -93,13 +105,9 @@ mod tests {
     }
 
     #[test]
-    fn latents_have_unit_variance_and_start_is_seeded() {
+    fn the_start_is_seeded() {
         let (y, sequences) = wave();
         let start = starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4);
-        let x = &start.parts[0].latents.mean;
-        for q in 0..2 {
-            assert_relative_eq!(x.column(q).norm_squared() / 40.0, 1.0, epsilon = 1e-9);
-        }
         assert_eq!(start, starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4));
         assert_ne!(start, starting_point(&[y.clone(), y], &sequences, &settings(), 5));
     }

@@ -18,7 +18,7 @@ use serde::Serialize;
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
-const BLOCK_ITERATIONS: usize = 50;
+const BLOCK_ITERATIONS: usize = 25;
 /// More would not fit a browser's memory, or anybody's patience.
 const LARGEST: usize = 1000;
 

@@ -1,15 +1,16 @@
 //! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown table:
 //!
 //! ```sh
-//! cargo run --release --example every_seed -- [--clips FOLDER] [--seeds 20] [--peer "python train.py"]
+//! cargo run --release --example every_seed -- [--clips FOLDER] [--parts whole,lower-upper] [--seeds 20] [--peer "python train.py"]
 //! ```
 //!
 //! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-#[path = "shared/seeds.rs"]
+#[path = "../shared/seeds.rs"]
 mod seeds;
+mod ways;
 
 use clap::Parser;
 use nalgebra::DMatrix;
@@ -19,11 +20,10 @@ use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Objective, Params, Trainer, Vcgpdm, schedule, starting_point};
-use vcgpdm::models::{
-    Dataset, Group, Phase, RolloutRequest, Sequences, Source, TrainedModel, VariationalSettings,
-};
+use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
+use ways::{ITERATIONS, OTHERS, OURS, Way};
 
 const START_FRAMES: usize = 5;
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -33,6 +33,9 @@ struct Arguments {
     /// A folder whose first six BVH files, by name, are trials of one body; absent: the bundled walks.
     #[arg(long)]
     clips: Option<PathBuf>,
+    /// Splits of the body, by the ids of the presets.
+    #[arg(long, value_delimiter = ',', default_value = "whole,lower-upper")]
+    parts: Vec<String>,
     /// Seeds of our own training, from 0.
     #[arg(long, default_value_t = 20)]
     seeds: u32,
@@ -50,112 +53,6 @@ struct Arguments {
     threads: Option<usize>,
 }
 
-/// A way to train: where it starts and what it does.
-#[derive(Clone, Copy)]
-struct Way {
-    start: &'static str,
-    schedule: &'static str,
-    begin: fn(&[DMatrix<f64>], &Sequences, &VariationalSettings, u32) -> Params,
-    phases: fn() -> Vec<Phase>,
-}
-
-const ITERATIONS: usize = 800;
-const X: &[Group] = &[Group::Latents];
-const K: &[Group] = &[Group::Kernels];
-const IP: &[Group] = &[Group::InducingInputs];
-const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
-const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
-
-fn phase(groups: &'static [Group], iterations: usize) -> Phase {
-    Phase { groups, iterations }
-}
-
-const OURS: Way = Way {
-    start: "ours",
-    schedule: "ours: one block of 50, then jointly",
-    begin: starting_point,
-    phases: || schedule(ITERATIONS),
-};
-
-const OTHERS: [Way; 6] = [
-    Way { schedule: "jointly", phases: || vec![phase(ALL, ITERATIONS)], ..OURS },
-    Way {
-        schedule: "five blocks of 50, then jointly",
-        phases: || [K_IP, X, K, IP, K, ALL].map(|groups| phase(groups, 50)).to_vec(),
-        ..OURS
-    },
-    Way {
-        start: "inducing inputs by k-means",
-        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, true),
-        ..OURS
-    },
-    Way {
-        start: "inducing inputs far apart",
-        begin: |y, s, t, seed| clustered(starting_point(y, s, t, seed), s, false),
-        ..OURS
-    },
-    Way {
-        start: "the authors'",
-        schedule: "jointly",
-        begin: authors,
-        phases: || vec![phase(ALL, ITERATIONS)],
-    },
-    Way {
-        start: "the authors'",
-        schedule: "the authors' blocks of 300",
-        begin: authors,
-        phases: || {
-            let round = [X, K, IP, K].repeat(4);
-            std::iter::once(K_IP).chain(round).map(|groups| phase(groups, 300)).collect()
-        },
-    },
-];
-
-/// The authors' start: signal variance and noise 1, whatever the data's units.
-fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
-    let mut params = starting_point(y, sequences, settings, seed);
-    for part in &mut params.parts {
-        (part.kernel.variance, part.beta) = (1.0, 1.0);
-    }
-    params
-}
-
-/// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to cluster centres.
-fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params {
-    let histories: Vec<DMatrix<f64>> =
-        params.parts.iter().map(|part| sequences.histories(&part.latents).mean).collect();
-    for part in &mut params.parts {
-        spread(&part.latents.mean, &mut part.r, centres);
-    }
-    for (row, histories) in params.experts.iter_mut().zip(&histories) {
-        row.iter_mut().for_each(|expert| spread(histories, &mut expert.z, centres));
-    }
-    params
-}
-
-/// From the first row of `z` on, takes the row of `x` that is farthest from those taken; then Lloyd's iterations.
-fn spread(x: &DMatrix<f64>, z: &mut DMatrix<f64>, centres: bool) {
-    let distance = |t: usize, z: &DMatrix<f64>, k: usize| (x.row(t) - z.row(k)).norm_squared();
-    for k in 1..z.nrows() {
-        let nearest = |t: usize| (0..k).map(|l| distance(t, z, l)).fold(f64::INFINITY, f64::min);
-        let far = (0..x.nrows()).max_by(|a, b| nearest(*a).total_cmp(&nearest(*b))).unwrap();
-        z.set_row(k, &x.row(far));
-    }
-    for _ in 0..if centres { 30 } else { 0 } {
-        let mut sums = DMatrix::zeros(z.nrows(), z.ncols());
-        let mut counts = vec![0.0; z.nrows()];
-        for t in 0..x.nrows() {
-            let near = (0..z.nrows()).min_by(|a, b| distance(t, z, *a).total_cmp(&distance(t, z, *b)));
-            let mut sum = sums.row_mut(near.unwrap());
-            sum += x.row(t);
-            counts[near.unwrap()] += 1.0;
-        }
-        for (k, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
-            z.set_row(k, &(sums.row(k) / *count));
-        }
-    }
-}
-
 /// The data of one split of the body.
 struct Problem {
     title: String,
@@ -169,10 +66,8 @@ struct Problem {
 #[derive(Clone)]
 struct Run {
     bound: f64,
-    evaluations: usize,
-    seconds: f64,
-    /// Seconds until 99.9 % of the final bound.
-    nearly: f64,
+    /// Evaluations, seconds and the best bound so far, iteration by iteration.
+    trace: Vec<(usize, f64, f64)>,
     mse: f64,
     still: bool,
     alpha: DMatrix<f64>,
@@ -185,15 +80,12 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     let mut trace = Vec::new();
     let progress = loop {
         let progress = trainer.step();
-        trace.push((begin.elapsed().as_secs_f64(), progress.best));
+        trace.push((progress.evaluations, begin.elapsed().as_secs_f64(), progress.best));
         let joint: usize = (way.phases)().iter().rev().skip(1).map(|phase| phase.iterations).sum();
         if progress.done || progress.iteration >= joint + ITERATIONS {
             break progress;
         }
     };
-    let seconds = begin.elapsed().as_secs_f64();
-    let enough = progress.best - 1e-3 * progress.best.abs();
-    let nearly = trace.iter().find(|(_, best)| *best >= enough).unwrap().0;
     let model = TrainedModel::<Vcgpdm>::trained(&problem.dataset, &trainer, FRAMES_PER_SECOND).unwrap();
     let request = |frames, sequence| {
         model.rollout(&RolloutRequest { frames, sequence, ..Default::default() }).unwrap().y
@@ -205,14 +97,21 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     let end = request(300, 0).rows(240, 60).row_variance().sum().sqrt();
     let variance = problem.actual.row_variance().sum();
     let still = end < 0.2 * variance.sqrt() || mse > 0.5 * variance / problem.actual.ncols() as f64;
-    Run {
-        bound: progress.best,
-        evaluations: progress.evaluations,
-        seconds,
-        nearly,
-        mse,
-        still,
-        alpha: model.model.alpha.clone(),
+    Run { bound: progress.best, trace, mse, still, alpha: model.model.alpha.clone() }
+}
+
+impl Run {
+    /// Evaluations and seconds until the bound `enough`.
+    fn until(&self, enough: f64) -> Option<(usize, f64)> {
+        self.trace
+            .iter()
+            .find(|(.., best)| *best >= enough)
+            .map(|(evaluations, seconds, _)| (*evaluations, *seconds))
+    }
+
+    /// Evaluations and seconds of the whole training.
+    fn whole(&self) -> (usize, f64) {
+        self.trace.last().map_or((0, 0.0), |(evaluations, seconds, _)| (*evaluations, *seconds))
     }
 }
 
@@ -265,6 +164,9 @@ fn runs(problem: &Problem, way: &Way, seeds: u32, threads: usize) -> Vec<Run> {
 /// Smallest, middle and largest.
 fn range(values: impl Iterator<Item = f64>, digits: usize) -> String {
     let mut sorted: Vec<f64> = values.collect();
+    if sorted.is_empty() {
+        return String::new();
+    }
     sorted.sort_by(f64::total_cmp);
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
     format!("{low:.digits$} / {:.digits$} / {high:.digits$}", sorted[sorted.len() / 2])
@@ -294,7 +196,7 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.unwrap_or(cores);
     let trials = read_trials(arguments.clips.as_deref());
-    for preset in ["whole", "lower-upper"] {
+    for preset in &arguments.parts {
         let problem = problem(&trials, preset);
         let frames: usize = problem.dataset.lengths().iter().sum();
         let variance = problem.actual.row_variance().sum() / problem.actual.ncols() as f64;
@@ -306,36 +208,44 @@ fn main() {
         let peers = arguments.peer.as_ref().map(|command| peer(&problem, command, arguments.peer_seeds));
         let bounds = all.iter().flat_map(|(_, runs)| runs.iter().map(|run| run.bound));
         let best = bounds.chain(peers.iter().flatten().map(|p| p.0)).fold(f64::NEG_INFINITY, f64::max);
+        let enough = best - 1e-3 * best.abs();
         println!("Best bound of all: {best:.0}. Numbers with slashes are smallest / middle / largest.\n");
         println!(
-            "| start | schedule | seeds | within 0.5 % | bound | DTW MSE | no walk | evaluations | seconds to 99.9 % |"
+            "| start | schedule | seeds | within 0.5 % | within 0.1 % | bound | DTW MSE | no walk | evaluations | to within 0.1 %: evaluations | seconds |"
         );
-        println!("|---|---|---|---|---|---|---|---|---|");
-        for (way, runs) in &all {
+        println!("|---|---|---|---|---|---|---|---|---|---|---|");
+        for (way, runs) in all.iter().filter(|(_, runs)| !runs.is_empty()) {
             let near = runs.iter().filter(|run| run.bound >= best - 0.005 * best.abs()).count();
+            let until: Vec<(usize, f64)> = runs.iter().filter_map(|run| run.until(enough)).collect();
             println!(
-                "| {} | {} | {} | {near} | {} | {} | {} | {} | {} |",
+                "| {} | {} | {} | {near} | {} | {} | {} | {} | {} | {} | {} |",
                 way.start,
                 way.schedule,
                 runs.len(),
+                until.len(),
                 range(runs.iter().map(|run| run.bound), 0),
                 range(runs.iter().map(|run| run.mse), 5),
                 runs.iter().filter(|run| run.still).count(),
-                range(runs.iter().map(|run| run.evaluations as f64), 0),
-                range(runs.iter().map(|run| run.nearly), 1),
+                range(runs.iter().map(|run| run.whole().0 as f64), 0),
+                range(until.iter().map(|(evaluations, _)| *evaluations as f64), 0),
+                range(until.iter().map(|(_, seconds)| *seconds), 1),
             );
         }
         if let Some(peers) = peers {
             let near = peers.iter().filter(|p| p.0 >= best - 0.005 * best.abs()).count();
             println!(
-                "| ours | the peer's, from our starts ({} s in all) | {} | {near} | {} | | | | |",
+                "| ours | the peer's, from our starts ({} s in all) | {} | {near} | {} | {} | | | | | |",
                 range(peers.iter().map(|p| p.1), 0),
                 peers.len(),
+                peers.iter().filter(|p| p.0 >= enough).count(),
                 range(peers.iter().map(|p| p.0), 0),
             );
         }
         println!();
-        println!("Seconds of a whole training of ours: {}.\n", range(ours.iter().map(|run| run.seconds), 1));
+        println!(
+            "Seconds of a whole training of ours: {}.\n",
+            range(ours.iter().map(|run| run.whole().1), 1)
+        );
         who_drives_whom(&problem, &ours);
     }
 }

@@ -1,0 +1,87 @@
+use super::*;
+use crate::models::flat::{BETA, Kind, MU};
+
+/// Two free parameters and a positive one.
+#[derive(Clone)]
+struct Three {
+    free: Vec<f64>,
+    positive: Vec<f64>,
+}
+
+impl Parameters for Three {
+    fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64])) {
+        f(MU, &self.free);
+        f(BETA, &self.positive);
+    }
+
+    fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64])) {
+        f(MU, &mut self.free);
+        f(BETA, &mut self.positive);
+    }
+}
+
+/// Minus Rosenbrock's function of the free parameters and minus the square of how far the positive one is from 1/2; some evaluations,
+/// counted from 0, fail.
+struct Valley {
+    fails: std::ops::Range<usize>,
+    computed: usize,
+    gradient: Three,
+}
+
+impl Target for Valley {
+    type Parameters = Three;
+    type Terms = ();
+
+    fn compute(&mut self, at: &Three) -> Result<f64, NumericsError> {
+        self.computed += 1;
+        if self.fails.contains(&(self.computed - 1)) {
+            return Err(NumericsError::NotFinite { what: "valley" });
+        }
+        let (a, b) = (1.0 - at.free[0], at.free[1] - at.free[0] * at.free[0]);
+        let c = at.positive[0] - 0.5;
+        self.gradient.free = vec![2.0 * a + 400.0 * at.free[0] * b, -200.0 * b];
+        self.gradient.positive = vec![-2.0 * c];
+        Ok(-(a * a + 100.0 * b * b + c * c))
+    }
+
+    fn terms(&self) -> &() {
+        &()
+    }
+
+    fn gradient(&self) -> &Three {
+        &self.gradient
+    }
+}
+
+fn search(fails: std::ops::Range<usize>) -> Ascent<Valley> {
+    let start = Three { free: vec![-1.2, 1.0], positive: vec![3.0] };
+    let mut target = Valley { fails: 0..0, computed: 0, gradient: start.clone() };
+    let value = target.compute(&start).unwrap();
+    target.fails = fails;
+    let phases = vec![Phase { groups: &[Group::Latents, Group::Kernels], iterations: 1000 }];
+    Ascent::new(target, start, (value, ()), phases, 1000)
+}
+
+fn end(mut search: Ascent<Valley>) -> (Three, Option<SearchEnd>) {
+    while search.reason().is_none() {
+        search.step();
+    }
+    let best = search.search().best_parameters();
+    (best, search.reason())
+}
+
+#[test]
+fn the_optimum_is_found_in_the_parameters_own_units() {
+    let (best, reason) = end(search(0..0));
+    assert!((best.free[0] - 1.0).abs() < 1e-4 && (best.free[1] - 1.0).abs() < 1e-4, "{:?}", best.free);
+    assert!((best.positive[0] - 0.5).abs() < 1e-4, "{:?}", best.positive);
+    assert_eq!(reason, Some(SearchEnd::Settled));
+}
+
+#[test]
+fn an_optimiser_that_gives_up_begins_anew() {
+    // Two line searches in a row find only points that cannot be computed: the optimiser stops far from the optimum.
+    let (best, reason) = end(search(12..21));
+    assert!((best.free[0] - 1.0).abs() < 1e-4, "{:?}", best.free);
+    assert_eq!(reason, Some(SearchEnd::Settled));
+}

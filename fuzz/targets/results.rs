@@ -1,0 +1,13 @@
+//! Any text as the results of an evaluation: read, compared, written and read again.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use vcgpdm::evaluation::{Comparison, Results};
+
+fuzz_target!(|text: &str| {
+    let Ok(results) = Results::from_json(text) else { return };
+    let _ = Comparison::of(&results);
+    let written = results.to_json().expect("what was read can be written");
+    let again = Results::from_json(&written).expect("what was written can be read");
+    assert_eq!(again.finished().len(), results.finished().len());
+});

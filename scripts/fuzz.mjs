@@ -1,0 +1,51 @@
+// `npm run fuzz -- bvh|model|results [MINUTES]`: feeds the library's readers with what no program has written, guided by what they do with it
+// (libFuzzer; needs a nightly Rust). What breaks them is left in fuzz/artifacts.
+import { createRequire } from "node:module";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { at, env, Failure, main, output, run } from "./run.mjs";
+import { buildWasm } from "./wasm.mjs";
+
+const TARGETS = ["bvh", "model", "results"];
+const DICTIONARIES = ["bvh", "json"];
+// What `cargo fuzz` passes on: every branch counts, and comparisons tell what they were waiting for.
+const COVERAGE = [
+  "--cfg fuzzing",
+  "-Cpasses=sancov-module",
+  ...["level=4", "inline-8bit-counters", "pc-table", "trace-compares"].map(
+    (what) => `-Cllvm-args=-sanitizer-coverage-${what}`,
+  ),
+].join(" ");
+
+/** Small inputs to begin with: a made clip, a model, results of nothing. */
+function seeds(/** @type {string} */ target) {
+  const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
+  const set = new TrainingSet();
+  const clips = ["walk-1", "walk-2"].map((id) => Clip.sample(id).cut(0, 20));
+  for (const clip of clips) set.add(clip);
+  if (target === "bvh") return [clips[0].cut(0, 3).toBvh()];
+  const { parts } = clips[0].info().presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
+  const common = { parts, framesPerSecond: 10 };
+  if (target === "results") return [Results.empty(set, common).toJson()];
+  const few = { latent: 1, order: 1, dynamicsIps: 2, poseIps: 2, maxIterations: 2, seed: 1 };
+  return [new Trainer(set, { ...common, ...few }).model().toJson()];
+}
+
+await main(async () => {
+  const [target = "", minutes = "5"] = process.argv.slice(2);
+  if (!TARGETS.includes(target)) throw new Failure(`expected one of ${TARGETS.join(", ")}, found "${target}"`);
+  if (!(Number(minutes) > 0)) throw new Failure(`expected minutes above 0, found "${minutes}"`);
+  const host = /host: (\S+)/.exec(output("rustc", "+nightly", "-vV") ?? "")?.[1];
+  if (!host) throw new Failure("a nightly Rust is needed: rustup toolchain install nightly");
+  await buildWasm();
+  const corpus = at("fuzz/corpus", target);
+  mkdirSync(corpus, { recursive: true });
+  mkdirSync(at("fuzz/artifacts"), { recursive: true });
+  for (const [k, seed] of seeds(target).entries()) writeFileSync(`${corpus}/seed-${k}`, seed);
+  env.RUSTFLAGS = COVERAGE;
+  const place = ["--manifest-path", at("fuzz/Cargo.toml"), "--target", host];
+  await run("cargo", "+nightly", "build", "--release", ...place, "--bin", target);
+  const dictionary = at("fuzz", `${target === "bvh" ? DICTIONARIES[0] : DICTIONARIES[1]}.dict`);
+  const limits = ["-timeout=10", "-rss_limit_mb=2048", "-max_len=200000", `-max_total_time=${60 * Number(minutes)}`];
+  const found = `-artifact_prefix=${at("fuzz/artifacts")}/${target}-`;
+  await run(at("fuzz/target", host, "release", target), corpus, `-dict=${dictionary}`, found, ...limits);
+});
