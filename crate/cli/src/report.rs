@@ -1,6 +1,7 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown.
 
 use crate::{files, results};
+use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -49,13 +50,29 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         claims(&mut text, &comparison)?;
     }
     if subjects.len() > 1 {
-        let all: Vec<&Results> = subjects.iter().map(|subject| &subject.results).collect();
-        let comparison = Comparison::of_all(&all);
-        writeln!(text, "\n### All together\n\nEvery trial counts once, whoever moves in it.\n")?;
+        let comparison = Comparison::of_all(&once(&subjects));
+        writeln!(
+            text,
+            "\n### All together\n\nEvery trial counts once, whoever moves in it: where files hold the same clips, the first of them counts.\n"
+        )?;
         models(&mut text, &comparison, &[])?;
         claims(&mut text, &comparison)?;
     }
     files::print(&files::shown(&text))
+}
+
+/// The subjects without those whose clips are there already, from another number of first frames or cut.
+fn once(subjects: &[Subject]) -> Vec<&Results> {
+    let mut clips: HashSet<&str> = HashSet::new();
+    let mut all = Vec::new();
+    for Subject { results, .. } in subjects {
+        let trials = || results.setting().trials.iter().map(|trial| trial.sha256.as_str());
+        if trials().all(|clip| !clips.contains(clip)) {
+            clips.extend(trials());
+            all.push(results);
+        }
+    }
+    all
 }
 
 /// The files, put together where they are of the same trials.

@@ -125,6 +125,9 @@ fn the_report_has_a_row_for_each_model_and_says_what_holds() {
     let both = run(&["report", out.to_str().unwrap(), other.to_str().unwrap()]);
     let both = String::from_utf8(both.stdout).unwrap();
     assert!(both.contains("predictions start from 2 frames.") && both.contains("### All together"), "{both}");
+    // The same clips count once.
+    let together = both.split("### All together").nth(1).unwrap();
+    assert!(!together.contains("20 bases"), "{together}");
 }
 
 #[test]

@@ -16,9 +16,8 @@
 //!   movement: together, since all columns of all trials teach one V.
 //! - A trial of which only the first frames are known teaches the model nothing: c, V and the noise come from whole trials. (If it
 //!   did, V would grow along any combination of weights that only those frames ask for, and such a combination would cost nothing:
-//!   predictions exploded.) Given the model, its start and rate are where their posterior is highest: their prior is what the
-//!   whole trials lead to expect (Student t), and its weights are integrated out. The posterior of its weights is the prediction,
-//!   near mu_k where those frames say nothing.
+//!   predictions exploded.) Given the model, its rate is the mean of the whole trials, and its start is where the posterior is
+//!   highest, its weights integrated out. The posterior of its weights is the prediction, near mu_k where those frames say nothing.
 //!
 //! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions of normalised time, and
 //! weights of the columns that all trials share, w_sk = w_k. Learned phases, the cycle and weights for every trial are ours; they
