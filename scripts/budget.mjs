@@ -4,5 +4,5 @@ export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
   whenAsked: 70_000,
-  onDemand: 500_000,
+  onDemand: 530_000,
 };

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, Setting};
+use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
 use vcgpdm::models::{ModelKind, VariationalSettings};
 use vcgpdm::motion::Clip;
 
@@ -33,9 +33,16 @@ pub struct Arguments {
     /// Seeds of the models that have some.
     #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0])]
     seeds: Vec<u32>,
-    /// Inducing points of every dynamics map and every pose map of the variational models: one number, or several to compare.
+    /// Inducing points of every dynamics map of the variational models, and of every pose map where --pose-ips is absent: one
+    /// number, or several to compare.
     #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12])]
     ips: Vec<usize>,
+    /// Inducing points of every pose map: each number with each of --ips.
+    #[arg(long, value_name = "L,L", value_delimiter = ',')]
+    pose_ips: Vec<usize>,
+    /// The TMP's primitives over normalised time, with weights that all trials share, as in the papers.
+    #[arg(long)]
+    normalised_time: bool,
     /// Numbers of primitives of the TMP: "bound" chooses by the bound.
     #[arg(long, value_name = "bound|N,N", value_delimiter = ',', default_values_t = ["bound".to_owned()])]
     primitives: Vec<String>,
@@ -57,9 +64,18 @@ pub struct Arguments {
     /// Balance the dynamics of the MAP models against their many columns.
     #[arg(long)]
     balanced: bool,
+    /// The MAP models have a linear term in the kernels of their dynamics (Wang et al. 2008).
+    #[arg(long)]
+    linear: bool,
     /// Resample the clips to about so many frames a second.
     #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
     fps: f64,
+    /// Predict from so many first frames of the trial held out.
+    #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = clap::value_parser!(u16).range(1..))]
+    start_frames: u16,
+    /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for the discrete DMP.
+    #[arg(long)]
+    whole_cycles: bool,
     /// Only the K-th of N equal shares of the jobs, for a scheduler that runs the others elsewhere.
     #[arg(long, num_args = 3, value_names = ["K", "of", "N"])]
     job: Option<Vec<String>>,
@@ -72,17 +88,21 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let clips: Vec<Clip> =
+    let mut clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
+    if arguments.whole_cycles {
+        clips = whole_cycles(&clips, arguments.fps)?.0;
+    }
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
-    let setting = Setting::new(&clips, &parts, arguments.fps)?;
+    let start_frames = usize::from(arguments.start_frames);
+    let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
     let asked = jobs(arguments, clips.len())?;
     // Whatever cannot be used is found before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
     for job in &asked {
         let key = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
-            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps)?);
+            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps, start_frames)?);
         }
     }
     let share = share(arguments, asked.len())?;
@@ -198,9 +218,12 @@ fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>
         order: arguments.order,
         max_iterations: arguments.max_iterations,
         ips: arguments.ips.clone(),
+        pose_ips: arguments.pose_ips.clone(),
         primitives: primitives(&arguments.primitives)?,
+        normalised_time: arguments.normalised_time,
         bases: arguments.bases.clone(),
         balanced: arguments.balanced,
+        linear: arguments.linear,
         held_out: folds(&arguments.folds, trials)?,
         seeds: arguments.seeds.clone(),
         training_trials: arguments.training_trials.clone(),

@@ -1,42 +1,94 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown.
 
 use crate::{files, results};
+use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
-use vcgpdm::evaluation::{Comparison, Labels, Results, Spread};
+use vcgpdm::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
+///
+/// Results of the same trials and parts are put together; those of other trials are another subject, with tables of its own and one
+/// more for all of them.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Files that `evaluate` wrote, all of the same trials and parts.
+    /// Files that `evaluate` wrote.
     #[arg(value_name = "RESULTS.json", required = true)]
     results: Vec<PathBuf>,
 }
 
+/// Results of the same trials.
+struct Subject {
+    name: String,
+    results: Results,
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let mut results = results::read(&arguments.results[0])?;
-    for path in &arguments.results[1..] {
-        results.merge(results::read(path)?).map_err(|error| files::about(path, &error))?;
-    }
     let mut text = String::new();
-    let setting = results.setting();
-    let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
-    writeln!(
-        text,
-        "{} trials, parts {}, {} frames a second; predictions start from {} frames.\n",
-        setting.trials.len(),
-        names.join(" and "),
-        setting.frames_per_second,
-        setting.start_frames
-    )?;
-    let comparison = Comparison::of(&results);
-    models(&mut text, &comparison)?;
-    correlations(&mut text, &comparison)?;
-    growth(&mut text, &comparison)?;
-    failures(&mut text, &results)?;
-    claims(&mut text, &comparison)?;
+    let subjects = subjects(&arguments.results)?;
+    for subject in &subjects {
+        if subjects.len() > 1 {
+            writeln!(text, "### {}\n", one_line(&subject.name))?;
+        }
+        let setting = subject.results.setting();
+        let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
+        writeln!(
+            text,
+            "{} trials, parts {}, {} frames a second; predictions start from {} frames.\n",
+            setting.trials.len(),
+            names.join(" and "),
+            setting.frames_per_second,
+            setting.start_frames
+        )?;
+        let comparison = Comparison::of(&subject.results);
+        models(&mut text, &comparison, &names)?;
+        correlations(&mut text, &comparison)?;
+        growth(&mut text, &comparison)?;
+        evidence(&mut text, &comparison)?;
+        failures(&mut text, &subject.results)?;
+        claims(&mut text, &comparison)?;
+    }
+    if subjects.len() > 1 {
+        let comparison = Comparison::of_all(&once(&subjects));
+        writeln!(
+            text,
+            "\n### All together\n\nEvery trial counts once, whoever moves in it: where files hold the same clips, the first of them counts.\n"
+        )?;
+        models(&mut text, &comparison, &[])?;
+        claims(&mut text, &comparison)?;
+    }
     files::print(&files::shown(&text))
+}
+
+/// The subjects without those whose clips are there already, from another number of first frames or cut.
+fn once(subjects: &[Subject]) -> Vec<&Results> {
+    let mut clips: HashSet<&str> = HashSet::new();
+    let mut all = Vec::new();
+    for Subject { results, .. } in subjects {
+        let trials = || results.setting().trials.iter().map(|trial| trial.sha256.as_str());
+        if trials().all(|clip| !clips.contains(clip)) {
+            clips.extend(trials());
+            all.push(results);
+        }
+    }
+    all
+}
+
+/// The files, put together where they are of the same trials.
+fn subjects(paths: &[PathBuf]) -> Result<Vec<Subject>, Box<dyn Error>> {
+    let mut subjects: Vec<Subject> = Vec::new();
+    for path in paths {
+        let results = results::read(path)?;
+        match subjects.iter_mut().find(|subject| subject.results.is_of_same_setting(&results)) {
+            Some(subject) => subject.results.merge(results).map_err(|error| files::about(path, &error))?,
+            None => {
+                let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+                subjects.push(Subject { name: stem.unwrap_or_default(), results });
+            }
+        }
+    }
+    Ok(subjects)
 }
 
 /// Mean and standard error.
@@ -48,39 +100,57 @@ fn spread(spread: &Spread, digits: usize) -> String {
 }
 
 /// Figure 4 of Velychko et al. 2018 as a table.
-fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
+fn models(text: &mut String, comparison: &Comparison, parts: &[String]) -> std::fmt::Result {
+    let of_parts: String = parts.iter().map(|part| format!(" {part} |")).collect();
     writeln!(
         text,
-        "| model | settings | DTW MSE | median | of a motionless prediction | bound | training, s | numbers stored | folds | runs |"
+        "| model | settings | DTW MSE | median | of a motionless prediction |{of_parts} bound | of it pose | of it dynamics | training, s | converged | numbers stored | folds | runs |"
     )?;
-    writeln!(text, "|---|---|---|---|---|---|---|---|---|---|")?;
+    writeln!(text, "{}|", "|---".repeat(12 + parts.len()))?;
     for s in &comparison.models {
         writeln!(
             text,
-            "| {} | {} | {} | {:.5} | {:.0} % | {} | {} | {:.0} | {} | {} |",
+            "| {} | {} | {} | {:.5} | {:.0} % |{} {} | {} | {} | {} | {} | {:.0} | {} | {} |",
             s.model.id(),
             s.label,
             spread(&s.mse, 5),
             s.mse_median,
             100.0 * s.mse.mean / s.variance,
+            (0..parts.len())
+                .map(|k| s.part_errors.get(k).map_or(" |".to_owned(), |error| format!(" {error:.5} |")))
+                .collect::<String>(),
             s.bound.as_ref().map_or(String::new(), |b| spread(b, 0)),
+            s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.pose)),
+            s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.dynamics)),
             spread(&s.seconds, 1),
+            s.converged.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share)),
             s.stored_numbers.mean,
             s.folds,
             s.runs
         )?;
     }
-    writeln!(text, "\nMean ± standard error over the trials held out.\n")
+    writeln!(
+        text,
+        "\nMean ± standard error over the trials held out. *Converged* is the share of trainings that ended because nothing changed any more. Pose is the kinematics terms of the bound, dynamics all others."
+    )?;
+    if !parts.is_empty() {
+        writeln!(text, "The columns of the parts are the error of each along the same warping path.")?;
+    }
+    writeln!(text)
 }
 
 fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.correlations.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| model | settings compared | rank correlation of bound and MSE |\n|---|---|---|")?;
+    writeln!(
+        text,
+        "| model | settings compared | rank correlation of bound and MSE | so low by chance |\n|---|---|---|---|"
+    )?;
     for c in &comparison.correlations {
         let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
-        writeln!(text, "| {}{comma}{label} | {} | {:.2} |", c.model.id(), c.settings, c.rank)?;
+        let (id, chance) = (c.model.id(), 100.0 * c.chance);
+        writeln!(text, "| {id}{comma}{label} | {} | {:.2} | {chance:.1} % |", c.settings, c.rank)?;
     }
     writeln!(text)
 }
@@ -89,12 +159,33 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.growth.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| model | settings | frames: ms an iteration | exponent |\n|---|---|---|---|")?;
+    writeln!(
+        text,
+        "| model | settings | frames: ms an iteration (s a training) | exponent |\n|---|---|---|---|"
+    )?;
     for g in &comparison.growth {
-        let list: Vec<String> =
-            g.points.iter().map(|p| format!("{:.0}: {:.2}", p.frames, 1e3 * p.seconds)).collect();
-        let exponent = g.exponent.map_or(String::new(), |e| format!("{e:.2}"));
+        let point = |p: &FramesAndTime| {
+            format!("{:.0}: {:.2} ({:.1})", p.frames, 1e3 * p.seconds, p.training_seconds)
+        };
+        let list: Vec<String> = g.points.iter().map(point).collect();
+        let range = g.interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
+        let exponent = g.exponent.map_or(String::new(), |e| format!("{e:.2}{range}"));
         writeln!(text, "| {} | {} | {} | {exponent} |", g.model.id(), g.label, list.join(", "))?;
+    }
+    writeln!(text)
+}
+
+/// Bayes factors beside differences in error.
+fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
+    if comparison.evidence.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        text,
+        "| trial held out | ln Bayes factor, several parts : one (difference of the bounds) | error, several parts : one |\n|---|---|---|"
+    )?;
+    for e in &comparison.evidence {
+        writeln!(text, "| {} | {:+.0} | {:.2} |", one_line(&e.trial), e.log_bayes_factor, e.error_ratio)?;
     }
     writeln!(text)
 }
@@ -123,11 +214,15 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.claims.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| the papers say | we find | holds here |\n|---|---|---|")?;
+    writeln!(text, "| the papers say | our criterion | we find | holds here |\n|---|---|---|---|")?;
     for c in &comparison.claims {
-        writeln!(text, "| {} | {} | {} |", c.claim, c.found, if c.holds { "yes" } else { "no" })?;
+        let (claim, found) = (one_line(&c.claim), one_line(&c.found));
+        writeln!(text, "| {claim} ({}) | {} | {found} | {} |", c.place, c.criterion, c.answer.word())?;
     }
-    Ok(())
+    writeln!(
+        text,
+        "\nErrors are held against each other trial by trial: a number of times is the error of the first over that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from that of the median, with fewer than six trials from that of the mean; it is yes or no only where the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the bound, or without a bound by the error on the other trials.\n"
+    )
 }
 
 #[cfg(test)]

@@ -91,11 +91,11 @@ mod tests {
 
     fn setting() -> Setting {
         let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();
-        Setting::new(&clips, &[], 30.0).unwrap()
+        Setting::new(&clips, &[], 30.0, 5).unwrap()
     }
 
     fn finished(seed: u32) -> Finished {
-        let candidate = ModelSettings::Tmp(TmpSettings { primitives: None });
+        let candidate = ModelSettings::Tmp(TmpSettings::default());
         let job = Job { candidate, held_out: 1, training_trials: 1, seed };
         Finished::new(job, Err("a test".to_owned()))
     }

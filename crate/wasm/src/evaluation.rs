@@ -6,7 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::evaluation::Fold as HeldOut;
+use vcgpdm::evaluation::{Fold as HeldOut, START_FRAMES};
 use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
@@ -46,11 +46,15 @@ export type Candidate =
         maxIterations: number;
         /** Whether the dynamics weigh D / Q times as much (Urtasun, Fleet & Fua 2006). */
         balanced: boolean;
+        /** Whether the kernels of the dynamics have a linear term (Wang et al. 2008); absent: no. */
+        linear?: boolean;
     }
     | {
         model: "tmp";
         /** Null: chosen by the bound. */
         primitives: number | null;
+        /** Over normalised time, with weights that all trials share, as in the papers; absent: over learned phases. */
+        normalisedTime?: boolean;
     }
     | {
         model: "dmp-discrete" | "dmp-rhythmic";
@@ -93,6 +97,10 @@ export interface Outcome {
     storedNumbers: number;
     /** Why training ended, in words. */
     reason: string | null;
+    /** The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in results of earlier programs. */
+    terms?: { kinematics: number[]; dynamics: number[]; initial: number; entropy: number };
+    /** The error of each part; absent in results of earlier programs. */
+    partErrors?: number[];
 }
 "#;
 
@@ -133,7 +141,8 @@ impl Fold {
             training_trials.count(ErrorCode::Comparison, "the number of training trials")?;
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let fold = HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second)?;
+        let fold =
+            HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 

@@ -7,7 +7,7 @@ use crate::evaluation::ComparisonSettings;
 use crate::given::Text;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
-use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, Setting};
+use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -47,14 +47,20 @@ export interface Plan {
     latent: number;
     order: number;
     maxIterations: number;
-    /** Numbers of inducing points of the variational models. */
+    /** Numbers of inducing points of the variational models: of every dynamics map, and of every pose map where there are no `poseIps`. */
     ips: number[];
+    /** Numbers of inducing points of every pose map, each with each of `ips`. */
+    poseIps?: number[];
     /** Numbers of primitives of the TMP; null: chosen by the bound. */
     primitives: (number | null)[];
+    /** Whether the TMP is that of the papers: over normalised time, with weights that all trials share. */
+    normalisedTime?: boolean;
     /** Numbers of basis functions of the DMPs. */
     bases: number[];
     /** Whether the dynamics of the MAP models are balanced. */
     balanced: boolean;
+    /** Whether their kernels have a linear term. */
+    linear?: boolean;
     /** Trials held out, counted from 1; empty: each in turn. */
     heldOut: number[];
     /** Of the models that have random starts; the others get 0. */
@@ -115,6 +121,12 @@ export interface ModelSummary {
     seconds: Spread;
     /** Numbers that must be kept to roll out. */
     storedNumbers: Spread;
+    /** The share of trainings that ended because nothing changed any more; null where that is not known. */
+    converged: number | null;
+    /** Means of the terms of the bound, in nats; null where the results do not hold them. */
+    terms: { pose: number; dynamics: number } | null;
+    /** The mean error of each part; empty where the results do not hold it. */
+    partErrors: number[];
     /** Number of trials held out. */
     folds: number;
     /** Number of trainings. */
@@ -141,6 +153,8 @@ export interface Correlation {
     folds: number;
     /** Spearman's rank correlation. */
     rank: number;
+    /** The share of all orders of the settings whose correlation is as low. */
+    chance: number;
     points: BoundAndError[];
 }
 
@@ -148,6 +162,8 @@ export interface Correlation {
 export interface FramesAndTime {
     frames: number;
     seconds: number;
+    /** Mean seconds of a whole training. */
+    trainingSeconds: number;
 }
 
 /** Learning time of one candidate over the frames trained on. */
@@ -158,16 +174,39 @@ export interface Growth {
     points: FramesAndTime[];
     /** k where time grows as frames to the power k; null where it cannot be told. */
     exponent: number | null;
+    /** Where it lies, 95 %; null where it cannot be told. */
+    interval: Interval | null;
+}
+
+/** Where a number lies, with the probability that such an interval covers it. */
+export interface Interval {
+    low: number;
+    high: number;
+    level: number;
+}
+
+/** What bounds and errors of one part and several say in one fold. */
+export interface Evidence {
+    /** The trial held out. */
+    trial: string;
+    /** The bound of the vCGPDM minus that of the vGPDM, in nats. */
+    logBayesFactor: number;
+    /** The error of the vCGPDM over that of the vGPDM. */
+    errorRatio: number;
 }
 
 /** What the papers say, and what these results say about it. */
 export interface Claim {
-    /** The claim and its year. */
+    /** The sentence of the paper, or what is asked beside it. */
     claim: string;
-    /** What was found. */
+    /** Where it stands: year and section. */
+    place: string;
+    /** Our criterion: what it is held against. */
+    criterion: string;
+    /** The effect that was found, with its interval. */
     found: string;
-    /** Whether that agrees. */
-    holds: boolean;
+    /** Whether that agrees: said only where the whole interval says so. */
+    answer: "yes" | "no" | "undecided";
 }
 
 /** What the results of a comparison say. */
@@ -178,6 +217,8 @@ export interface Comparison {
     correlations: Correlation[];
     /** For every kind of model that was trained on at least three numbers of trials. */
     growth: Growth[];
+    /** In every fold that both variational models have. */
+    evidence: Evidence[];
     /** The claims about which there are results. */
     claims: Claim[];
 }
@@ -209,7 +250,7 @@ impl Results {
     ) -> Result<Results, VcgpdmError> {
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let setting = Setting::new(&clips.clips, &parts, frames_per_second)?;
+        let setting = Setting::new(&clips.clips, &parts, frames_per_second, START_FRAMES)?;
         Ok(Results { results: AllResults::new(setting) })
     }
 

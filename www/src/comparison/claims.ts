@@ -3,8 +3,6 @@ import { html } from "lit";
 import { FigureElement } from "../figures/figure-element";
 import type { Comparison } from "../engine/whole-protocol";
 
-const yes = (holds: boolean) => (holds ? "yes" : "no");
-
 export class ClaimsTable extends FigureElement<Comparison> {
   protected readonly heading = "What the papers say";
   protected readonly file = "claims-of-the-papers";
@@ -15,8 +13,8 @@ export class ClaimsTable extends FigureElement<Comparison> {
 
   protected table({ claims }: Comparison) {
     return {
-      header: ["the papers say", "we find", "holds here (yes or no)"],
-      rows: claims.map(({ claim, found, holds }) => [claim, found, yes(holds)]),
+      header: ["the papers say", "place", "our criterion", "we find", "holds here (yes, no or undecided)"],
+      rows: claims.map(({ claim, place, criterion, found, answer }) => [claim, place, criterion, found, answer]),
     };
   }
 
@@ -25,10 +23,13 @@ export class ClaimsTable extends FigureElement<Comparison> {
       <table class="claims-table">
         <thead><tr><th scope="col">The papers say</th><th scope="col">We find</th><th scope="col">Holds here</th></tr></thead>
         <tbody>${claims.map(
-          ({ claim, found, holds }) => html`
-          <tr><th scope="row">${claim}</th><td>${found}</td><td class="holds"><span class=${yes(holds)}>${yes(holds)}</span></td></tr>`,
+          ({ claim, place, criterion, found, answer }) => html`
+          <tr><th scope="row">${claim} <small>(${place})</small></th>
+            <td>${found} <small>Our criterion: ${criterion}.</small></td>
+            <td class="holds"><span class=${answer}>${answer}</span></td></tr>`,
         )}</tbody>
-      </table>`;
+      </table>
+      <figcaption>Errors are held against each other trial by trial; the intervals cover 95 %. Yes and no are said only where the whole interval says so.</figcaption>`;
   }
 }
 customElements.define("comparison-claims", ClaimsTable);

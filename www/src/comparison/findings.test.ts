@@ -9,6 +9,7 @@ const correlation = (rank: number, settings = 5): Correlation => ({
   rank,
   settings,
   folds: 3,
+  chance: 0.5,
   points: [],
 });
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
@@ -22,6 +23,9 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
   bound: bound === null ? null : spread(bound),
   seconds: spread(1),
   storedNumbers: spread(10),
+  converged: null,
+  terms: null,
+  partErrors: [],
   folds,
   runs: folds,
 });
@@ -43,8 +47,8 @@ it("says nothing about a rank correlation that does not exist", () => {
 it("says how time grows", () => {
   expect(
     growthFinding([
-      { model: "vgpdm", label: "", points: [], exponent: 1.014 },
-      { model: "tmp", label: "", points: [], exponent: null },
+      { model: "vgpdm", label: "", points: [], exponent: 1.014, interval: null },
+      { model: "tmp", label: "", points: [], exponent: null, interval: null },
     ]),
   ).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });

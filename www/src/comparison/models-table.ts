@@ -38,6 +38,10 @@ function ticksOf(scale: Scale, width: number, type: number) {
   return [];
 }
 
+/** Said where some trainings used all their iterations. */
+const convergedWords = ({ converged }: ModelSummary) =>
+  converged !== null && converged < 1 ? `, ${Math.round(100 * converged)} % converged` : "";
+
 interface Drawn extends Measure {
   drawing: Scale;
   width: number;
@@ -59,6 +63,7 @@ export class ModelsTable extends FigureElement<Comparison> {
       `${name} standard error (${unit})`,
       `${name} count`,
     ];
+    const parts = Array.from({ length: Math.max(0, ...models.map((m) => m.partErrors.length)) }, (_, k) => k + 1);
     const fields = (value: Spread | null) =>
       value ? [value.mean, value.standardError, value.count] : [null, null, null];
     return {
@@ -71,6 +76,10 @@ export class ModelsTable extends FigureElement<Comparison> {
         ...spread("bound", "nats"),
         ...spread("training", "s"),
         ...spread("numbers stored", "numbers"),
+        "trainings that converged (share)",
+        "pose terms of the bound (nats)",
+        "other terms of the bound (nats)",
+        ...parts.map((part) => `DTW MSE of part ${part} (squared units of the columns)`),
         "folds",
         "runs",
       ],
@@ -83,6 +92,10 @@ export class ModelsTable extends FigureElement<Comparison> {
         ...fields(m.bound),
         ...fields(m.seconds),
         ...fields(m.storedNumbers),
+        m.converged,
+        m.terms?.pose ?? null,
+        m.terms?.dynamics ?? null,
+        ...parts.map((part) => m.partErrors[part - 1] ?? null),
         m.folds,
         m.runs,
       ]),
@@ -151,7 +164,7 @@ export class ModelsTable extends FigureElement<Comparison> {
               <tr style=${inColour(model)} class=${i > 0 && models[i - 1]?.model !== model ? "next-model" : ""}>
                 <th scope="row" class="who"><div>
                   <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
-                  <span class="name">${modelStyle(model).name}</span><small>${label}</small></div></th>
+                  <span class="name">${modelStyle(model).name}</span><small>${label}${convergedWords(summary)}</small></div></th>
                 ${measures.map((measure) => this.cell(summary, measure))}
               </tr>`;
           })}</tbody>

@@ -33,6 +33,12 @@ pub struct Options {
     /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
     #[arg(long)]
     balanced: bool,
+    /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
+    #[arg(long)]
+    linear: bool,
+    /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent: over learned phases.
+    #[arg(long)]
+    normalised_time: bool,
     /// How many primitives (tmp); absent: chosen by the bound.
     #[arg(long, value_name = "N")]
     primitives: Option<usize>,
@@ -51,7 +57,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// Which kinds have an option.
-const KINDS: [(&str, &[ModelKind]); 10] = [
+const KINDS: [(&str, &[ModelKind]); 12] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -59,7 +65,9 @@ const KINDS: [(&str, &[ModelKind]); 10] = [
     ("order", GPDMS),
     ("max_iterations", GPDMS),
     ("balanced", POINT),
+    ("linear", POINT),
     ("primitives", TMP),
+    ("normalised_time", TMP),
     ("bases", DMPS),
     ("write_start", VARIATIONAL),
 ];
@@ -78,15 +86,20 @@ impl Options {
             )
             .into());
         }
-        let &Options { latent, order, dynamics_ips, pose_ips, max_iterations, balanced, bases, .. } = self;
+        let &Options {
+            latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, ..
+        } = self;
         let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
-        let point = MapSettings { latent, order, max_iterations, balanced };
+        let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
             ModelKind::Vcgpdm => ModelSettings::Vcgpdm(variational),
             ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),
             ModelKind::MapGpdm => ModelSettings::MapGpdm(point),
             ModelKind::MapCgpdm => ModelSettings::MapCgpdm(point),
-            ModelKind::Tmp => ModelSettings::Tmp(TmpSettings { primitives: self.primitives }),
+            ModelKind::Tmp => {
+                let (primitives, normalised_time) = (self.primitives, self.normalised_time);
+                ModelSettings::Tmp(TmpSettings { primitives, normalised_time })
+            }
             ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
             ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
         })

@@ -115,7 +115,19 @@ fn the_report_has_a_row_for_each_model_and_says_what_holds() {
         assert!(text.contains(&format!("\n| {id} | ")), "{id} in {text}");
     }
     assert!(text.contains("| 5 bases | ") && text.contains("| 6 bases | "), "{text}");
-    assert!(text.contains("Both variational models predict better than both MAP models"), "{text}");
+    // One trial has no interval: nothing is decided.
+    assert!(text.contains("performs best in terms of MSE.\u{201d} (2017, section 3.2) | "), "{text}");
+    assert!(text.contains(" | undecided |\n") && !text.contains(" | yes |\n"), "{text}");
+    // Results of other trials are a subject of their own.
+    let other = file("report-other");
+    let cut = ["--models", "dmp-rhythmic", "--whole-cycles", "--start-frames", "2"];
+    summary(&evaluate(&other, &cut));
+    let both = run(&["report", out.to_str().unwrap(), other.to_str().unwrap()]);
+    let both = String::from_utf8(both.stdout).unwrap();
+    assert!(both.contains("predictions start from 2 frames.") && both.contains("### All together"), "{both}");
+    // The same clips count once.
+    let together = both.split("### All together").nth(1).unwrap();
+    assert!(!together.contains("20 bases"), "{together}");
 }
 
 #[test]

@@ -43,7 +43,7 @@ fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize)
 #[test]
 fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
     let gpdm = VariationalSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
-    let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced };
+    let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
     let ips = "--dynamics-ips 4 --pose-ips 5";
     let split = "--parts lower,upper";
@@ -53,7 +53,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
         (ModelSettings::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
         (ModelSettings::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
         (
-            ModelSettings::Tmp(TmpSettings { primitives: Some(2) }),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
             "lower-upper",
             format!("{split} --primitives 2"),
         ),

@@ -148,7 +148,7 @@ fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
     let mut documents = [
         document(),
         serde_json::from_str(&baseline().to_json().unwrap()).unwrap(),
-        written(ModelSettings::Tmp(TmpSettings { primitives: Some(2) }), 60),
+        written(ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }), 60),
         written(ModelSettings::DmpRhythmic(DmpSettings::default()), 60),
     ];
     let set = |document: &mut Value, name: &str, value: Value| {
@@ -322,7 +322,7 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
 fn movement_primitives_come_back_as_they_were_written() {
     for settings in [
         ModelSettings::Tmp(TmpSettings::default()),
-        ModelSettings::Tmp(TmpSettings { primitives: Some(2) }),
+        ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
         ModelSettings::DmpDiscrete(DmpSettings::default()),
         ModelSettings::DmpRhythmic(DmpSettings::default()),
     ] {

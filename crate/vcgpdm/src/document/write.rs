@@ -151,18 +151,24 @@ fn settings(settings: &ModelSettings, seed: u32) -> Value {
             variational_settings(settings, seed)
         }
         ModelSettings::MapGpdm(settings) | ModelSettings::MapCgpdm(settings) => {
-            let MapSettings { latent, order, max_iterations, balanced } = settings;
-            Value::object([
+            let MapSettings { latent, order, max_iterations, balanced, linear } = settings;
+            let fields = [
                 ("balanced", Value::whole(usize::from(*balanced))),
                 ("latent", Value::whole(*latent)),
                 ("max_iterations", Value::whole(*max_iterations)),
                 ("order", Value::whole(*order)),
                 ("seed", Value::Number(seed.into())),
-            ])
+            ];
+            // Absent: no linear term, as in documents before there was one.
+            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
+            let linear = linear.then(|| ("linear".to_owned(), Value::whole(1)));
+            Value::Object(fields.chain(linear).collect())
         }
-        ModelSettings::Tmp(TmpSettings { primitives }) => {
-            let field = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
-            Value::Object(field.into_iter().collect())
+        ModelSettings::Tmp(TmpSettings { primitives, normalised_time }) => {
+            // Absent: chosen by the bound; phases learned, as in documents before there was a choice.
+            let count = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
+            let time = normalised_time.then(|| ("normalised_time".to_owned(), Value::whole(1)));
+            Value::Object(time.into_iter().chain(count).collect())
         }
         ModelSettings::DmpDiscrete(settings) | ModelSettings::DmpRhythmic(settings) => {
             let DmpSettings { bases } = settings;

@@ -10,6 +10,8 @@ pub(super) struct Common {
     pub max_iterations: usize,
     /// Of the models with point latents; the variational ones have no balance.
     pub balanced: Option<bool>,
+    /// Whether the dynamics have a linear term: said only where they have.
+    pub linear: bool,
 }
 
 /// What all models with latents have in common; absent for the others.
@@ -20,12 +22,14 @@ pub(super) fn common(candidate: &ModelSettings) -> Option<Common> {
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: None,
+            linear: false,
         }),
         ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) => Some(Common {
             latent: s.latent,
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: Some(s.balanced),
+            linear: s.linear,
         }),
         ModelSettings::Tmp(_) | ModelSettings::DmpDiscrete(_) | ModelSettings::DmpRhythmic(_) => None,
     }
@@ -38,10 +42,13 @@ pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
             Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
         }
         ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
-        ModelSettings::Tmp(s) => Some(match s.primitives {
-            None => "primitives by the bound".to_owned(),
-            Some(count) => format!("{count} primitives"),
-        }),
+        ModelSettings::Tmp(s) => {
+            let count = match s.primitives {
+                None => "primitives by the bound".to_owned(),
+                Some(count) => format!("{count} primitives"),
+            };
+            Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
+        }
         ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(format!("{} bases", s.bases)),
     }
 }
@@ -50,12 +57,16 @@ pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
 pub(super) fn every_setting(candidate: &ModelSettings) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
-    if let Some(Common { latent, order, max_iterations, balanced }) = common(candidate) {
+    if let Some(Common { latent, order, max_iterations, balanced, linear }) = common(candidate) {
         words.push(format!("Q = {latent}, order {order}, {max_iterations} iterations"));
         words.extend(balanced.map(|balanced| balance(balanced).to_owned()));
+        words.extend(linear.then(|| LINEAR.to_owned()));
     }
     words.join(", ")
 }
+
+/// The dynamics have a linear term.
+pub(super) const LINEAR: &str = "linear term";
 
 /// Whether the dynamics are balanced.
 pub(super) fn balance(balanced: bool) -> &'static str {

@@ -1,146 +1,289 @@
-//! The claims of Velychko et al. (2017, 2018) about the models, held against results.
+//! What the papers say about the models, held against results.
+//!
+//! A claim is the papers' own sentence. What we hold it against is our criterion, and its answer is an interval: "yes" or "no" only
+//! where the whole of it says so.
 
+use crate::evaluation::contender::Contender;
 use crate::evaluation::correlation::correlation;
+use crate::evaluation::effect::{Effect, Errors};
+use crate::evaluation::evidence::by_preference;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::evaluation::summary::{Claim, Growth};
-use crate::models::ModelKind::{MapCgpdm, MapGpdm, Vcgpdm, Vgpdm};
+use crate::evaluation::rows::{Row, common_folds, groups, settings};
+use crate::evaluation::stats::Interval;
+use crate::evaluation::summary::{Answer, Claim, Correlation, Growth};
+use crate::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use crate::models::{ModelKind, ModelSettings};
-use std::collections::BTreeSet;
 
-fn is_balanced(candidate: &ModelSettings) -> bool {
-    matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced)
+/// A sentence of a paper, and where it stands.
+struct Said(&'static str, &'static str);
+
+const MAP_IS_WORSE: Said = Said(
+    "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM",
+    "2017, section 3.2",
+);
+const MAP_IS_WORSE_TOO: Said =
+    Said("The same, beside MAP models that the papers did not try", "not in the papers");
+const BEST: Said = Said(
+    "\u{201c}Of all tested models, the 2-part vCGPDM performs best in terms of MSE.\u{201d}",
+    "2017, section 3.2",
+);
+const PARTS_PAY: Said = Said(
+    "\u{201c}The vCGPDM U+L outperforms the vGPDM particularly on the 'walking + waving' dataset.\u{201d}",
+    "2018, section 5.3",
+);
+const BOUND_CHOOSES: Said = Said(
+    "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
+    "2018, section 5.3",
+);
+const BOUND_CORRELATES: Said = Said(
+    "\u{201c}The negative correlation between MSE and ELBO is clearly visible.\u{201d}",
+    "2017, section 3.2",
+);
+const BOUND_CHOOSES_SPLITS: Said = Said(
+    "\u{201c}To compare two parametric models, we can compute the ratio of their probabilities, known as Bayes factor.\u{201d} Here: of one part and several",
+    "2020, section 2.2",
+);
+const DMP_OPTIMUM: Said = Said(
+    "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
+    "2019, section 4.2",
+);
+const TMP_CORRELATES: Said = Said(
+    "\u{201c}MSE and ELBO of TMP models have similar predictive capabilities, as they are highly correlated in the investigated parameter regime.\u{201d}",
+    "2019, section 4.3",
+);
+const LINEAR: Said = Said(
+    "\u{201c}The linear learning time scaling of the vCGPDM is evident, ...\u{201d}",
+    "2017, supplement, section 5",
+);
+const CUBIC: Said =
+    Said("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
+
+/// Our criteria.
+const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio lies below 1";
+const NEARLY: f64 = 1.1;
+const CHANCE: f64 = 0.05;
+/// The numbers of basis functions about which the papers' claim is.
+const OPTIMAL_BASES: usize = 25;
+
+/// As the other settings of the table: MAP models neither balanced nor with a linear term.
+fn is_plain(candidate: &ModelSettings) -> bool {
+    !matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced || s.linear)
 }
 
-/// The settings of a kind that are compared with each other, and the one that is held against other kinds.
-struct Contender<'a, 'r> {
-    settings: Vec<&'a Row<'r>>,
-    /// The setting that the bound prefers: whoever trains does not know the error on the trial held out.
-    chosen: &'a Row<'r>,
-}
+/// Claims as they are found.
+struct Claims(Vec<Claim>);
 
-/// Of the plain or balanced settings of a kind; absent where there is nothing to choose by.
-fn contender<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Option<Contender<'a, 'r>> {
-    let settings = settings(rows, kind, balanced);
-    let chosen = match settings[..] {
-        [only] => only,
-        _ => {
-            // A bound sums over frames: those of different trials cannot be compared.
-            let folds = common_folds(&settings);
-            let bounds = settings.iter().filter_map(|row| Some((*row, row.bound(&folds)?)));
-            bounds.max_by(|(_, a), (_, b)| a.total_cmp(b))?.0
+impl Claims {
+    fn say(&mut self, said: &Said, criterion: &str, found: String, answer: Answer) {
+        let Said(claim, place) = said;
+        let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
+        self.0.push(Claim { claim, place, criterion, found, answer });
+    }
+
+    /// The errors of `a` are lower than those of `b`, called so.
+    fn lower(&mut self, said: &Said, a: &Errors, b: &Errors, names: &str) {
+        if let Some(effect) = Effect::of(a, b) {
+            self.say(said, LOWER, format!("{names}: {}", effect.words()), effect.is_below(1.0));
         }
-    };
-    Some(Contender { settings, chosen })
+    }
+
+    fn exponent(
+        &mut self,
+        said: &Said,
+        criterion: &str,
+        growth: &Growth,
+        answer: impl Fn(Interval) -> Answer,
+    ) {
+        if let (Some(exponent), Some(interval)) = (growth.exponent, growth.interval) {
+            let found = format!(
+                "time of an iteration grows with the power {exponent:.2} ({:.2} to {:.2}) of the frames, {} numbers of them",
+                interval.low,
+                interval.high,
+                growth.points.len()
+            );
+            self.say(said, criterion, found, answer(interval));
+        }
+    }
 }
 
-/// The plain or balanced settings of a kind that differ in size alone: of several such groups the one with most results, of
-/// equally many the first.
-fn settings<'a, 'r>(rows: &'a [Row<'r>], kind: ModelKind, balanced: bool) -> Vec<&'a Row<'r>> {
-    let chosen = |row: &&Row| row.candidate.kind() == kind && is_balanced(row.candidate) == balanced;
-    let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
-    groups(rows.iter().filter(chosen)).into_iter().rev().max_by_key(runs).unwrap_or_default()
+/// The claims about which there are results.
+pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Claim> {
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain));
+    let (vcgpdm, vgpdm) = (contender(Vcgpdm), contender(Vgpdm));
+    let mut claims = Claims(Vec::new());
+    if let Some(parts) = &vcgpdm {
+        against_map(&mut claims, parts, rows, labels);
+        against_all(&mut claims, parts, rows, labels);
+    }
+    if let (Some(parts), Some(whole)) = (&vcgpdm, &vgpdm) {
+        let names = format!("{} beside {}", parts.words(labels), whole.words(labels));
+        claims.lower(&PARTS_PAY, &parts.errors, &whole.errors, &names);
+        let (preferred, other) = by_preference(parts, whole);
+        let criterion =
+            "of the split in parts and the whole body, the one of the higher bound has the lower error";
+        if let Some(effect) = Effect::of(&preferred, &other) {
+            let found = format!("the preferred one beside the other: {}", effect.words());
+            claims.say(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
+        }
+    }
+    for kind in [&vcgpdm, &vgpdm].into_iter().flatten().filter(|kind| kind.settings.len() > 2) {
+        bound_and_error(&mut claims, kind, labels);
+    }
+    for kind in [DmpDiscrete, DmpRhythmic] {
+        bases(&mut claims, &settings(rows, kind, &is_plain));
+    }
+    // Those whose number of primitives is given; the one that is chosen by the bound is one of them again.
+    let given = |s: &ModelSettings| matches!(s, ModelSettings::Tmp(s) if s.primitives.is_some());
+    if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
+        let (found, answer) = correlated(&c);
+        let criterion = "rank correlation over the numbers of primitives below 0, by chance in less than 5 %";
+        claims.say(&TMP_CORRELATES, criterion, found, answer);
+    }
+    for growth in growth {
+        match growth.model {
+            Vcgpdm => {
+                let criterion = "the exponent is below 1.2";
+                claims.exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
+            }
+            MapCgpdm => {
+                let criterion = "the exponent is above 2: it reaches 3 only with more frames than there are";
+                claims.exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
+            }
+            _ => {}
+        }
+    }
+    claims.0
 }
 
-/// The one with the least error over these folds, and that.
-fn least<'a, 'r>(rows: &[&'a Row<'r>], folds: &BTreeSet<usize>) -> Option<(&'a Row<'r>, f64)> {
-    let errors = rows.iter().filter_map(|row| Some((*row, row.mse(folds)?)));
-    errors.min_by(|(_, a), (_, b)| a.total_cmp(b))
+fn is_below(interval: Interval, value: f64) -> Answer {
+    if interval.high < value {
+        Answer::Yes
+    } else if interval.low > value {
+        Answer::No
+    } else {
+        Answer::Undecided
+    }
 }
 
-/// The claims about which there are results. All that a claim compares is compared over the same trials held out.
-pub(super) fn claims(rows: &[Row], trials: usize, growth: &[Growth], labels: &Labels) -> Vec<Claim> {
-    let mut claims = Vec::new();
-    // Says so where not all trials count.
-    let over = |folds: usize| {
-        if folds < trials { format!(" (over {folds} of {trials} trials)") } else { String::new() }
+fn not(answer: Answer) -> Answer {
+    match answer {
+        Answer::Yes => Answer::No,
+        Answer::No => Answer::Yes,
+        Answer::Undecided => Answer::Undecided,
+    }
+}
+
+/// The vCGPDM beside every form of both MAP models.
+fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
+    for kind in [MapGpdm, MapCgpdm] {
+        for group in groups(rows.iter().filter(|row| row.candidate.kind() == kind)) {
+            let said = if is_plain(group[0].candidate) { &MAP_IS_WORSE } else { &MAP_IS_WORSE_TOO };
+            if let Some(map) = Contender::new(group) {
+                let names = format!("{} beside {}", parts.words(labels), map.words(labels));
+                claims.lower(said, &parts.errors, &map.errors, &names);
+            }
+        }
+    }
+}
+
+/// The vCGPDM beside every other model: it is the best when it is better than each, and not when one is better.
+fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
+    let mut answers = Vec::new();
+    let mut found = Vec::new();
+    for kind in ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm) {
+        let Some(other) = Contender::new(settings(rows, kind, &is_plain)) else { continue };
+        let Some(effect) = Effect::of(&parts.errors, &other.errors) else { continue };
+        let range = effect.interval().map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
+        let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
+        found.push(format!(
+            "{middle:.2} times{range} {}, lower in {} of {}",
+            other.words(labels),
+            effect.wins,
+            effect.folds
+        ));
+        answers.push(effect.is_below(1.0));
+    }
+    if answers.is_empty() {
+        return;
+    }
+    let answer = if answers.contains(&Answer::No) {
+        Answer::No
+    } else if answers.contains(&Answer::Undecided) {
+        Answer::Undecided
+    } else {
+        Answer::Yes
     };
-    let mut say = |claim: &str, found: String, holds: bool| {
-        claims.push(Claim { claim: claim.to_owned(), found, holds });
-    };
-    let (vcgpdm, vgpdm) = (contender(rows, Vcgpdm, false), contender(rows, Vgpdm, false));
-    for (balanced, what) in [
-        (false, "Both variational models predict better than both MAP models (2017, 2018)"),
-        (
-            true,
-            "The same beside MAP models whose dynamics are balanced (Urtasun, Fleet & Fua 2006; not in the papers)",
-        ),
-    ] {
-        let (gpdm, cgpdm) = (contender(rows, MapGpdm, balanced), contender(rows, MapCgpdm, balanced));
-        let (Some(a), Some(b), Some(c), Some(d)) = (&vcgpdm, &vgpdm, gpdm, cgpdm) else { continue };
-        let all = [a.chosen, b.chosen, c.chosen, d.chosen];
-        let folds = common_folds(&all);
-        let [Some(a), Some(b), Some(c), Some(d)] = all.map(|row| row.mse(&folds)) else { continue };
-        let [_, _, Some(c_median), Some(d_median)] = all.map(|row| row.mse_median(&folds)) else { continue };
-        say(
-            what,
-            format!(
-                "MSE vCGPDM {a:.5}, vGPDM {b:.5} beside MAP GPDM {c:.5} (median {c_median:.5}), MAP CGPDM {d:.5} (median {d_median:.5}){}",
-                over(folds.len())
-            ),
-            a.max(b) < c.min(d),
+    claims.say(&BEST, "its error is lower than that of every other model", found.join("; "), answer);
+}
+
+/// What the bound says about the error, over the sizes of a kind.
+fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
+    if let Some(effect) = Effect::of(&kind.errors, &kind.least()) {
+        let title = kind.settings[0].candidate.kind().title();
+        let found = format!(
+            "{title}, the best of {} settings by the bound beside the best by the error: {}",
+            kind.settings.len(),
+            effect.words()
         );
+        let criterion =
+            "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
+        claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
     }
-    if let Some(a) = &vcgpdm {
-        let kinds = ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm);
-        let others: Vec<&Row> = kinds.flat_map(|kind| settings(rows, kind, false)).collect();
-        let folds = common_folds(&[&others[..], &[a.chosen]].concat());
-        if let (Some(mse), Some((best, least))) = (a.chosen.mse(&folds), least(&others, &folds)) {
-            let (model, label) = (best.candidate.kind().title(), labels.label(best.candidate));
-            say(
-                "The two-part vCGPDM predicts best of all models (2017, 2018)",
-                format!(
-                    "MSE {mse:.5}; of the others at best {least:.5}: {model}, {label}{}",
-                    over(folds.len())
-                ),
-                mse < least,
-            );
-        }
+    if let Some(c) = correlation(&kind.settings, String::new(), labels) {
+        let (found, answer) = correlated(&c);
+        let criterion = "rank correlation over the inducing points below 0, by chance in less than 5 %";
+        claims.say(&BOUND_CORRELATES, criterion, found, answer);
     }
-    if let (Some(a), Some(b)) = (&vcgpdm, &vgpdm) {
-        let folds = common_folds(&[a.chosen, b.chosen]);
-        if let (Some(a), Some(b)) = (a.chosen.mse(&folds), b.chosen.mse(&folds))
-            && b > 0.0
-        {
-            let ratio = a / b;
-            say(
-                "Parts cost no precision: the vCGPDM's MSE is at most 1.1 times the vGPDM's (2018)",
-                format!("{ratio:.2} times{}", over(folds.len())),
-                ratio <= 1.1,
-            );
-        }
+}
+
+fn correlated(c: &Correlation) -> (String, Answer) {
+    let found = format!(
+        "{}: {:.2} over {} settings (means of {} trials); so low by chance in {:.1} %",
+        c.model.title(),
+        c.rank,
+        c.settings,
+        c.folds,
+        100.0 * c.chance
+    );
+    let answer = if c.chance < CHANCE {
+        Answer::Yes
+    } else if c.chance > 1.0 - CHANCE {
+        Answer::No
+    } else {
+        Answer::Undecided
+    };
+    (found, answer)
+}
+
+/// Whether a DMP's error is least at about 25 bases: higher with the fewest, and with the most.
+fn bases(claims: &mut Claims, rows: &[&Row]) {
+    let number = |row: &Row| match row.candidate {
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases,
+        _ => 0,
+    };
+    let middle = rows.iter().min_by_key(|row| number(row).abs_diff(OPTIMAL_BASES));
+    let (few, many) = (rows.iter().min_by_key(|row| number(row)), rows.iter().max_by_key(|row| number(row)));
+    let (Some(middle), Some(few), Some(many)) = (middle, few, many) else { return };
+    let (a, b, c) = (number(few), number(middle), number(many));
+    if !(a < b && b < c) {
+        return;
     }
-    let several = || [&vcgpdm, &vgpdm].into_iter().flatten().filter(|kind| kind.settings.len() > 2);
-    for Contender { settings, chosen } in several() {
-        let folds = common_folds(settings);
-        if let (Some(a), Some((_, least))) = (chosen.mse(&folds), least(settings, &folds))
-            && least > 0.0
-        {
-            let (ratio, kind, count) = (a / least, chosen.candidate.kind().title(), settings.len());
-            say(
-                "Where the bound is highest, the MSE is nearly the lowest: at most 1.1 times it (2017, 2018)",
-                format!("{kind} over {count} settings: {ratio:.2} times{}", over(folds.len())),
-                ratio <= 1.1,
-            );
-        }
-    }
-    for Contender { settings, .. } in several() {
-        if let Some(c) = correlation(settings, String::new(), labels) {
-            let claim = "The bound predicts the MSE: rank correlation below -0.5 over inducing points (2018)";
-            let found =
-                format!("{} over {} settings: {:.2}{}", c.model.title(), c.settings, c.rank, over(c.folds));
-            say(claim, found, c.rank < -0.5);
-        }
-    }
-    let exponent = |kind: ModelKind| growth.iter().find(|g| g.model == kind).and_then(|g| g.exponent);
-    if let Some(e) = exponent(Vcgpdm) {
-        let claim =
-            "The vCGPDM's learning time grows about linearly with the frames: exponent below 1.1 (2017)";
-        say(claim, format!("{e:.2}"), e < 1.1);
-    }
-    if let Some(e) = exponent(MapCgpdm) {
-        let claim = "The MAP CGPDM's learning time grows with an exponent above 2 (2017)";
-        say(claim, format!("{e:.2}"), e > 2.0);
-    }
-    claims
+    let folds = common_folds(&[few, middle, many]);
+    let least = middle.errors(&folds);
+    let effects = (Effect::of(&few.errors(&folds), &least), Effect::of(&many.errors(&folds), &least));
+    let (Some(fewer), Some(more)) = effects else { return };
+    let found = format!(
+        "{}: {a} bases beside {b}: {}; {c} beside {b}: {}",
+        middle.candidate.kind().title(),
+        fewer.words(),
+        more.words()
+    );
+    let answer = match (not(fewer.is_below(1.0)), not(more.is_below(1.0))) {
+        (Answer::Yes, Answer::Yes) => Answer::Yes,
+        (Answer::No, _) | (_, Answer::No) => Answer::No,
+        _ => Answer::Undecided,
+    };
+    let criterion =
+        "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
+    claims.say(&DMP_OPTIMUM, criterion, found, answer);
 }

@@ -2,7 +2,7 @@
 
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::evaluation::stats::rank_correlation;
+use crate::evaluation::stats::{chance_of_so_low, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation};
 use crate::models::ModelKind;
 
@@ -30,6 +30,7 @@ pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Opti
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
     let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
     let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
+    let chance = chance_of_so_low(&pairs)?;
     let model = rows[0].candidate.kind();
-    Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, points })
+    Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, chance, points })
 }

@@ -1,11 +1,12 @@
 //! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
 //! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
 
-use crate::evaluation::dtw::{Score, ScoreError, dtw_mse};
+use crate::evaluation::dtw::{Score, ScoreError, score_and_columns};
 use crate::gp::NumericsError;
+use crate::models::variational::BoundTerms;
 use crate::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
-    Sequence, Source,
+    Body, Dataset, DatasetError, EndReason, Learner, LearningProgress, Model, ModelSettings, Movements,
+    RolloutError, Sequence, Source,
 };
 use crate::motion::parts::PartSpec;
 use crate::motion::pose::PoseError;
@@ -14,7 +15,7 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Frames of the trial held out that a prediction starts from.
+/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
@@ -99,10 +100,28 @@ pub struct Outcome {
     pub stored_numbers: usize,
     /// Why training ended.
     pub reason: Option<String>,
+    /// The terms of the bound, where the model has a bound of such terms; absent in results of earlier programs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terms: Option<BoundTerms>,
+    /// The error of each part along the same warping path, in the order of the setting's parts; empty in results of earlier programs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub part_errors: Vec<f64>,
+}
+
+impl Outcome {
+    /// Whether training ended because nothing changed any more; absent where that is not known.
+    pub fn converged(&self) -> Option<bool> {
+        let reason = self.reason.as_deref()?;
+        if reason == EndReason::Iterations.to_string() {
+            return Some(false);
+        }
+        let settled = [EndReason::BoundSettled, EndReason::DensitySettled];
+        settled.iter().any(|end| reason == end.to_string()).then_some(true)
+    }
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 1, against the first `training_trials` of the others.
+    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first `training_trials` of the others.
     ///
     /// # Errors
     /// There are not so many trials, or they cannot be trained on together at this frame rate.
@@ -112,6 +131,7 @@ impl Fold {
         training_trials: usize,
         parts: &[PartSpec],
         frames_per_second: f64,
+        start_frames: usize,
     ) -> Result<Self, EvaluationError> {
         let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
         let Some(place) = place else {
@@ -124,7 +144,7 @@ impl Fold {
         let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
         let mut sources: Vec<Source> =
             others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
-        sources.push(Source { clip: trial, first_frames: Some(START_FRAMES) });
+        sources.push(Source { clip: trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
         let lengths = dataset.lengths();
@@ -216,8 +236,16 @@ impl Fold {
         if !(seconds.is_finite() && seconds >= 0.0) {
             return Err(EvaluationError::Seconds(seconds));
         }
+        let (score, columns) = score_and_columns(&self.predict(model)?, &self.actual)?;
+        let layout = &self.body.layout;
+        let part = |part: usize| {
+            let columns = layout.columns(part).iter().map(|column| columns[*column]);
+            columns.sum::<f64>() / layout.columns(part).len().max(1) as f64
+        };
         let outcome = Outcome {
-            score: dtw_mse(&self.predict(model)?, &self.actual)?,
+            score,
+            terms: model.terms().cloned(),
+            part_errors: (0..self.movements.y.len()).map(part).collect(),
             bound: model.bound(),
             objective: training.best,
             iterations: training.iteration,
@@ -245,7 +273,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
+    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
     use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -257,17 +285,17 @@ mod tests {
         let trials = trials();
         let parts =
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 2, 2, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0, START_FRAMES).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
         let gpdm =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
-        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
         for candidate in [
             ModelSettings::Vcgpdm(gpdm.clone()),
             ModelSettings::Vgpdm(gpdm),
             ModelSettings::MapGpdm(point.clone()),
             ModelSettings::MapCgpdm(point),
-            ModelSettings::Tmp(TmpSettings { primitives: Some(4) }),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
             ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
             ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
         ] {
@@ -280,6 +308,20 @@ mod tests {
             let score = outcome.score;
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
+            assert_eq!(
+                outcome.terms.as_ref().map(|terms| terms.total()),
+                outcome.bound.filter(|_| candidate.is_random())
+            );
+            // The parts have all columns between them.
+            let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
+            let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();
+            let mean = sum / fold.actual().ncols() as f64;
+            assert!((mean / score.dtw_mse - 1.0).abs() < 1e-9, "{:?} {}", outcome.part_errors, score.dtw_mse);
+            match candidate.kind() {
+                ModelKind::Tmp => assert!(outcome.converged().is_some()),
+                ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => assert_eq!(outcome.converged(), None),
+                _ => assert_eq!(outcome.converged(), Some(false), "{:?}", outcome.reason),
+            }
             let text = serde_json::to_string(&candidate).unwrap();
             assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
         }
@@ -289,7 +331,7 @@ mod tests {
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
@@ -298,14 +340,14 @@ mod tests {
     fn what_cannot_be_held_out_is_refused() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 4, 2, parts, 20.0).unwrap_err().to_string();
+        let error = Fold::new(&trials, 4, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(
             error,
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
-        assert!(Fold::new(&trials, 0, 2, parts, 20.0).is_err());
-        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0).is_err());
-        let error = Fold::new(&trials, 1, 3, parts, 20.0).unwrap_err().to_string();
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0, START_FRAMES).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0, START_FRAMES).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
@@ -328,7 +370,7 @@ mod tests {
     fn no_outcome_holds_a_number_that_is_not_finite() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0).unwrap();
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let outcome = |to: f64, best: f64, seconds: f64| {
             let training = LearningProgress {
                 iteration: 1,

@@ -99,6 +99,14 @@ const MAX_CELLS: usize = 324_000_000;
 /// # Errors
 /// A motion is empty, too long or not finite, or both have other columns.
 pub fn dtw_mse(predicted: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Score, ScoreError> {
+    Ok(score_and_columns(predicted, actual)?.0)
+}
+
+/// The same, and what each column has of `dtw_mse`: their mean is `dtw_mse` `[D]`.
+pub(super) fn score_and_columns(
+    predicted: &DMatrix<f64>,
+    actual: &DMatrix<f64>,
+) -> Result<(Score, Vec<f64>), ScoreError> {
     check("predicted", predicted)?;
     check("actual", actual)?;
     let columns = actual.ncols();
@@ -124,11 +132,19 @@ pub fn dtw_mse(predicted: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Score,
         }
         sum / count
     };
-    Ok(Score {
+    let mut errors = vec![0.0; columns];
+    for (i, j) in &path {
+        let pairs = frame(&predicted, *i, columns).iter().zip(frame(&actual, *j, columns));
+        for (error, (p, a)) in errors.iter_mut().zip(pairs) {
+            *error += (p - a) * (p - a) / path.len() as f64;
+        }
+    }
+    let score = Score {
         dtw_mse: difference(&mut path.into_iter()),
         mse: difference(&mut (0..rows.min(frames)).map(|t| (t, t))),
         variance: squares / (frames * columns) as f64,
-    })
+    };
+    Ok((score, errors))
 }
 
 fn check(which: &'static str, motion: &DMatrix<f64>) -> Result<(), ScoreError> {

@@ -4,7 +4,7 @@ use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::results::Results;
-use crate::evaluation::stats::{exponent, mean};
+use crate::evaluation::stats::{exponent_interval, mean};
 use crate::evaluation::summary::{FramesAndTime, Growth};
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,15 +14,20 @@ type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 
 /// For each kind the candidate that was trained on most numbers of trials; only folds that all of these numbers have are
 /// compared.
-pub(super) fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
+pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
     let mut courses: Vec<(&ModelSettings, Course)> = Vec::new();
-    for Finished { job, outcome, .. } in results.finished() {
-        let Some(outcome) = outcome else { continue };
-        let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
-            courses.push((&job.candidate, Course::new()));
-            courses.len() - 1
-        });
-        courses[place].1.entry(job.training_trials).or_default().push((job.held_out, outcome));
+    let mut before = 0;
+    for results in several {
+        for Finished { job, outcome, .. } in results.finished() {
+            let Some(outcome) = outcome else { continue };
+            let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
+                courses.push((&job.candidate, Course::new()));
+                courses.len() - 1
+            });
+            let course = courses[place].1.entry(job.training_trials).or_default();
+            course.push((before + job.held_out, outcome));
+        }
+        before += results.setting().trials.len();
     }
     let growth = |kind: ModelKind| {
         let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
@@ -30,11 +35,13 @@ pub(super) fn growth(results: &Results, labels: &Labels) -> Vec<Growth> {
         let points = points(course);
         let pairs: Vec<(f64, f64)> =
             points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
+        let slope = exponent_interval(&pairs);
         (points.len() > 2).then(|| Growth {
             model: kind,
             label: labels.label(candidate),
             points,
-            exponent: exponent(&pairs),
+            exponent: slope.map(|(exponent, _)| exponent),
+            interval: slope.and_then(|(_, interval)| interval),
         })
     };
     ModelKind::ALL.into_iter().filter_map(growth).collect()
@@ -48,9 +55,15 @@ fn points(course: &Course) -> Vec<FramesAndTime> {
     let common = course.values().map(folds).reduce(|a, b| &a & &b).unwrap_or_default();
     let point = |outcomes: &Vec<(usize, &Outcome)>| {
         let shared = outcomes.iter().filter(|(fold, _)| common.contains(fold));
-        let (frames, seconds): (Vec<f64>, Vec<f64>) =
-            shared.map(|(_, o)| (o.frames as f64, o.seconds / o.iterations.max(1) as f64)).unzip();
-        (!frames.is_empty()).then(|| FramesAndTime { frames: mean(&frames), seconds: mean(&seconds) })
+        let shared: Vec<&Outcome> = shared.map(|(_, outcome)| *outcome).collect();
+        let of = |value: &dyn Fn(&Outcome) -> f64| {
+            mean(&shared.iter().map(|outcome| value(outcome)).collect::<Vec<f64>>())
+        };
+        (!shared.is_empty()).then(|| FramesAndTime {
+            frames: of(&|o| o.frames as f64),
+            seconds: of(&|o| o.seconds / o.iterations.max(1) as f64),
+            training_seconds: of(&|o| o.seconds),
+        })
     };
     course.values().filter_map(point).collect()
 }

@@ -1,6 +1,6 @@
 //! What candidates are called beside others of their kind.
 
-use crate::evaluation::candidate_words::{Common, balance, common, size};
+use crate::evaluation::candidate_words::{Common, LINEAR, balance, common, size};
 use crate::evaluation::results::Results;
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::HashMap;
@@ -22,9 +22,15 @@ struct Varying {
 impl Labels {
     /// For all candidates of these results.
     pub fn of(results: &Results) -> Self {
+        Self::of_all(&[results])
+    }
+
+    /// For all candidates of several comparisons.
+    pub(super) fn of_all(several: &[&Results]) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
-        for candidate in results.finished().iter().map(|finished| &finished.job.candidate) {
+        let finished = several.iter().flat_map(|results| results.finished());
+        for candidate in finished.map(|finished| &finished.job.candidate) {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
             let differ = varying.entry(candidate.kind()).or_default();
@@ -60,6 +66,7 @@ impl Labels {
             differ.order.then(|| format!("order {}", settings.order)),
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
             balanced.map(|balanced| balance(balanced).to_owned()),
+            settings.linear.then(|| LINEAR.to_owned()),
         ]
         .into_iter()
         .flatten()
@@ -79,7 +86,7 @@ mod tests {
     }
 
     fn point(order: usize, balanced: bool) -> MapSettings {
-        MapSettings { latent: 3, order, max_iterations: 100, balanced }
+        MapSettings { latent: 3, order, max_iterations: 100, balanced, linear: false }
     }
 
     fn labels(candidates: &[ModelSettings]) -> Vec<String> {
@@ -104,7 +111,7 @@ mod tests {
                 MapGpdm(point(2, false)),
                 MapGpdm(point(1, true)),
                 MapCgpdm(point(2, false)),
-                Tmp(TmpSettings { primitives: None }),
+                Tmp(TmpSettings::default()),
                 DmpRhythmic(DmpSettings { bases: 20 }),
             ]),
             [

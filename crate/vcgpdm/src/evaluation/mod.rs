@@ -7,9 +7,13 @@
 mod candidate_words;
 mod claims;
 mod comparison;
+mod contender;
 mod correlation;
 mod cross_validation;
+mod cycles;
 mod dtw;
+mod effect;
+mod evidence;
 mod growth;
 mod job;
 mod labels;
@@ -24,10 +28,14 @@ mod testing;
 
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
+pub use cycles::{CyclesError, whole_cycles};
 pub use dtw::{Score, ScoreError, dtw_mse};
 pub use job::{Finished, Job};
 pub use labels::Labels;
 pub use plan::{Plan, PlanError};
 pub use results::{PlannedJob, Results, ResultsError};
 pub use setting::{Setting, SettingError, Trial};
-pub use summary::{BoundAndError, Claim, Correlation, FramesAndTime, Growth, ModelSummary, Spread};
+pub use summary::{
+    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
+    TermMeans,
+};

@@ -28,14 +28,23 @@ pub struct Plan {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Numbers of inducing points of the variational models, the same for every dynamics map and every pose map.
+    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map where `pose_ips` is empty.
     pub ips: Vec<usize>,
+    /// Numbers of inducing points of every pose map: each with each of `ips`.
+    #[serde(default)]
+    pub pose_ips: Vec<usize>,
     /// Numbers of primitives of the TMP; `None` is the number that the bound prefers.
     pub primitives: Vec<Option<usize>>,
+    /// Whether the TMP's primitives are functions of normalised time, with weights that all trials share, as in the papers.
+    #[serde(default)]
+    pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.
     pub bases: Vec<usize>,
     /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
     pub balanced: bool,
+    /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
+    #[serde(default)]
+    pub linear: bool,
     /// The trials held out, counted from 1; empty: each in turn.
     pub held_out: Vec<usize>,
     /// The seeds of models with a random start; the others get 0.
@@ -58,9 +67,12 @@ impl Default for Plan {
             order,
             max_iterations,
             ips: vec![dynamics_ips],
+            pose_ips: Vec::new(),
             primitives: vec![TmpSettings::default().primitives],
+            normalised_time: false,
             bases: vec![DmpSettings::default().bases],
             balanced: false,
+            linear: false,
             held_out: Vec::new(),
             seeds: vec![0],
             training_trials: Vec::new(),
@@ -106,16 +118,21 @@ impl Plan {
     fn candidates_of(&self, kind: ModelKind) -> Vec<ModelSettings> {
         let (latent, order, max_iterations) = (self.latent, self.order, self.max_iterations);
         let variational = |candidate: fn(VariationalSettings) -> ModelSettings| {
-            let settings = |&ips: &usize| VariationalSettings {
+            let settings = |(dynamics_ips, pose_ips)| VariationalSettings {
                 latent,
                 order,
-                dynamics_ips: ips,
-                pose_ips: ips,
+                dynamics_ips,
+                pose_ips,
                 max_iterations,
             };
-            self.ips.iter().map(settings).map(candidate).collect()
+            let pairs = self.ips.iter().flat_map(|&dynamics| {
+                let poses = if self.pose_ips.is_empty() { vec![dynamics] } else { self.pose_ips.clone() };
+                poses.into_iter().map(move |pose| (dynamics, pose))
+            });
+            pairs.map(settings).map(candidate).collect()
         };
-        let map = || MapSettings { latent, order, max_iterations, balanced: self.balanced };
+        let (balanced, linear) = (self.balanced, self.linear);
+        let map = || MapSettings { latent, order, max_iterations, balanced, linear };
         let dmp = |candidate: fn(DmpSettings) -> ModelSettings| {
             self.bases.iter().map(|&bases| candidate(DmpSettings { bases })).collect()
         };
@@ -126,7 +143,11 @@ impl Plan {
             ModelKind::MapCgpdm => vec![ModelSettings::MapCgpdm(map())],
             ModelKind::Tmp => {
                 let primitives = self.primitives.iter();
-                primitives.map(|&primitives| ModelSettings::Tmp(TmpSettings { primitives })).collect()
+                primitives
+                    .map(|&primitives| {
+                        ModelSettings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })
+                    })
+                    .collect()
             }
             ModelKind::DmpDiscrete => dmp(ModelSettings::DmpDiscrete),
             ModelKind::DmpRhythmic => dmp(ModelSettings::DmpRhythmic),
@@ -255,5 +276,17 @@ mod tests {
         assert_eq!(held_out, "expected a trial from 1 to 3 to hold out, found 4");
         let training = error(Plan { training_trials: vec![3], ..plan() });
         assert_eq!(training, "expected from 1 to 2 trials to train on, found 3");
+    }
+
+    #[test]
+    fn inducing_points_of_dynamics_and_poses_are_a_grid() {
+        let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm], ..plan() };
+        let pairs: Vec<_> = (grid.candidates().iter())
+            .map(|candidate| match candidate {
+                ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(pairs, [(8, 10), (8, 30), (12, 10), (12, 30), (16, 10), (16, 30)]);
     }
 }

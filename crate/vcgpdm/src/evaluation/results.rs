@@ -180,6 +180,11 @@ impl Results {
         self.find(job).is_some_and(|finished| finished.outcome.is_some())
     }
 
+    /// Whether results of both go together: they are of the same trials, parts, frame rate and first frames.
+    pub fn is_of_same_setting(&self, other: &Results) -> bool {
+        self.setting.difference(&other.setting).is_none()
+    }
+
     /// Takes over what the other knows and this one does not.
     ///
     /// # Errors
@@ -220,13 +225,14 @@ impl Results {
 }
 
 /// What tables sort a kind's candidates by.
-fn size(candidate: &ModelSettings) -> usize {
-    match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => s.dynamics_ips,
+fn size(candidate: &ModelSettings) -> (usize, usize) {
+    let size = match candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => return (s.dynamics_ips, s.pose_ips),
         ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => 0,
         ModelSettings::Tmp(s) => s.primitives.unwrap_or(0),
         ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases,
-    }
+    };
+    (size, 0)
 }
 
 /// Whether this can be the result number `index`, counted from 1, of a comparison on so many trials.
@@ -245,12 +251,19 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
         ("an error", outcome.score.mse),
         ("a variance", outcome.score.variance),
         ("a time", outcome.seconds),
-    ] {
+    ]
+    .into_iter()
+    .chain(outcome.part_errors.iter().map(|error| ("the error of a part", *error)))
+    {
         if !found.is_finite() || found < 0.0 {
             return Err(ResultsError::Number { index, what, found });
         }
     }
-    for (what, found) in [("a bound", outcome.bound), ("an objective", Some(outcome.objective))] {
+    for (what, found) in [
+        ("a bound", outcome.bound),
+        ("an objective", Some(outcome.objective)),
+        ("a term of the bound", outcome.terms.as_ref().map(|terms| terms.total())),
+    ] {
         if let Some(found) = found.filter(|found| !found.is_finite()) {
             return Err(ResultsError::NotFinite { index, what, found });
         }
@@ -266,7 +279,7 @@ mod tests {
     use crate::models::{DmpSettings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
-        let candidate = ModelSettings::Tmp(TmpSettings { primitives: None });
+        let candidate = ModelSettings::Tmp(TmpSettings::default());
         Job { candidate, held_out, training_trials, seed: 0 }
     }
 

@@ -3,7 +3,8 @@
 use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
-use crate::evaluation::summary::{ModelSummary, Spread};
+use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
+use crate::models::variational::BoundTerms;
 use crate::models::{ModelKind, ModelSettings};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,18 +15,23 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
-/// Candidates that were trained on all other trials, in the order of tables.
-pub(super) fn rows(results: &Results) -> Vec<Row<'_>> {
-    let others = results.setting().trials.len().saturating_sub(1);
+/// Candidates that were trained on all other trials, in the order of tables. Folds are numbered on from one comparison to the next.
+pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let mut rows: Vec<Row> = Vec::new();
-    for finished in results.finished().iter().filter(|f| f.job.training_trials == others) {
-        let Some(outcome) = &finished.outcome else { continue };
-        let candidate = &finished.job.candidate;
-        let place = rows.iter().position(|row| row.candidate == candidate).unwrap_or_else(|| {
-            rows.push(Row { candidate, outcomes: BTreeMap::new() });
-            rows.len() - 1
-        });
-        rows[place].outcomes.entry(finished.job.held_out).or_default().push(outcome);
+    let mut before = 0;
+    for results in several {
+        let trials = results.setting().trials.len();
+        let others = trials.saturating_sub(1);
+        for finished in results.finished().iter().filter(|f| f.job.training_trials == others) {
+            let Some(outcome) = &finished.outcome else { continue };
+            let candidate = &finished.job.candidate;
+            let place = rows.iter().position(|row| row.candidate == candidate).unwrap_or_else(|| {
+                rows.push(Row { candidate, outcomes: BTreeMap::new() });
+                rows.len() - 1
+            });
+            rows[place].outcomes.entry(before + finished.job.held_out).or_default().push(outcome);
+        }
+        before += trials;
     }
     rows.sort_by_key(|row| ModelKind::ALL.iter().position(|kind| *kind == row.candidate.kind()));
     rows
@@ -49,6 +55,18 @@ pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
+/// The settings of a kind that differ in size alone: of several such groups the one with most results, of equally many the first.
+/// `wanted` says which groups count.
+pub(super) fn settings<'a, 'r>(
+    rows: &'a [Row<'r>],
+    kind: ModelKind,
+    wanted: &dyn Fn(&ModelSettings) -> bool,
+) -> Vec<&'a Row<'r>> {
+    let chosen = |row: &&Row| row.candidate.kind() == kind && wanted(row.candidate);
+    let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
+    groups(rows.iter().filter(chosen)).into_iter().rev().max_by_key(runs).unwrap_or_default()
+}
+
 impl Row<'_> {
     fn folds(&self) -> BTreeSet<usize> {
         self.outcomes.keys().copied().collect()
@@ -57,6 +75,15 @@ impl Row<'_> {
     /// How many outcomes there are.
     pub fn runs(&self) -> usize {
         self.outcomes.values().map(Vec::len).sum()
+    }
+
+    /// The share of trainings that ended because nothing changed any more, of those about which that is known.
+    fn converged(&self) -> Option<f64> {
+        let known: Vec<f64> = (self.outcomes.values().flatten())
+            .filter_map(|o| o.converged())
+            .map(|converged| f64::from(u8::from(converged)))
+            .collect();
+        (!known.is_empty()).then(|| mean(&known))
     }
 
     /// The mean over the seeds of each of these folds, where there is a value.
@@ -86,6 +113,22 @@ impl Row<'_> {
         (!errors.is_empty()).then(|| median(&errors))
     }
 
+    /// The errors of these folds, means over seeds.
+    pub fn errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        folds.iter().filter_map(|fold| Some((*fold, self.error(*fold)?))).collect()
+    }
+
+    /// The error of a fold, the mean over its seeds.
+    pub fn error(&self, fold: usize) -> Option<f64> {
+        self.means(&BTreeSet::from([fold]), &|o| Some(o.score.dtw_mse)).first().copied()
+    }
+
+    /// The bounds of these folds, means over seeds, where there are some.
+    pub fn bounds(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        let bound = |fold: &usize| self.means(&BTreeSet::from([*fold]), &|o| o.bound).first().copied();
+        folds.iter().filter_map(|fold| Some((*fold, bound(fold)?))).collect()
+    }
+
     /// Over all folds that it has itself.
     pub fn summary(&self, label: String) -> Option<ModelSummary> {
         let folds = self.folds();
@@ -97,6 +140,9 @@ impl Row<'_> {
                 count: means.len(),
             })
         };
+        let terms = |value: &dyn Fn(&BoundTerms) -> f64| Some(spread(&|o| o.terms.as_ref().map(value))?.mean);
+        let dynamics = |t: &BoundTerms| t.dynamics.iter().sum::<f64>() + t.initial + t.entropy;
+        let parts = self.outcomes.values().flatten().map(|o| o.part_errors.len()).max().unwrap_or(0);
         Some(ModelSummary {
             model: self.candidate.kind(),
             candidate: self.candidate.clone(),
@@ -107,6 +153,13 @@ impl Row<'_> {
             bound: spread(&|o| o.bound),
             seconds: spread(&|o| Some(o.seconds))?,
             stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
+            converged: self.converged(),
+            terms: terms(&|t| t.kinematics.iter().sum())
+                .zip(terms(&dynamics))
+                .map(|(pose, dynamics)| TermMeans { pose, dynamics }),
+            part_errors: (0..parts)
+                .map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean))
+                .collect(),
             folds: folds.len(),
             runs: self.runs(),
         })

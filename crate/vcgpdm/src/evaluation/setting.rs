@@ -1,6 +1,5 @@
 //! What all results of one comparison have in common: the trials, the parts, the frame rate.
 
-use crate::evaluation::cross_validation::START_FRAMES;
 use crate::motion::Clip;
 use crate::motion::parts::PartSpec;
 use serde::{Deserialize, Serialize};
@@ -69,18 +68,23 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// The clips as trials, the body split into these parts, at about this frame rate.
+    /// The clips as trials, the body split into these parts, at about this frame rate, predicted from so many first frames.
     ///
     /// # Errors
     /// The trials are too few, or two of them are the same motion, or the rate is not positive.
-    pub fn new(clips: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, SettingError> {
+    pub fn new(
+        clips: &[Clip],
+        parts: &[PartSpec],
+        frames_per_second: f64,
+        start_frames: usize,
+    ) -> Result<Self, SettingError> {
         let trial =
             |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone(), piece: clip.piece };
         let setting = Self {
             trials: clips.iter().map(trial).collect(),
             parts: parts.to_vec(),
             frames_per_second,
-            start_frames: START_FRAMES,
+            start_frames,
         };
         setting.check()?;
         Ok(setting)

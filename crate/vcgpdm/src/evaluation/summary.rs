@@ -1,5 +1,6 @@
 //! What a comparison says, as values: its tables and the claims of the papers.
 
+use crate::evaluation::stats::Interval;
 use crate::models::{ModelKind, ModelSettings};
 use serde::Serialize;
 
@@ -35,10 +36,26 @@ pub struct ModelSummary {
     pub seconds: Spread,
     /// Numbers that must be kept to roll out.
     pub stored_numbers: Spread,
+    /// The share of trainings that ended because nothing changed any more, 0 to 1; absent for models without iterations.
+    pub converged: Option<f64>,
+    /// The terms of the bound, means over folds, where the results hold them.
+    pub terms: Option<TermMeans>,
+    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty where the results do not
+    /// hold it.
+    pub part_errors: Vec<f64>,
     /// Number of trials held out.
     pub folds: usize,
     /// Number of trainings.
     pub runs: usize,
+}
+
+/// Means of the terms of a bound, in nats.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TermMeans {
+    /// Kinematics of all parts: the pose maps.
+    pub pose: f64,
+    /// Dynamics into all parts, initial states and entropy.
+    pub dynamics: f64,
 }
 
 /// One candidate in figure 6B of Velychko et al. (2018).
@@ -66,6 +83,8 @@ pub struct Correlation {
     pub folds: usize,
     /// Spearman's rank correlation of bound and error.
     pub rank: f64,
+    /// How likely chance alone makes it so low: the share of all orders of the settings that do.
+    pub chance: f64,
     /// The candidates.
     pub points: Vec<BoundAndError>,
 }
@@ -77,6 +96,8 @@ pub struct FramesAndTime {
     pub frames: f64,
     /// Mean seconds of an iteration.
     pub seconds: f64,
+    /// Mean seconds of a whole training.
+    pub training_seconds: f64,
 }
 
 /// Learning time of one candidate over the frames trained on: figure 2 of the supplement of Velychko et al. (2017).
@@ -88,17 +109,58 @@ pub struct Growth {
     pub label: String,
     /// From few to many frames.
     pub points: Vec<FramesAndTime>,
-    /// k where time grows as frames to the power k; absent where it cannot be told.
+    /// k where the time of an iteration grows as frames to the power k; absent where it cannot be told.
     pub exponent: Option<f64>,
+    /// Where k lies, 95 %, by Student's t of the slope.
+    pub interval: Option<Interval>,
+}
+
+/// Two ways to split the body in one fold: what their bounds say, and what their errors say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evidence {
+    /// The trial held out, by its name.
+    pub trial: String,
+    /// The bound of the vCGPDM minus that of the vGPDM, in nats: the logarithm of a Bayes factor (2020, equation 2.12), as far as both
+    /// bounds are tight.
+    pub log_bayes_factor: f64,
+    /// The error of the vCGPDM over that of the vGPDM.
+    pub error_ratio: f64,
+}
+
+/// What results say about a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Answer {
+    /// The whole interval agrees with it.
+    Yes,
+    /// The whole interval contradicts it.
+    No,
+    /// The interval reaches to both sides, or there are too few trials for one.
+    Undecided,
+}
+
+impl Answer {
+    /// In a word, in sentence case of tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Answer::Yes => "yes",
+            Answer::No => "no",
+            Answer::Undecided => "undecided",
+        }
+    }
 }
 
 /// What the papers say, and what these results say about it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Claim {
-    /// The claim and its year.
+    /// The sentence of the paper; where there is none, what we ask beside it.
     pub claim: String,
-    /// What was found.
+    /// Where it stands: year and section; "not in the papers" for what we ask ourselves.
+    pub place: String,
+    /// Our criterion: what it is held against.
+    pub criterion: String,
+    /// The effect that was found, with its interval.
     pub found: String,
     /// Whether that agrees.
-    pub holds: bool,
+    pub answer: Answer,
 }

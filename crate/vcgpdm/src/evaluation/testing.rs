@@ -26,7 +26,7 @@ pub fn variational(ips: usize) -> VariationalSettings {
 
 /// Settings of a model with point latents.
 pub fn map(balanced: bool) -> MapSettings {
-    MapSettings { latent: 3, order: 2, max_iterations: 100, balanced }
+    MapSettings { latent: 3, order: 2, max_iterations: 100, balanced, linear: false }
 }
 
 /// An outcome with these numbers.
@@ -40,6 +40,8 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
         frames,
         stored_numbers: 700,
         reason: None,
+        terms: None,
+        part_errors: Vec::new(),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::gp::Kernel;
 use crate::gp::exp::exp;
 use nalgebra::DMatrix;
 
-/// f(x) = sum_a k(x, z_a) c_a, where the inputs z are [K x P] and the coefficients c [K x C]: the form of every mean prediction
+/// f(x) = sum_a k(x, z_a) c_a, and where asked for a linear function more, where the inputs z are [K x P] and the coefficients c [K x C]: the form of every mean prediction
 /// of a Gaussian process.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KernelSum {
@@ -14,6 +14,8 @@ pub struct KernelSum {
     /// Coefficients times the signal variance, one input after the other [K x C].
     coefficients: Vec<f64>,
     outputs: usize,
+    /// The linear function, one input dimension after the other [P x C]; empty without one.
+    slope: Vec<f64>,
 }
 
 impl KernelSum {
@@ -28,13 +30,25 @@ impl KernelSum {
         for row in coefficients.row_iter() {
             weighted.extend(row.iter().map(|c| c * kernel.variance));
         }
-        Self { scaled, inverse_lengthscales, coefficients: weighted, outputs: coefficients.ncols() }
+        Self {
+            scaled,
+            inverse_lengthscales,
+            coefficients: weighted,
+            outputs: coefficients.ncols(),
+            slope: Vec::new(),
+        }
+    }
+
+    /// The sum and the linear function x -> `slope`^T x, `slope` [P x C].
+    pub fn with_slope(mut self, slope: &DMatrix<f64>) -> Self {
+        self.slope = slope.transpose().as_slice().to_vec();
+        self
     }
 
     /// The sum times a `weight`.
     pub fn weighted(&self, weight: f64) -> Self {
         let mut sum = self.clone();
-        sum.coefficients.iter_mut().for_each(|c| *c *= weight);
+        sum.coefficients.iter_mut().chain(&mut sum.slope).for_each(|c| *c *= weight);
         sum
     }
 
@@ -60,6 +74,11 @@ impl KernelSum {
     /// Adds f(x) `[C]` to `out`; `scratch` holds at least P numbers.
     pub(crate) fn add_to(&self, x: &[f64], scratch: &mut [f64], out: &mut [f64]) {
         let dims = self.inverse_lengthscales.len();
+        for (x, slope) in x.iter().zip(self.slope.chunks_exact(self.outputs)) {
+            for (out, s) in out.iter_mut().zip(slope) {
+                *out += x * s;
+            }
+        }
         let scratch = &mut scratch[..dims];
         for ((s, x), i) in scratch.iter_mut().zip(x).zip(&self.inverse_lengthscales) {
             *s = x * i;
@@ -89,6 +108,9 @@ mod tests {
         let sum = KernelSum::new(&z, &kernel, &c);
         let expected = kernel.cross_covariance(&x, &z) * &c;
         assert_relative_eq!(sum.at_rows(&x), expected, epsilon = 1e-13);
-        assert_relative_eq!(sum.weighted(0.25).at_rows(&x), expected * 0.25, epsilon = 1e-13);
+        assert_relative_eq!(sum.weighted(0.25).at_rows(&x), &expected * 0.25, epsilon = 1e-13);
+        let slope = DMatrix::from_fn(2, 3, |p, q| (p + 3 * q) as f64);
+        let with = sum.with_slope(&slope).weighted(2.0);
+        assert_relative_eq!(with.at_rows(&x), (expected + &x * slope) * 2.0, epsilon = 1e-12);
     }
 }

@@ -5,7 +5,7 @@ use crate::models::kind::ModelKind;
 use crate::models::map::MapModel;
 use crate::models::rollout::RolloutError;
 use crate::models::tmp::Tmp;
-use crate::models::variational::Vcgpdm;
+use crate::models::variational::{BoundTerms, Vcgpdm};
 use nalgebra::DMatrix;
 
 /// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over all training frames).
@@ -59,6 +59,14 @@ impl Model {
             Model::Tmp(model) => model.stored_numbers(),
             Model::DmpDiscrete(model) => model.stored_numbers(),
             Model::DmpRhythmic(model) => model.stored_numbers(),
+        }
+    }
+
+    /// The terms of the bound, where the model has a bound of such terms.
+    pub fn terms(&self) -> Option<&BoundTerms> {
+        match self {
+            Model::Vcgpdm(model) => Some(&model.terms),
+            Model::Map(_) | Model::Tmp(_) | Model::DmpDiscrete(_) | Model::DmpRhythmic(_) => None,
         }
     }
 

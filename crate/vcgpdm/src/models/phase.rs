@@ -5,7 +5,7 @@
 //! first frames are there, and it cannot explain differences of shape away.
 
 use crate::elementary::Elementary;
-use crate::motion::{RHYTHMIC, period};
+use crate::motion::{Period, RHYTHMIC, period};
 use nalgebra::DMatrix;
 
 /// Places of the template along the axis.
@@ -22,6 +22,8 @@ const MOST_STRETCH: f64 = 1.25;
 const START_MARGIN: f64 = 0.1;
 /// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which one is best.
 const STRETCHES: i32 = 6;
+/// The period of a trial is at most so many times longer or shorter than the common one.
+const MOST_PACE: f64 = 1.5;
 /// Steps of the search for a start are halved so often.
 const HALVINGS: usize = 6;
 
@@ -82,12 +84,24 @@ impl Alignment {
         whole().map(|(_, map)| map.rate).sum::<f64>() / whole().count().max(1) as f64
     }
 
+    /// The whole movement in normalised time: every whole trial from 0 to 1, every other one at the mean rate.
+    pub fn normalised_time(trials: &[Trial]) -> Self {
+        let rate = |trial: &Trial| 1.0 / trial.y.nrows().saturating_sub(1).max(1) as f64;
+        let mut maps: Vec<PhaseMap> =
+            trials.iter().map(|trial| PhaseMap { start: 0.0, rate: rate(trial) }).collect();
+        let mean = Self::mean_rate(trials, &maps);
+        for (map, _) in maps.iter_mut().zip(trials).filter(|(_, trial)| !trial.whole) {
+            map.rate = mean;
+        }
+        Self { axis: PhaseAxis::Trial, maps }
+    }
+
     /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits every trial to it.
     /// At least one trial has to be whole.
     pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
         let whole: Vec<DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| t.y.clone()).collect();
         let longest = whole.iter().map(|y| y.nrows()).max().unwrap_or(1);
-        let found = period(&whole);
+        let found = common_period(&whole);
         let axis = axis.unwrap_or(match found {
             Some(p) if p.correlation >= RHYTHMIC => PhaseAxis::Cycle,
             _ => PhaseAxis::Trial,
@@ -159,7 +173,7 @@ pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
 }
 
 /// Between which phases a trial may begin.
-pub fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     if axis == PhaseAxis::Cycle {
         return (0.0, 1.0);
     }
@@ -167,10 +181,26 @@ pub fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64,
     (starts().fold(f64::INFINITY, f64::min), starts().fold(f64::NEG_INFINITY, f64::max) + START_MARGIN)
 }
 
-/// The period of one trial where it is clear and near the `common` one.
+/// The period of all trials together. Walks at several speeds share none: then the median of those of the trials, where most of them
+/// repeat themselves within half of their length.
+fn common_period(trials: &[DMatrix<f64>]) -> Option<Period> {
+    let together = period(trials);
+    if together.is_some_and(|p| p.correlation >= RHYTHMIC) {
+        return together;
+    }
+    let own = trials.iter().filter_map(|y| {
+        let own = period(std::slice::from_ref(y))?;
+        (own.correlation >= RHYTHMIC && 2.0 * own.frames <= y.nrows() as f64).then_some(own)
+    });
+    let mut own: Vec<Period> = own.collect();
+    own.sort_by(|a, b| a.frames.total_cmp(&b.frames));
+    if 2 * own.len() > trials.len() { own.get(own.len() / 2).copied() } else { together }
+}
+
+/// The period of one trial where it is clear, and neither half nor twice the `common` one: people walk slowly or briskly.
 fn own_period(y: &DMatrix<f64>, common: f64) -> f64 {
     match period(std::slice::from_ref(y)) {
-        Some(p) if (p.frames / common - 1.0).abs() < 0.25 => p.frames,
+        Some(p) if p.frames < MOST_PACE * common && common < MOST_PACE * p.frames => p.frames,
         _ => common,
     }
 }
@@ -349,5 +379,21 @@ mod tests {
         let middle = |s: usize| found.maps[s].at(trials[s].y.nrows() / 2);
         assert!((middle(1) - middle(0) - 0.05).abs() < 0.02, "{found:?}");
         assert!((middle(2) - middle(0) + 0.04).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn walks_at_several_speeds_are_cycles() {
+        let truth =
+            [(112, 34.0, 0.1), (118, 44.0, 0.85), (66, 26.0, 0.4), (105, 35.0, 0.2), (120, 46.0, 0.6)];
+        let trials: Vec<Trial> =
+            truth.map(|(t, p, s)| Trial { y: walk(t, p, s), whole: true }).into_iter().collect();
+        let found = Alignment::new(&trials, None);
+        assert_eq!(found.axis, PhaseAxis::Cycle);
+        let origin = found.maps[0].start - 0.1;
+        for (map, (_, period, start)) in found.maps.iter().zip(truth) {
+            let off = map.start - start - origin;
+            assert!((off - off.round()).abs() < 0.03, "{found:?}");
+            assert!((map.rate * period - 1.0).abs() < 0.02, "{found:?}");
+        }
     }
 }

@@ -38,11 +38,14 @@ pub struct MapSettings {
     /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise the latents are
     /// at the maximum of their posterior density itself.
     pub balanced: bool,
+    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008); the variational models have none.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub linear: bool,
 }
 
 impl Default for MapSettings {
     fn default() -> Self {
-        Self { latent: 3, order: 2, max_iterations: 800, balanced: false }
+        Self { latent: 3, order: 2, max_iterations: 800, balanced: false, linear: false }
     }
 }
 
@@ -52,6 +55,10 @@ impl Default for MapSettings {
 pub struct TmpSettings {
     /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
     pub primitives: Option<usize>,
+    /// Whether the primitives are functions of normalised time, with weights that all trials share (Clever et al. 2016);
+    /// otherwise of a phase that is learned for each trial, as are its weights.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub normalised_time: bool,
 }
 
 /// Settings of dynamic movement primitives, discrete or rhythmic.
@@ -152,7 +159,7 @@ mod tests {
             assert!(text.contains(settings.kind().id()));
         }
         let absent = serde_json::from_str::<ModelSettings>(r#"{"model":"tmp"}"#).unwrap();
-        assert_eq!(absent, ModelSettings::Tmp(TmpSettings { primitives: None }));
+        assert_eq!(absent, ModelSettings::Tmp(TmpSettings::default()));
     }
 
     #[test]

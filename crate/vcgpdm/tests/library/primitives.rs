@@ -50,7 +50,7 @@ fn score(model: &Model, sequence: usize, actual: &DMatrix<f64>) -> Score {
 fn a_held_out_walk_is_predicted_from_its_first_five_frames() {
     let Some((movements, actual)) = walks(6, 6) else { return };
     for settings in [
-        ModelSettings::Tmp(TmpSettings { primitives: Some(6) }),
+        ModelSettings::Tmp(TmpSettings { primitives: Some(6), ..TmpSettings::default() }),
         ModelSettings::DmpRhythmic(DmpSettings::default()),
     ] {
         let mut learner = settings.learner(&movements, 0).unwrap();

@@ -33,7 +33,10 @@ pub(super) fn baseline_settings(field: Field, kind: ModelKind) -> Result<(ModelS
         ModelKind::MapCgpdm => (ModelSettings::MapCgpdm(map_settings(&mut object)?), seed(&mut object)?),
         ModelKind::Tmp => {
             let primitives = object.optional("primitives").map(|field| in_range(&field, 1..=MOST_IPS));
-            (ModelSettings::Tmp(TmpSettings { primitives: primitives.transpose()? }), 0)
+            let time = object.optional("normalised_time").map(|field| in_range(&field, 0..=1)).transpose()?;
+            let normalised_time = time == Some(1);
+            let primitives = primitives.transpose()?;
+            (ModelSettings::Tmp(TmpSettings { primitives, normalised_time }), 0)
         }
         ModelKind::DmpDiscrete => (ModelSettings::DmpDiscrete(dmp_settings(&mut object)?), 0),
         ModelKind::DmpRhythmic => (ModelSettings::DmpRhythmic(dmp_settings(&mut object)?), 0),
@@ -50,6 +53,7 @@ fn map_settings(object: &mut Object) -> Result<MapSettings, FieldError> {
         max_iterations: object.get("max_iterations")?.whole()?,
         // Yes is 1.
         balanced: in_range(&object.get("balanced")?, 0..=1)? == 1,
+        linear: object.optional("linear").map(|field| in_range(&field, 0..=1)).transpose()? == Some(1),
     })
 }
 

@@ -102,6 +102,11 @@ impl Factor {
         2.0 * (0..l.nrows()).map(|k| l[(k, k)].logarithm()).sum::<f64>()
     }
 
+    /// L, with L L^T = matrix.
+    pub fn lower(&self) -> DMatrix<f64> {
+        self.cholesky.l()
+    }
+
     /// matrix^-1 `rhs`.
     pub fn solve(&self, rhs: &DMatrix<f64>) -> DMatrix<f64> {
         self.cholesky.solve(rhs)

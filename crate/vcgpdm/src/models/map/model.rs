@@ -31,6 +31,7 @@ pub struct MapModel {
     parts: Vec<MapPoseMap>,
     dynamics: Vec<Vec<Kernel>>,
     coefficients: Vec<DMatrix<f64>>,
+    linear: DMatrix<f64>,
     alpha: DMatrix<f64>,
     latent_dynamics: LatentDynamics,
     poses: Vec<KernelSum>,
@@ -54,29 +55,39 @@ impl MapModel {
             parts.collect(),
             params.dynamics.clone(),
             density.dynamics_coefficients(params)?,
+            params.linear.clone(),
             params.alpha.clone(),
         ))
     }
 
-    /// Puts a model together: `dynamics[source][target]`, `coefficients[target]` C_i^-1 X^i [R x Q_i], `alpha[source][target]`.
+    /// Puts a model together: `dynamics[source][target]`, `coefficients[target]` C_i^-1 X^i [R x Q_i],
+    /// `linear[source][target]` (or [0 x 0]), `alpha[source][target]`.
     pub fn new(
         sequences: Sequences,
         parts: Vec<MapPoseMap>,
         dynamics: Vec<Vec<Kernel>>,
         coefficients: Vec<DMatrix<f64>>,
+        linear: DMatrix<f64>,
         alpha: DMatrix<f64>,
     ) -> Self {
         let histories: Vec<DMatrix<f64>> = parts.iter().map(|p| sequences.windows(&p.latents)).collect();
         let sums = coefficients.iter().enumerate().map(|(i, c)| {
             let weights = coupling_weights(alpha.column(i).as_slice()).1;
-            let sources = histories.iter().zip(&dynamics).zip(&weights);
-            sources.map(|((h, row), w)| KernelSum::new(h, &row[i], &(c * (w * w)))).collect()
+            let sum = |(j, w): (usize, &f64)| {
+                let (h, c) = (&histories[j], c * (w * w));
+                let sum = KernelSum::new(h, &dynamics[j][i], &c);
+                match linear.get((j, i)) {
+                    Some(theta) => sum.with_slope(&(h.tr_mul(&c) * *theta)),
+                    None => sum,
+                }
+            };
+            weights.iter().enumerate().map(sum).collect()
         });
         let latent = parts.iter().map(|part| part.latents.ncols()).collect();
         let latent_dynamics = LatentDynamics::new(sequences.order(), latent, sums.collect());
         let maps = parts.iter().map(|part| KernelSum::new(&part.latents, &part.kernel, &part.coefficients));
         let poses = maps.collect();
-        Self { sequences, parts, dynamics, coefficients, alpha, latent_dynamics, poses }
+        Self { sequences, parts, dynamics, coefficients, linear, alpha, latent_dynamics, poses }
     }
 
     /// Where the training sequences lie in the latents.
@@ -97,6 +108,11 @@ impl MapModel {
     /// C_i^-1 X^i of the dynamics into each part [R x Q_i].
     pub fn coefficients(&self) -> &[DMatrix<f64>] {
         &self.coefficients
+    }
+
+    /// Variances of the linear terms of the dynamics [M x M], row the source, column the target; [0 x 0] without them.
+    pub fn linear(&self) -> &DMatrix<f64> {
+        &self.linear
     }
 
     /// Learned coupling variances [M x M], row the source, column the target.
@@ -140,7 +156,7 @@ impl MapModel {
             self.parts.iter().map(|p| p.latents.len() + p.coefficients.len() + p.kernel.lambda.len() + 1);
         let kernels = self.dynamics.iter().flatten().map(|kernel| kernel.lambda.len());
         let coefficients = self.coefficients.iter().map(|c| c.len());
-        poses.chain(kernels).chain(coefficients).sum::<usize>() + self.alpha.len()
+        poses.chain(kernels).chain(coefficients).sum::<usize>() + self.linear.len() + self.alpha.len()
     }
 }
 
@@ -179,7 +195,9 @@ mod tests {
                     // The new row's history is the first training row's: the start of the first sequence.
                     let histories = sequences.windows(&source.latents);
                     let all = with_row(&histories, &histories.rows(0, 1).into_owned());
-                    joint += params.dynamics[j][i].cross_covariance(&all, &all) * weights[j].powi(2);
+                    let linear = &all * all.transpose() * params.linear_term(j, i).unwrap_or(0.0);
+                    let kernel = params.dynamics[j][i].cross_covariance(&all, &all);
+                    joint += (kernel + linear) * weights[j].powi(2);
                 }
                 let expected = conditional_mean(&joint, &sequences.lagged(&part.latents, 0));
                 assert_relative_eq!(path[i].rows(order, 1).into_owned(), expected, epsilon = 1e-8);

@@ -24,6 +24,9 @@ pub struct MapParams {
     /// Kernels of the dynamics by source and target: `dynamics[j][i]` is of j's prediction about i. Their signal variance is 1,
     /// because the scale of a function and its coupling weight could otherwise be traded for each other.
     pub dynamics: Vec<Vec<Kernel>>,
+    /// Variances theta of the linear term theta x_{-t} . x_{-t'} of each kernel of the dynamics (Wang et al. 2008, 10) [M x M], row the
+    /// source, column the target; [0 x 0]: no linear term.
+    pub linear: DMatrix<f64>,
     /// Coupling variances alpha [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
 }
@@ -32,6 +35,11 @@ impl MapParams {
     /// Number of parts M.
     pub fn part_count(&self) -> usize {
         self.parts.len()
+    }
+
+    /// theta of what part j predicts about part i, where there are linear terms.
+    pub fn linear_term(&self, j: usize, i: usize) -> Option<f64> {
+        self.linear.get((j, i)).copied()
     }
 
     /// The same shapes, all entries zero.
@@ -56,6 +64,7 @@ impl Parameters for MapParams {
         for kernel in self.dynamics.iter().flatten() {
             f(LAMBDA, kernel.lambda.as_slice());
         }
+        f(SIGNAL, self.linear.as_slice());
         f(ALPHA, self.alpha.as_slice());
     }
 
@@ -69,6 +78,7 @@ impl Parameters for MapParams {
         for kernel in self.dynamics.iter_mut().flatten() {
             f(LAMBDA, kernel.lambda.as_mut_slice());
         }
+        f(SIGNAL, self.linear.as_mut_slice());
         f(ALPHA, self.alpha.as_mut_slice());
     }
 }

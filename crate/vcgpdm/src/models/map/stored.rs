@@ -26,10 +26,15 @@ impl MapModel {
         });
         // The dynamics into each part.
         let dynamics = Value::list(self.coefficients().iter().enumerate(), |(i, coefficients)| {
-            Value::object([
+            // Of each source; absent without linear terms.
+            let linear = self.linear().column_iter().nth(i);
+            let linear = linear.map(|column| ("linear".to_owned(), Value::numbers(column.as_slice())));
+            let fields = [
                 ("lambda", Value::list(self.dynamics(), |row| Value::numbers(row[i].lambda.as_slice()))),
                 ("coefficients", Value::matrix(coefficients)),
-            ])
+            ];
+            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
+            Value::Object(fields.chain(linear).collect())
         });
         Value::object([
             ("order", Value::whole(self.sequences().order())),
@@ -68,6 +73,7 @@ impl MapModel {
         count(&list, items.len(), m..=m)?;
         let mut dynamics = vec![Vec::with_capacity(m); m];
         let mut coefficients = Vec::with_capacity(m);
+        let mut linear: Vec<f64> = Vec::new();
         for (item, q) in items.into_iter().zip(&latent) {
             let mut target = item.object()?;
             let list = target.get("lambda")?;
@@ -77,13 +83,24 @@ impl MapModel {
                 row.push(Kernel { lambda: lambda(source, order * q)?, variance: 1.0 });
             }
             coefficients.push(matrix(&target.get("coefficients")?, sequences.transitions(), *q)?);
+            if let Some(field) = target.optional("linear") {
+                linear.extend(lambda(&field, m)?.iter());
+            }
             target.end()?;
         }
+        // All targets have linear terms, or none has.
+        let linear = match linear.len() {
+            0 => DMatrix::zeros(0, 0),
+            found if found == m * m => DMatrix::from_vec(m, m, linear),
+            _ => {
+                return Err(list.error("expected linear terms in the dynamics into every part, or into none"));
+            }
+        };
         let field = object.get("alpha")?;
         let alpha = matrix(&field, m, m)?;
         positive(&field, alpha.as_slice())?;
         object.end()?;
-        Ok(MapModel::new(sequences, parts, dynamics, coefficients, alpha))
+        Ok(MapModel::new(sequences, parts, dynamics, coefficients, linear, alpha))
     }
 }
 

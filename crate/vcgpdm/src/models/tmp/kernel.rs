@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 /// Distance of inducing phases in lengthscales. A squared exponential has almost nothing above the frequency that this
 /// resolves, so that the values between them follow (the bound counts what does not).
 const SPACING: f64 = 0.7;
-/// More would only be slow; it limits the lengthscale from below.
-const MOST_INDUCING: usize = 48;
+/// More would only be slow; it limits the lengthscale from below. On a cycle, and on a whole movement.
+const MOST_INDUCING: [usize; 2] = [30, 48];
 const FEWEST_INDUCING: usize = 5;
 /// On the diagonal of the inducing covariance: inducing values with a little noise are inducing values too.
 const JITTER: f64 = 1e-8;
@@ -68,7 +68,7 @@ impl PhaseKernel {
     /// The smallest lengthscale that the inducing phases can follow.
     pub fn shortest(axis: PhaseAxis, range: (f64, f64)) -> f64 {
         let length = if axis == PhaseAxis::Cycle { 1.0 } else { range.1 - range.0 };
-        length / (SPACING * (MOST_INDUCING - 3) as f64)
+        length / (SPACING * (MOST_INDUCING[usize::from(axis == PhaseAxis::Trial)] - 3) as f64)
     }
 
     /// P = K_pz L^-T [T x R] with K_zz = L L^T: the process at `phases` is P v plus what is left, v ~ N(0, I).

@@ -4,10 +4,11 @@ use crate::gp::NumericsError;
 use crate::models::learner::Learner;
 use crate::models::model::Model;
 use crate::models::movements::Movements;
-use crate::models::phase::{Alignment, Trial};
+use crate::models::phase::{Alignment, PhaseMap, Trial};
 use crate::models::progress::{EndReason, LearningProgress};
 use crate::models::settings::TmpSettings;
 use crate::models::tmp::Tmp;
+use crate::models::tmp::beginning::Beginning;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::split_trials;
@@ -17,11 +18,17 @@ const MOST_PRIMITIVES: usize = 40;
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;
 /// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the bound.
-const SMALL_GAIN: f64 = 2e-6;
+const SMALL_GAIN: f64 = 5e-6;
+/// While numbers are compared: each begins where the one before it ended, with one primitive more, and is soon good enough.
+const SEARCH_GAIN: f64 = 5e-5;
+const SEARCH_SWEEPS: usize = 30;
+/// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One that is not used costs
+/// nothing, and the bound creeps up a little with every sweep.
+const DECISIVE: f64 = 5.0;
+/// From so many primitives on every second number is tried: one more hardly changes the bound.
+const MANY: usize = 10;
 /// The search for the number ends when so many in a row were worse than the best.
 const WORSE_IN_A_ROW: usize = 2;
-/// Places along the axis where a trial of which only the first frames are known is looked for.
-const PLACES: usize = 32;
 /// First step of the phases and factor of the lengthscale; both shrink.
 const PHASE_STEP: f64 = 1.0 / 64.0;
 const LENGTHSCALE_FACTOR: f64 = 1.4;
@@ -36,14 +43,19 @@ pub(super) struct Limits {
 }
 
 /// The limits of every training; tests have smaller ones.
-const LIMITS: Limits = Limits { most_primitives: 12, max_sweeps: 150 };
+const LIMITS: Limits = Limits { most_primitives: 20, max_sweeps: 150 };
 
 /// A training of temporal movement primitives.
 pub struct TmpLearner {
+    /// The whole trials: what is learned from.
     trials: Vec<Trial>,
+    /// Those of which only the first frames are known.
+    begun: Vec<Trial>,
+    /// The places in the training set of the whole trials, then of the begun ones.
+    order: Vec<usize>,
     columns: Vec<usize>,
-    groups: Vec<usize>,
-    alignment: Alignment,
+    /// Whether phases are learned; else they are normalised time, and all trials have the same weights.
+    learns_phases: bool,
     /// The number of primitives asked for; absent: chosen by the bound.
     asked: Option<usize>,
     limits: Limits,
@@ -54,12 +66,13 @@ pub struct TmpLearner {
     sweeps: usize,
     /// The bound [`EVERY`] sweeps ago.
     before: f64,
-    relocated: bool,
     phase_step: f64,
     lengthscale_factor: f64,
     best: Option<(f64, Posterior)>,
     bounds: Vec<(usize, f64)>,
     iteration: usize,
+    /// How the search for the number ended, while the best is learned to the end.
+    end: Option<EndReason>,
     reason: Option<EndReason>,
 }
 
@@ -80,19 +93,25 @@ impl TmpLearner {
     ) -> Result<Self, TrainingError> {
         let asked = settings.primitives;
         in_range("the number of primitives", asked.unwrap_or(1), MOST_PRIMITIVES)?;
-        let (trials, columns) = split_trials(movements)?;
-        let alignment = Alignment::new(&trials, None);
+        let (all, columns) = split_trials(movements)?;
+        let mut order: Vec<usize> = (0..all.len()).collect();
+        order.sort_by_key(|&s| !all[s].whole);
+        let (trials, begun): (Vec<Trial>, Vec<Trial>) = all.into_iter().partition(|trial| trial.whole);
+        let learns_phases = !settings.normalised_time;
+        let alignment =
+            if learns_phases { Alignment::new(&trials, None) } else { Alignment::normalised_time(&trials) };
         let count = asked.unwrap_or(1);
         // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the same footing, because
         // the bound of a column that hardly moves would otherwise grow without limit.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
-        let current = Posterior::start(&trials, &alignment, &groups, count)?;
+        let current = Posterior::start(&trials, &alignment, &groups, count, settings.normalised_time)?;
         let bound = current.bound(&trials)?;
         Ok(Self {
             trials,
+            begun,
+            order,
             columns,
-            groups,
-            alignment,
+            learns_phases,
             asked,
             limits,
             count,
@@ -100,12 +119,12 @@ impl TmpLearner {
             bound,
             sweeps: 0,
             before: bound,
-            relocated: false,
             phase_step: PHASE_STEP,
             lengthscale_factor: LENGTHSCALE_FACTOR,
             best: None,
             bounds: Vec::new(),
             iteration: 0,
+            end: None,
             reason: None,
         })
     }
@@ -120,7 +139,9 @@ impl TmpLearner {
             if !current.update_lengthscale(trials, self.lengthscale_factor)? {
                 self.lengthscale_factor = self.lengthscale_factor.sqrt();
             }
-            current.update_phases(trials, self.phase_step);
+            if self.learns_phases {
+                current.update_phases(trials, self.phase_step);
+            }
             self.phase_step = (self.phase_step * 0.7).max(1e-4);
         }
         self.sweeps += 1;
@@ -131,40 +152,84 @@ impl TmpLearner {
     fn advance(&mut self) -> Result<(), NumericsError> {
         self.bound = self.sweep()?;
         let look = self.sweeps.is_multiple_of(EVERY);
-        let small = look && self.bound - self.before < SMALL_GAIN * self.bound.abs();
+        let gain = if self.is_searching() { SEARCH_GAIN } else { SMALL_GAIN };
+        let small = look && self.bound - self.before < gain * self.bound.abs();
         if look {
             self.before = self.bound;
         }
-        // Late enough for the primitives to be about right, early enough for them to follow.
-        let late = 2 * self.sweeps > self.limits.max_sweeps;
-        if !self.relocated && (small || late) && self.sweeps < self.limits.max_sweeps {
-            self.current.relocate(&self.trials, PLACES)?;
-            self.bound = self.current.bound(&self.trials)?;
-            (self.relocated, self.before) = (true, f64::NEG_INFINITY);
+        let most = if self.is_searching() { SEARCH_SWEEPS } else { self.limits.max_sweeps };
+        if self.sweeps < most && !small {
             return Ok(());
         }
-        if self.sweeps < self.limits.max_sweeps && !small {
-            return Ok(());
-        }
-        self.bounds.push((self.count, self.bound));
-        if self.best.as_ref().is_none_or(|(best, _)| self.bound > *best) {
-            self.best = Some((self.bound, self.current.clone()));
-        }
+        self.keep();
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
         if self.asked.is_some() {
-            self.reason = Some(EndReason::BoundSettled);
-        } else if self.count >= best + WORSE_IN_A_ROW {
-            self.reason = Some(EndReason::MorePrimitivesAreWorse { best });
+            self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
+        } else if let Some(end) = self.end.take() {
+            self.reason = Some(end);
+        } else if self.worse_in_a_row(best) >= WORSE_IN_A_ROW {
+            self.polish(EndReason::MorePrimitivesAreWorse { best });
         } else if self.count >= self.limits.most_primitives {
-            self.reason = Some(EndReason::MostPrimitives { best });
+            self.polish(EndReason::MostPrimitives { best });
         } else {
-            self.count += 1;
-            self.current = Posterior::start(&self.trials, &self.alignment, &self.groups, self.count)?;
+            let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
+            for _ in 0..more {
+                self.count += 1;
+                self.current = self.current.with_one_more(&self.trials)?;
+            }
             self.bound = self.current.bound(&self.trials)?;
-            (self.sweeps, self.before, self.relocated) = (0, self.bound, false);
-            (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);
+            self.begin();
         }
         Ok(())
+    }
+
+    /// How many numbers of primitives are tried at most.
+    fn numbers_to_try(&self) -> usize {
+        let most = self.limits.most_primitives;
+        most.min(MANY) + most.saturating_sub(MANY).div_ceil(2)
+    }
+
+    /// How many numbers of primitives were tried after the best.
+    fn worse_in_a_row(&self, best: usize) -> usize {
+        self.bounds.iter().filter(|(count, _)| *count > best).count()
+    }
+
+    /// Whether numbers of primitives are tried; the best one is learned to the end afterwards.
+    fn is_searching(&self) -> bool {
+        self.asked.is_none() && self.end.is_none()
+    }
+
+    /// Sweeps, and the steps that shrink in them, begin anew.
+    fn begin(&mut self) {
+        (self.sweeps, self.before) = (0, self.bound);
+        (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);
+    }
+
+    /// Whether what is being learned is better than the best before.
+    fn leads(&self) -> bool {
+        self.best.as_ref().is_none_or(|(bound, posterior)| {
+            self.bound > bound + if posterior.primitives() < self.count { DECISIVE } else { 0.0 }
+        })
+    }
+
+    /// Notes the bound of this number of primitives, and the posterior where it is the best.
+    fn keep(&mut self) {
+        match self.bounds.iter_mut().find(|(count, _)| *count == self.count) {
+            Some((_, bound)) => *bound = self.bound.max(*bound),
+            None => self.bounds.push((self.count, self.bound)),
+        }
+        if self.leads() {
+            self.best = Some((self.bound, self.current.clone()));
+        }
+    }
+
+    /// Goes on with the best number of primitives; what is said at the end is known.
+    fn polish(&mut self, end: EndReason) {
+        if let Some((bound, posterior)) = &self.best {
+            (self.count, self.bound, self.current) = (posterior.primitives(), *bound, posterior.clone());
+        }
+        self.end = Some(end);
+        self.begin();
     }
 }
 
@@ -180,21 +245,24 @@ impl Learner for TmpLearner {
     }
 
     fn progress(&self) -> LearningProgress {
-        let counts = if self.asked.is_some() { 1 } else { self.limits.most_primitives };
-        let best = self.best.as_ref().map_or(f64::NEG_INFINITY, |(best, _)| *best).max(self.bound);
-        let within = self.sweeps as f64 / self.limits.max_sweeps as f64;
-        let share = (self.bounds.len() as f64 + within.min(1.0)) / counts as f64;
+        let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
+        let most = most + self.limits.max_sweeps;
+        let best = match &self.best {
+            Some((best, _)) if !self.leads() => *best,
+            _ => self.bound,
+        };
+        let share = self.iteration as f64 / most as f64;
         let done = self.reason.is_some();
         LearningProgress {
             iteration: self.iteration,
-            max_iterations: counts * self.limits.max_sweeps,
+            max_iterations: most,
             evaluations: 0,
             objective: self.bound,
             best,
             phase: None,
             done,
             reason: self.reason.clone(),
-            fraction: if done { 1.0 } else { share.min(1.0) },
+            fraction: if done { 1.0 } else { share.min(0.99) },
         }
     }
 
@@ -211,9 +279,25 @@ impl TmpLearner {
     /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<Tmp, NumericsError> {
         let best = match &self.best {
-            Some((bound, posterior)) if *bound >= self.bound => posterior,
+            Some((_, posterior)) if !self.leads() => posterior,
             _ => &self.current,
         };
-        Tmp::new(best, &self.trials, &self.columns, &self.bounds)
+        let mut posterior = best.clone();
+        let mut trials = self.trials.clone();
+        let mut stretch = 0.0;
+        for trial in &self.begun {
+            let beginning = Beginning::new(best, &self.trials, trial)?;
+            let map = if self.learns_phases {
+                beginning.find()?
+            } else {
+                PhaseMap { start: 0.0, rate: Alignment::mean_rate(&self.trials, &best.maps) }
+            };
+            posterior.include(beginning.view(&map), map)?;
+            trials.push(beginning.whitened().clone());
+            stretch += beginning.stretch();
+        }
+        let mut model = Tmp::new(&posterior, &trials, &self.order, &self.columns, &self.bounds)?;
+        model.bound -= stretch;
+        Ok(model)
     }
 }

@@ -13,19 +13,29 @@
 //!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
 //! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k diag(a)). c_k is the scale of
 //!   the column, a_q tells how much primitive q is used at all, and V [Q x Q] how the weights of a trial differ from the mean
-//!   movement: together, since all columns of all trials teach one V. A trial of which only the first frames are known is a
-//!   trial like the others; its weights' posterior is the prediction, near mu_k where those frames say nothing.
+//!   movement: together, since all columns of all trials teach one V.
+//! - A trial of which only the first frames are known teaches the model nothing: c, V and the noise come from whole trials. (If it
+//!   did, V would grow along any combination of weights that only those frames ask for, and such a combination would cost nothing:
+//!   predictions exploded.) Given the model, its rate is the mean of the whole trials, and its start is where the posterior is
+//!   highest, its weights integrated out. The posterior of its weights is the prediction, near mu_k where those frames say nothing.
+//!
+//! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions of normalised time, and
+//! weights of the columns that all trials share, w_sk = w_k. Learned phases, the cycle and weights for every trial are ours; they
+//! make it stronger.
 //!
 //! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all w_sk of a column. Both
 //! updates, and those of sigma, c, V and a, are maxima of the bound in closed form; lengthscale, starts and rates move only
 //! where that raises it. So it never falls. The number of primitives is the one of the highest bound.
 
+mod beginning;
+mod components;
 mod kernel;
 mod learner;
 mod posterior;
 mod stored;
 #[cfg(test)]
 mod tests;
+mod view;
 mod weights;
 
 pub use learner::TmpLearner;
@@ -79,22 +89,25 @@ pub struct Tmp {
 }
 
 impl Tmp {
+    /// `order` are the places in the training set of the trials that the posterior has seen.
     fn new(
         posterior: &Posterior,
         trials: &[Trial],
+        order: &[usize],
         columns: &[usize],
         bounds: &[(usize, f64)],
     ) -> Result<Self, NumericsError> {
         let (d, q) = (posterior.weights.len(), posterior.primitives());
-        let weights = |s: usize| DMatrix::from_fn(d, q, |k, q| posterior.weights[k].mean[s][q]);
+        let mut places: Vec<usize> = (0..order.len()).collect();
+        places.sort_by_key(|&s| order[s]);
         Ok(Self {
             axis: posterior.kernel.axis,
             lengthscale: posterior.kernel.lengthscale,
             range: posterior.range(trials),
             inducing: posterior.kernel.inducing.clone(),
             coefficients: posterior.kernel.coefficients(&posterior.v),
-            trials: (0..trials.len())
-                .map(|s| TrialWeights { map: posterior.maps[s], weights: weights(s) })
+            trials: (places.into_iter())
+                .map(|s| TrialWeights { map: posterior.maps[s], weights: posterior.mean_weights(s) })
                 .collect(),
             centre: DMatrix::from_fn(d, q, |k, q| posterior.weights[k].centre[q]),
             scale: posterior.scale.clone(),

@@ -3,8 +3,10 @@
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial, beginnings, covered};
+use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
+use crate::models::tmp::components::{Fits, leading};
 use crate::models::tmp::kernel::PhaseKernel;
+use crate::models::tmp::view::View;
 use crate::models::tmp::weights::{ColumnWeights, infer};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{E, PI};
@@ -16,31 +18,10 @@ const LEAST_VARIANCE: f64 = 1e-4;
 /// Starts: the share of a column's variance that is noise, and of the weights' variance that is between trials.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
+/// Starts: the variance of v that is not known yet.
+const START_COVARIANCE: f64 = 1e-4;
 /// Starts: the lengthscale, in cycles or in lengths of a trial.
 const LENGTHSCALE: [f64; 2] = [0.12, 0.08];
-
-/// What a trial looks like from the inducing phases.
-#[derive(Clone, Debug)]
-struct View {
-    /// P [T x R].
-    features: DMatrix<f64>,
-    /// P^T P [R x R].
-    gram: DMatrix<f64>,
-    /// P^T Y [R x D].
-    projected: DMatrix<f64>,
-    /// sum_t (1 - p_t^T p_t): the variance that the inducing phases leave.
-    left: f64,
-}
-
-impl View {
-    fn new(kernel: &PhaseKernel, trial: &Trial, map: &PhaseMap) -> Self {
-        let phases: Vec<f64> = (0..trial.y.nrows()).map(|t| map.at(t)).collect();
-        let features = kernel.features(&phases);
-        let gram = features.tr_mul(&features);
-        let left = (trial.y.nrows() as f64 - gram.trace()).max(0.0);
-        Self { gram, projected: features.tr_mul(&trial.y), left, features }
-    }
-}
 
 /// q(m) q(mu, w) and the hyperparameters, of a fixed number of primitives.
 #[derive(Clone, Debug)]
@@ -65,6 +46,8 @@ pub struct Posterior {
     pub relevance: DVector<f64>,
     /// Columns that share their noise, one group after the other: the number of columns of each.
     groups: Vec<usize>,
+    /// Which weights each trial has: its own, or one set for all trials.
+    sets: Vec<usize>,
     range: (f64, f64),
     views: Vec<View>,
     v_log_determinant: f64,
@@ -73,12 +56,13 @@ pub struct Posterior {
 
 impl Posterior {
     /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are the numbers of
-    /// neighbouring columns that share their noise.
+    /// neighbouring columns that share their noise; `shared_weights`: all trials have the same weights.
     pub fn start(
         trials: &[Trial],
         alignment: &Alignment,
         groups: &[usize],
         count: usize,
+        shared_weights: bool,
     ) -> Result<Self, NumericsError> {
         let axis = alignment.axis;
         let range = match axis {
@@ -98,7 +82,11 @@ impl Posterior {
         let floor = FLOOR * variance.mean().max(LEAST_VARIANCE);
         let variance = variance.map(|v| v.max(floor));
         let r = kernel.inducing.len();
-        let v = principal_components(&views, &variance, count)?;
+        let mut fits = Fits::new(r);
+        for (view, trial) in views.iter().zip(trials) {
+            fits.add(view, &trial.y, &variance)?;
+        }
+        let v = leading(&fits, count);
         let mut posterior = Self {
             kernel,
             maps,
@@ -109,10 +97,11 @@ impl Posterior {
             spread: DMatrix::identity(count, count) * SPREAD_SHARE,
             relevance: DVector::from_element(count, 1.0),
             groups: groups.to_vec(),
+            sets: (0..trials.len()).map(|s| if shared_weights { 0 } else { s }).collect(),
             range,
             views,
-            v_covariance: DMatrix::identity(r * count, r * count) * 1e-4,
-            v_log_determinant: (r * count) as f64 * 1e-4_f64.logarithm(),
+            v_covariance: DMatrix::identity(r * count, r * count) * START_COVARIANCE,
+            v_log_determinant: (r * count) as f64 * START_COVARIANCE.logarithm(),
             floor,
         };
         posterior.noise.apply(|n| *n = n.max(floor));
@@ -120,14 +109,43 @@ impl Posterior {
         Ok(posterior)
     }
 
+    /// The same with one primitive more: the function of phase that explains most of what is left.
+    pub fn with_one_more(&self, trials: &[Trial]) -> Result<Self, NumericsError> {
+        let (r, count) = (self.v.nrows(), self.primitives());
+        let mut fits = Fits::new(r);
+        for (s, (view, trial)) in self.views.iter().zip(trials).enumerate() {
+            let left = &trial.y - &view.features * &self.v * self.mean_weights(s).transpose();
+            fits.add(view, &left, &self.noise)?;
+        }
+        let mut more = self.clone();
+        more.v = self.v.clone().insert_column(count, 0.0);
+        more.v.set_column(count, &leading(&fits, 1).column(0));
+        let mut covariance = DMatrix::identity(r * (count + 1), r * (count + 1)) * START_COVARIANCE;
+        covariance.view_mut((0, 0), (r * count, r * count)).copy_from(&self.v_covariance);
+        more.v_covariance = covariance;
+        more.v_log_determinant += r as f64 * START_COVARIANCE.logarithm();
+        // What is left is about as large as the noise.
+        let small = self.noise.mean() / self.scale.mean();
+        more.relevance = self.relevance.clone().insert_row(count, small);
+        more.spread = self.spread.clone().insert_column(count, 0.0).insert_row(count, 0.0);
+        more.spread[(count, count)] = small;
+        more.update_weights()?;
+        Ok(more)
+    }
+
     /// Number of primitives Q.
     pub fn primitives(&self) -> usize {
         self.v.ncols()
     }
 
-    /// E[M^T M] over the frames of trial `s` [Q x Q], M the primitives at its phases.
-    fn energy(&self, s: usize) -> DMatrix<f64> {
-        let view = &self.views[s];
+    /// `E[w_sk]` of trial `s` [D x Q].
+    pub fn mean_weights(&self, s: usize) -> DMatrix<f64> {
+        let set = self.sets[s];
+        DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| self.weights[k].mean[set][q])
+    }
+
+    /// E[M^T M] over the frames of a trial [Q x Q], M the primitives at its phases.
+    pub fn energy(&self, view: &View) -> DMatrix<f64> {
         let r = self.v.nrows();
         let mut energy = symmetric(self.v.tr_mul(&(&view.gram * &self.v)));
         for a in 0..self.primitives() {
@@ -143,16 +161,28 @@ impl Posterior {
     fn demand(&self, s: usize) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(self.primitives(), self.primitives());
         for (weights, noise) in self.weights.iter().zip(self.noise.iter()) {
-            sum += &weights.second[s] / *noise;
+            sum += &weights.second[self.sets[s]] / *noise;
         }
         sum
     }
 
     /// `E[w_sk]` / sigma_k^2 of trial `s` [D x Q].
     fn pull(&self, s: usize) -> DMatrix<f64> {
-        DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| {
-            self.weights[k].mean[s][q] / self.noise[k]
-        })
+        let mut pull = self.mean_weights(s);
+        for (mut row, noise) in pull.row_iter_mut().zip(self.noise.iter()) {
+            row /= *noise;
+        }
+        pull
+    }
+
+    /// [`Self::energy`] of every trial.
+    fn energies(&self) -> Vec<DMatrix<f64>> {
+        self.views.iter().map(|view| self.energy(view)).collect()
+    }
+
+    /// How many sets of weights there are.
+    fn set_count(&self) -> usize {
+        self.sets.iter().max().map_or(0, |last| last + 1)
     }
 
     /// q(v) = N: precision I + sum_s omega_s (x) P_s^T P_s, all primitives together.
@@ -180,13 +210,17 @@ impl Posterior {
 
     /// q(mu, w), column by column.
     pub fn update_weights(&mut self) -> Result<(), NumericsError> {
-        let energies: Vec<DMatrix<f64>> = (0..self.views.len()).map(|s| self.energy(s)).collect();
+        let energies = self.energies();
         let seen: Vec<DMatrix<f64>> = self.views.iter().map(|view| self.v.tr_mul(&view.projected)).collect();
         let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
         let column = |k: usize| {
-            let noise = self.noise[k];
-            let likelihood = |(e, h): (&DMatrix<f64>, &DMatrix<f64>)| (e / noise, h.column(k) / noise);
-            let likelihoods: Vec<_> = energies.iter().zip(&seen).map(likelihood).collect();
+            let count = self.primitives();
+            let nothing = (DMatrix::zeros(count, count), DVector::zeros(count));
+            let mut likelihoods = vec![nothing; self.set_count()];
+            for ((set, e), h) in self.sets.iter().zip(&energies).zip(&seen) {
+                likelihoods[*set].0 += e / self.noise[k];
+                likelihoods[*set].1 += h.column(k) / self.noise[k];
+            }
             infer(&(&precision / self.scale[k]), &(&self.relevance * self.scale[k]), &likelihoods)
         };
         self.weights = (0..self.noise.len()).map(column).collect::<Result<_, _>>()?;
@@ -198,8 +232,9 @@ impl Posterior {
         let weights = &self.weights[k];
         let of_trial = |(s, trial): (usize, &Trial)| {
             let seen = self.v.tr_mul(&self.views[s].projected.column(k));
-            trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[s])
-                + weights.second[s].dot(&energies[s])
+            let set = self.sets[s];
+            trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[set])
+                + weights.second[set].dot(&energies[s])
         };
         trials.iter().enumerate().map(of_trial).sum()
     }
@@ -207,8 +242,8 @@ impl Posterior {
     /// sigma^2, c, V and a, one after the other, each at the bound's maximum.
     pub fn update_hyperparameters(&mut self, trials: &[Trial]) -> Result<(), NumericsError> {
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
-        let energies: Vec<DMatrix<f64>> = (0..trials.len()).map(|s| self.energy(s)).collect();
-        let (d, count, s) = (self.weights.len(), self.primitives(), trials.len());
+        let energies = self.energies();
+        let (d, count, s) = (self.weights.len(), self.primitives(), self.set_count());
         let errors = DVector::from_fn(d, |k, _| self.squared_error(trials, &energies, k) / frames);
         self.noise = shared(&errors, &self.groups).map(|n| n.max(self.floor));
         let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
@@ -236,6 +271,9 @@ impl Posterior {
         let shortest = PhaseKernel::shortest(self.kernel.axis, self.range);
         for factor in [factor, 1.0 / factor] {
             let lengthscale = (self.kernel.lengthscale * factor).max(shortest);
+            if lengthscale == self.kernel.lengthscale {
+                continue;
+            }
             let mut other = self.clone();
             other.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
             other.view_again(trials);
@@ -289,35 +327,41 @@ impl Posterior {
         }
     }
 
-    /// Looks for the start of every trial that is not whole wherever trials may begin, with weights that fit each place.
-    pub fn relocate(&mut self, trials: &[Trial], places: usize) -> Result<(), NumericsError> {
-        let rate = Alignment::mean_rate(trials, &self.maps);
-        let (first, last) = beginnings(self.kernel.axis, trials, &self.maps);
-        for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
-            self.update_weights()?;
-            let mut best = self.bound(trials)?;
-            for place in 0..places {
-                let part = place as f64 / places as f64;
-                let start = first + part * (last - first);
-                let mut other = self.clone();
-                other.maps[s] = PhaseMap { start, rate };
-                other.views[s] = View::new(&other.kernel, &trials[s], &other.maps[s]);
-                other.update_weights()?;
-                let bound = other.bound(trials)?;
-                if bound > best {
-                    best = bound;
-                    *self = other;
+    /// Takes in a trial that nothing was learned from, as it looks where it lies; its weights are its own unless all trials share
+    /// them.
+    pub fn include(&mut self, view: View, map: PhaseMap) -> Result<(), NumericsError> {
+        let shared_weights = self.sets.len() > 1 && self.set_count() == 1;
+        self.sets.push(if shared_weights { 0 } else { self.set_count() });
+        self.views.push(view);
+        self.maps.push(map);
+        self.update_weights()
+    }
+
+    /// How what the primitives leave of a column goes on from frame to frame: its correlation with itself 0, 1, ... frames later, over
+    /// all trials and columns, each weighed by its noise.
+    pub fn residual_correlations(&self, trials: &[Trial], lags: usize) -> Vec<f64> {
+        let mut sums = vec![0.0; lags];
+        for (s, (trial, view)) in trials.iter().zip(&self.views).enumerate() {
+            let left = &trial.y - &view.features * &self.v * self.mean_weights(s).transpose();
+            for (column, noise) in left.column_iter().zip(self.noise.iter()) {
+                for (lag, sum) in sums.iter_mut().enumerate().take(column.len()) {
+                    let rest = column.len() - lag;
+                    *sum += column.rows(0, rest).dot(&column.rows(lag, rest)) / noise;
                 }
             }
         }
-        Ok(())
+        let all = sums.first().copied().unwrap_or(0.0);
+        let correlation = |(lag, sum): (usize, &f64)| {
+            if lag == 0 || all <= 0.0 { f64::from(u8::from(lag == 0)) } else { sum / all }
+        };
+        sums.iter().enumerate().map(correlation).collect()
     }
 
     /// The bound on log p(Y), in nats: E[log p(Y | v, w)] + E[log p(w | mu)] + E[log p(mu)] + entropies - KL(q(v) || p(v)).
     pub fn bound(&self, trials: &[Trial]) -> Result<f64, NumericsError> {
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
-        let energies: Vec<DMatrix<f64>> = (0..trials.len()).map(|s| self.energy(s)).collect();
-        let (s, q) = (trials.len() as f64, self.primitives() as f64);
+        let energies = self.energies();
+        let (s, q) = (self.set_count() as f64, self.primitives() as f64);
         let spread = Factor::new(&self.spread, "covariance of the weights")?;
         let (precision, log_spread) = (spread.inverse(), spread.log_determinant());
         let log_relevance: f64 = self.relevance.iter().map(|a| a.logarithm()).sum();
@@ -358,34 +402,4 @@ fn shared(values: &DVector<f64>, groups: &[usize]) -> DVector<f64> {
         at += size;
     }
     out
-}
-
-/// v of the functions of phase that explain most of the trials' `variance`-scaled columns [R x count].
-///
-/// Every trial's every column is fitted by ridge regression on the features; the leading left singular vectors of all these
-/// coefficients side by side span the primitives.
-fn principal_components(
-    views: &[View],
-    variance: &DVector<f64>,
-    count: usize,
-) -> Result<DMatrix<f64>, NumericsError> {
-    let r = views.first().map_or(0, |view| view.gram.nrows());
-    let mut outer = DMatrix::zeros(r, r);
-    for view in views {
-        let ridge = &view.gram + DMatrix::identity(r, r);
-        let mut fit = Factor::new(&ridge, "phases of a trial")?.solve(&view.projected);
-        for (mut column, variance) in fit.column_iter_mut().zip(variance.iter()) {
-            column /= variance.sqrt();
-        }
-        outer += &fit * fit.transpose();
-    }
-    let eigen = nalgebra::SymmetricEigen::new(symmetric(outer));
-    let mut order: Vec<usize> = (0..r).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
-    // v ~ N(0, I): a primitive of prior size has a norm of sqrt(R).
-    Ok(DMatrix::from_fn(r, count, |i, q| {
-        let axis = eigen.eigenvectors.column(order[q % r]);
-        let sign = if axis[axis.iamax()] < 0.0 { -1.0 } else { 1.0 };
-        sign * (r as f64).sqrt() * axis[i]
-    }))
 }

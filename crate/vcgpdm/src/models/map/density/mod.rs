@@ -7,6 +7,8 @@
 //! marginalised, so the experts into a part add up to one covariance over all frames with a history. The prior of the
 //! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
 //!
+//! Wang et al. add a linear term to the kernel of the dynamics: with it K^{ji} has theta^{ji} x^j_{-t} . x^j_{-t'} more.
+//!
 //! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
 //! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
 
@@ -186,8 +188,11 @@ impl LogDensity {
         add_to_diagonal(&mut covariance, noise);
         let kernels: Vec<DMatrix<f64>> =
             histories.iter().zip(&params.dynamics).map(|(h, k)| k[i].inducing_covariance(h, 0.0)).collect();
-        for (k, w) in kernels.iter().zip(&weights) {
+        for (j, (k, w)) in kernels.iter().zip(&weights).enumerate() {
             covariance.zip_apply(k, |c, k| *c += w * w * k);
+            if let Some(theta) = params.linear_term(j, i) {
+                covariance.gemm(w * w * theta, &histories[j], &histories[j].transpose(), 1.0);
+            }
         }
         Into { weights, noise, kernels, covariance }
     }
@@ -210,10 +215,20 @@ impl LogDensity {
         for (j, w) in weights.iter().enumerate() {
             let kernel: &Kernel = &params.dynamics[j][i];
             let mut df_dk = &adjoint.covariance * (w * w);
+            // dF/dtheta and dF/dx of the linear term, before the rest overwrites dF/dk.
+            let linear = params.linear_term(j, i).map(|theta| {
+                let pull = &df_dk * &histories[j];
+                (theta, histories[j].dot(&pull), pull)
+            });
             let from = kernel.covariance_adjoint(&histories[j], &kernels[j], &mut df_dk);
             // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance, and w^2 is one more.
             weights_adjoint.push(2.0 * from.variance * kernel.variance / w);
             self.sequences.add_windows_adjoint(&from.z, &mut gradient.parts[j].latents);
+            if let Some((theta, slope, pull)) = linear {
+                gradient.linear[(j, i)] += slope;
+                weights_adjoint[j] += 2.0 * theta * slope / w;
+                self.sequences.add_windows_adjoint(&(pull * (2.0 * theta)), &mut gradient.parts[j].latents);
+            }
             gradient.dynamics[j][i].lambda += from.lambda;
         }
         let noise_adjoint = adjoint.covariance.trace();

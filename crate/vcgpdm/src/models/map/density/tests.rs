@@ -4,7 +4,8 @@ use crate::models::map::params::MapPart;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
 
-/// The shapes of the vCGPDM's random cases: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2; from seed 4 on balanced.
+/// The shapes of the vCGPDM's random cases: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2; from seed 4 on balanced, every third with
+/// linear terms.
 pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
     let (params, objective) = random_case(seed);
     let parts = params.parts.into_iter();
@@ -13,7 +14,13 @@ pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
         params.experts.into_iter().map(|row| row.into_iter().map(|expert| expert.kernel).collect()).collect();
     let density =
         LogDensity::new(objective.observations().to_vec(), objective.sequences().clone(), seed % 8 > 3);
-    (MapParams { parts, dynamics, alpha: params.alpha }, density)
+    let m = params.alpha.nrows();
+    let linear = if seed % 3 == 1 {
+        DMatrix::from_fn(m, m, |j, i| 0.2 + 0.3 * (j + 2 * i) as f64)
+    } else {
+        DMatrix::zeros(0, 0)
+    };
+    (MapParams { parts, dynamics, linear, alpha: params.alpha }, density)
 }
 
 /// Every entry of the gradient, in every block, by central differences on the flat vector.
@@ -71,7 +78,9 @@ fn value_is_the_formula_as_written() {
                     let before = |r: usize, d: usize| source.latents[(targets[r] - order + d / q, d % q)];
                     let d2: f64 =
                         (0..order * q).map(|d| (before(a, d) - before(b, d)).powi(2) / lambda[d]).sum();
-                    w * w * (-0.5 * d2).exp()
+                    let product: f64 = (0..order * q).map(|d| before(a, d) * before(b, d)).sum();
+                    let theta = params.linear_term(j, i).unwrap_or(0.0);
+                    w * w * ((-0.5 * d2).exp() + theta * product)
                 });
             }
             let balance = density.y[i].ncols() as f64 / x.ncols() as f64;

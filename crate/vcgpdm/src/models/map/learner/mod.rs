@@ -16,12 +16,15 @@ use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::sequences::Sequences;
 use crate::models::settings::MapSettings;
 use crate::models::training_error::TrainingError;
+use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 50;
+/// Variance of a linear term at the start, beside a squared exponential of variance 1.
+const START_LINEAR: f64 = 0.1;
 /// Standard deviation of what the seed adds to the latents at the start, which have unit variance.
 const SPREAD: f64 = 0.01;
 
@@ -132,7 +135,9 @@ fn starting_point(
     }
     let m = parts.len();
     let dynamics = vec![vec![starting_dynamics(settings.latent, sequences.order()); m]; m];
-    MapParams { parts, dynamics, alpha: starting_couplings(m) }
+    let linear =
+        if settings.linear { DMatrix::from_element(m, m, START_LINEAR) } else { DMatrix::zeros(0, 0) };
+    MapParams { parts, dynamics, linear, alpha: starting_couplings(m) }
 }
 
 impl Learner for MapLearner {

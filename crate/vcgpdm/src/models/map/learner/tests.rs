@@ -19,7 +19,7 @@ fn loops() -> Movements {
 }
 
 fn settings() -> MapSettings {
-    MapSettings { latent: 2, order: 2, max_iterations: 150, balanced: false }
+    MapSettings { latent: 2, order: 2, max_iterations: 150, balanced: false, linear: false }
 }
 
 fn spread(y: &DMatrix<f64>) -> f64 {
