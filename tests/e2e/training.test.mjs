@@ -158,7 +158,9 @@ describe("own files", () => {
     const frames = mine.cut(5, 45).resample(15).info().frames;
     assert.ok(frames < mine.resample(15).info().frames);
     const { sha256 } = mine.info();
-    assert.deepEqual((await trained(page)).sequences, [{ name: "mine", sha256, frames, restsFrom: null }]);
+    assert.deepEqual((await trained(page)).sequences, [
+      { name: "mine", sha256, frames, restsFrom: null, piece: [5, 45], bonesOf: null, whole: true },
+    ]);
     assert.deepEqual(problems, []);
     await leave();
   });

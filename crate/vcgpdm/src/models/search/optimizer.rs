@@ -9,7 +9,7 @@ use std::convert::Infallible;
 /// Value and gradient of what is minimised, at a point.
 pub type Evaluate = Box<dyn Fn(&[f64]) -> (f64, Vec<f64>) + Send>;
 
-/// Correction pairs that L-BFGS-B keeps. More save some evaluations, but each costs time in every iteration; see docs/training.md.
+/// Correction pairs that L-BFGS-B keeps. More save some evaluations, but each costs time in every iteration.
 const MEMORY: usize = 20;
 /// Below this infinity norm the projected gradient counts as zero.
 const GRADIENT_TOLERANCE: f64 = 1e-6;

@@ -13,7 +13,7 @@ const REACH: f64 = 4.0;
 /// variance of each other is smaller as its share in the smoothed columns is.
 ///
 /// The dynamics ask for latents that the next frame can be predicted from. What changes fast, or differs from frame to frame without
-/// a rule, misleads a training that begins with it: most seeds then end in a lower bound. See docs/training.md.
+/// a rule, misleads a training that begins with it: some seeds then end in a lower bound (docs/training.md).
 pub(super) fn first_latents(
     y: &DMatrix<f64>,
     sequences: &Sequences,

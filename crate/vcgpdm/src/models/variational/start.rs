@@ -16,7 +16,7 @@ use rand_distr::{Distribution, StandardNormal, StandardUniform};
 const STEP_SHARE: f64 = 0.2;
 const SMALLEST_S: f64 = 1e-3;
 /// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit variance. Trained pose maps are:
-/// theirs are mostly between 5 and 100. From 1, a map bends first, and some trainings end in a worse bound for it.
+/// theirs are mostly between 5 and 100.
 const NEARLY_LINEAR: f64 = 10.0;
 
 /// The starting point on the centred observations `y` [N x D_i] of each part.
