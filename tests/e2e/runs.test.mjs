@@ -186,8 +186,8 @@ describe("several trainings", () => {
     await page.getByTestId("add").click();
     // Both have come to something: without a bound there is no best.
     await page.waitForFunction(() => {
-      const running = [...document.querySelectorAll("[data-testid=run][data-state=running]")];
-      return running.filter((row) => Number(row.querySelector("td:nth-of-type(2)")?.textContent) > 0).length === 2;
+      const { runs } = /** @type {any} */ (document.querySelector("pg-training")).training;
+      return runs.length === 2 && runs.every((/** @type {any} */ run) => run.steps.length > 0);
     });
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
