@@ -4,6 +4,6 @@ export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
   whenAsked: 70_000,
-  onDemand: 530_000,
+  onDemand: 620_000,
   study: 170_000,
 };
