@@ -263,7 +263,7 @@ fn params_from_json(json: ParamsJson) -> Result<Params, CaseError> {
             .map(|e| Expert { z: e.z, kernel: Kernel { lambda: e.lambda, variance: e.var } })
             .collect()
     });
-    Ok(Params { parts: parts.collect(), experts: experts.collect(), alpha: json.alpha })
+    Ok(Params { parts: parts.collect(), experts: experts.collect(), alpha: vec![json.alpha] })
 }
 
 fn params_to_json(params: &Params) -> ParamsJson {
@@ -280,7 +280,7 @@ fn params_to_json(params: &Params) -> ParamsJson {
     ParamsJson {
         parts: params.parts.iter().map(part).collect(),
         experts: params.experts.iter().map(|row| row.iter().map(expert).collect()).collect(),
-        alpha: params.alpha.clone(),
+        alpha: params.alpha[0].clone(),
     }
 }
 
@@ -312,8 +312,8 @@ fn check(params: &Params, y: &[DMatrix<f64>], sequences: &Sequences, jitter: f64
     if params.experts.len() != m {
         return count("input.params.dyn", params.experts.len());
     }
-    shape("input.params.alpha".into(), (m, m), params.alpha.shape())?;
-    positive("input.params.alpha".into(), params.alpha.as_slice())?;
+    shape("input.params.alpha".into(), (m, m), params.alpha[0].shape())?;
+    positive("input.params.alpha".into(), params.alpha[0].as_slice())?;
     if !(0.0..1.0).contains(&jitter) {
         let (expected, found) = ("a jitter from 0 to 1".into(), jitter.to_string());
         return Err(CaseError::Shape { path: "input.jitter".into(), expected, found });
@@ -385,7 +385,7 @@ mod tests {
         let start = |part: &PartParams| rows_of(&part.latents.mean.rows(0, 2).into_owned());
         let x0: Vec<_> = params.parts.iter().map(start).collect();
         for steps in [1_000_000_000_000_000, u64::MAX / 2, u64::MAX] {
-            let rollout = serde_json::json!({ "alpha": rows_of(&params.alpha), "x0": x0, "steps": steps });
+            let rollout = serde_json::json!({ "alpha": rows_of(&params.alpha[0]), "x0": x0, "steps": steps });
             value["expected"] = serde_json::json!({ "rollouts": [rollout] });
             let error = Case::from_json(&value.to_string()).unwrap().evaluate().unwrap_err().to_string();
             let expected = format!("at expected.rollouts[0].steps: expected at most 1000000, found {steps}");

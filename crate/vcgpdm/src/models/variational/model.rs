@@ -162,7 +162,7 @@ pub struct Vcgpdm {
 }
 
 impl Vcgpdm {
-    /// The model with the optimal posteriors at `params`, where the bound has these `terms`.
+    /// The model with the optimal posteriors at `params`, where the bound of one movement has these `terms`.
     ///
     /// # Errors
     ///
@@ -196,8 +196,8 @@ impl Vcgpdm {
             experts,
             starts: starts.collect(),
             dynamics_covariance: posteriors.dynamics.into_iter().map(|u| u.covariance).collect(),
-            sums: posteriors.sums,
-            alpha: params.alpha.clone(),
+            sums: posteriors.sums.into_iter().next().unwrap_or_default(),
+            alpha: params.alpha.first().cloned().unwrap_or_default(),
             terms,
         })
     }
@@ -357,12 +357,12 @@ mod tests {
     fn re_inferred_agrees_with_a_fit_under_the_other_couplings() {
         let (mut params, objective) = random_case(1);
         let model = fitted(1);
-        params.alpha[(0, 1)] *= 7.0;
-        params.alpha[(1, 1)] *= 0.3;
+        params.alpha[0][(0, 1)] *= 7.0;
+        params.alpha[0][(1, 1)] *= 0.3;
         let terms = objective.terms(&params).unwrap();
         let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
         let step = |model: &Vcgpdm, reading| {
-            let dynamics = model.dynamics(&params.alpha, reading).unwrap();
+            let dynamics = model.dynamics(&params.alpha[0], reading).unwrap();
             dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()
         };
         for (a, b) in step(&model, Reading::ReInferred).iter().zip(&step(&refitted, Reading::AsLearned)) {

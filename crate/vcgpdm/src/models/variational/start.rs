@@ -54,7 +54,7 @@ pub fn starting_point(
         }
         experts.push(row);
     }
-    Params { parts, experts, alpha: starting_couplings(y.len()) }
+    Params { parts, experts, alpha: vec![starting_couplings(y.len())] }
 }
 
 /// A kernel of functions that are nearly linear in latents of unit variance and vary as much there as those of `kernel`: of a slope with
