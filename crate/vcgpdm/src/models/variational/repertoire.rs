@@ -43,7 +43,9 @@ pub enum RepertoireError {
         found: usize,
     },
     /// A part uses a primitive that is not its own.
-    #[error("expected movement {movement} to give part {part} a primitive of that part, found primitive {found}")]
+    #[error(
+        "expected movement {movement} to give part {part} a primitive of that part, found primitive {found}"
+    )]
     Primitive {
         /// Which movement, counted from 0.
         movement: usize,
@@ -198,7 +200,9 @@ mod tests {
         for wrong in [0, 7] {
             assert_eq!(
                 words(&[0, 1], &[(3, &[0, wrong])]),
-                format!("expected movement 0 to give part 1 a primitive of that part, found primitive {wrong}")
+                format!(
+                    "expected movement 0 to give part 1 a primitive of that part, found primitive {wrong}"
+                )
             );
         }
         for counts in [[2, 2], [3, 0], [1, 1]] {

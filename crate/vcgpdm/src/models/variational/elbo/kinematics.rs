@@ -56,12 +56,7 @@ impl Kinematics {
     }
 
     /// The process, and the place where its bound is computed, apart.
-    fn gp(
-        &mut self,
-        objective: &Objective,
-        params: &Params,
-        i: usize,
-    ) -> (SparseGp<'_>, &mut Outputs) {
+    fn gp(&mut self, objective: &Objective, params: &Params, i: usize) -> (SparseGp<'_>, &mut Outputs) {
         let gp = SparseGp {
             k: &self.k,
             psi2: &self.statistics.psi2,

@@ -136,7 +136,14 @@ impl Objective {
         workspace: &mut Workspace,
     ) -> Result<(), NumericsError> {
         let Workspace {
-            terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms, pose_room
+            terms,
+            gradient,
+            histories,
+            histories_adjoint,
+            kinematics,
+            dynamics,
+            rooms,
+            pose_room,
         } = workspace;
         gradient.set_zero();
         histories_adjoint.iter_mut().flatten().for_each(Gaussians::set_zero);
