@@ -61,7 +61,9 @@ pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentErr
         dynamics_covariance.push(target.covariance);
         sums.push(target.sums);
     }
-    let model = Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, alpha, starts, terms };
+    let elsewhere = Vec::new();
+    let model =
+        Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, elsewhere, alpha, starts, terms };
     Ok(TrainedModel { model, body, provenance })
 }
 

@@ -85,6 +85,11 @@ impl Kinematics {
         self.gp(objective, params, i).0.posterior()
     }
 
+    /// Sum over rows of psi2, from which q(v) is computed.
+    pub fn into_psi2(self) -> DMatrix<f64> {
+        self.statistics.psi2
+    }
+
     /// The best inducing outputs of the pose map, to be kept.
     pub fn stored(
         &mut self,

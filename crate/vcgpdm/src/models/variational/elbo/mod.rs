@@ -52,6 +52,8 @@ pub struct Posteriors {
     pub dynamics: Vec<InducingPosterior>,
     /// What q(u) was computed from, `sums[movement][target]`, the movement's own primitives stacked in order of their parts.
     pub sums: Vec<Vec<DynamicsSums>>,
+    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`, from which q(v) was computed.
+    pub pose_sums: Vec<DMatrix<f64>>,
 }
 
 /// Room for the bound and its gradient, to be used again and again: an evaluation then allocates nothing.
@@ -196,11 +198,16 @@ impl Objective {
             self.workspace(params);
         let movements = self.repertoire.movements().len();
         self.begin(params, &mut histories, &mut terms);
-        let mut out =
-            Posteriors { kinematics: Vec::new(), dynamics: Vec::new(), sums: vec![Vec::new(); movements] };
+        let mut out = Posteriors {
+            kinematics: Vec::new(),
+            dynamics: Vec::new(),
+            sums: vec![Vec::new(); movements],
+            pose_sums: Vec::new(),
+        };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
             kinematics.compute(self, params, i, Purpose::Value, &mut pose_room);
             out.kinematics.push(kinematics.posterior(self, params, i)?);
+            out.pose_sums.push(kinematics.into_psi2());
             dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
             out.dynamics.push(dynamics.posterior()?);
             for (of_movement, sums) in out.sums.iter_mut().zip(dynamics.into_sums()) {
