@@ -5,7 +5,7 @@ use crate::gp::NumericsError;
 use crate::gp::outputs::StoredOutputs;
 use crate::models::flat::Group;
 use crate::models::latents::check_training;
-use crate::models::library::{LearnedMovement, Library};
+use crate::models::library::{CouplingsFrom, LearnedMovement, Library};
 use crate::models::search::ascent::Phase;
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
@@ -107,7 +107,7 @@ impl CouplingTrainer {
     /// The combination with the best couplings so far, as a movement of that name that starts where the new frames do. It has no
     /// sums: the primitives have learned nothing from these frames.
     pub fn movement(&self, name: &str) -> LearnedMovement {
-        let mut best = self.trainer.best();
+        let (mut best, progress) = (self.trainer.best(), self.trainer.progress());
         let ranges: Vec<_> = self.trainer.objective().sequences().ranges().collect();
         let start = |range: std::ops::Range<usize>| {
             let latents = best.parts.iter().map(|part| &part.latents.mean);
@@ -120,6 +120,7 @@ impl CouplingTrainer {
             alpha: best.alpha.swap_remove(0),
             sums: None,
             starts,
+            couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
         }
     }
 }

@@ -10,6 +10,7 @@ mod combination;
 mod coupling;
 mod nearest;
 mod plan;
+mod trained;
 mod trainer;
 
 use crate::gp::NumericsError;
@@ -22,6 +23,7 @@ use nalgebra::DMatrix;
 pub use combination::CombinationError;
 pub use coupling::CouplingTrainer;
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
+pub use trained::{LibraryError, Observed, TrainedLibrary};
 pub use trainer::LibraryTrainer;
 
 /// What a primitive predicts about one part.
@@ -59,6 +61,26 @@ pub struct LearnedMovement {
     pub sums: Option<Vec<DynamicsSums>>,
     /// The latent means of its sequences, `starts[sequence][part]` [T x Q_i].
     pub starts: Vec<Vec<DMatrix<f64>>>,
+    /// Where its couplings come from.
+    pub couplings: CouplingsFrom,
+}
+
+/// Where the couplings of a movement come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CouplingsFrom {
+    /// They were learned together with the primitives.
+    Training,
+    /// They were fitted to clips, while the primitives stayed: the bound of these clips, in nats, and iterations.
+    Clips {
+        /// The bound under the stored primitives.
+        bound: f64,
+        /// Iterations of the fit.
+        iterations: usize,
+    },
+    /// They were taken from the movement of this name.
+    Movement(String),
+    /// Nothing was known about them: 1 each.
+    Nothing,
 }
 
 /// Pose maps, primitives and movements, without the data they were learned from.
@@ -126,6 +148,7 @@ impl Library {
                 alpha: alpha.clone(),
                 sums: Some(sums),
                 starts: ranges[movement.which()].iter().map(start).collect(),
+                couplings: CouplingsFrom::Training,
             }
         });
         let movements = movements.collect();

@@ -1,18 +1,45 @@
 //! Where a combination starts, and under which couplings, when nobody says.
 
-use crate::models::library::{LearnedMovement, Library};
+use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
 use nalgebra::DMatrix;
 
 impl Library {
     /// The couplings of the trained movement that shares most primitives with `uses`, the first of them where several share as many;
     /// 1 each where none shares any.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
-        let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
-        let most = self.movements.iter().map(shared).max().unwrap_or(0);
-        match self.movements.iter().find(|movement| shared(movement) == most && most > 0) {
+        match self.nearest_movement(uses) {
             Some(movement) => movement.alpha.clone(),
             None => DMatrix::from_element(self.part_count(), self.part_count(), 1.0),
         }
+    }
+
+    fn nearest_movement(&self, uses: &[usize]) -> Option<&LearnedMovement> {
+        let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
+        let most = self.movements.iter().map(shared).max().unwrap_or(0);
+        self.movements.iter().find(|movement| shared(movement) == most && most > 0)
+    }
+
+    /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of that name.
+    ///
+    /// # Errors
+    ///
+    /// When a part is not given one of its primitives.
+    pub fn nearest_combination(
+        &self,
+        name: &str,
+        uses: &[usize],
+    ) -> Result<LearnedMovement, CombinationError> {
+        self.check_uses(uses)?;
+        let nearest = self.nearest_movement(uses);
+        Ok(LearnedMovement {
+            name: name.to_owned(),
+            uses: uses.to_vec(),
+            alpha: self.nearest_couplings(uses),
+            sums: None,
+            starts: self.starts(uses),
+            couplings: nearest
+                .map_or(CouplingsFrom::Nothing, |movement| CouplingsFrom::Movement(movement.name.clone())),
+        })
     }
 
     /// The sequences that a combination can start from, (movement, sequence of it): those of the movements that share most
