@@ -77,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let difference = difference(&recorded, &again)?;
     let beyond = difference.clone().filter(|(_, relative)| *relative > arguments.tolerance);
-    files::print_json(&json!({
+    let summary = json!({
         "same_bits": difference.is_none(),
         "within_tolerance": beyond.is_none(),
         "largest_difference": difference.as_ref().map(|(at, relative)| json!({ "at": at, "relative": relative })),
@@ -85,7 +85,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "objective": again.provenance.objective,
         "iterations": again.provenance.iterations,
         "seconds": begin.elapsed().as_secs_f64(),
-    }))?;
+    });
+    files::print_summary(&summary, &arguments.out.as_deref().into_iter().collect::<Vec<_>>())?;
     match beyond {
         Some((at, relative)) => Err(format!(
             "the model differs from the recorded one, most at {at}, by {relative:.1e} of it. Files of {} may need that program",
