@@ -6,9 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use vcgpdm::models::{
-    Dataset, Model, Movements, Sequence, SequenceInfo, Source, TrainedModel, with_bones_of,
-};
+use vcgpdm::models::{Dataset, Model, Movements, SequenceInfo, Source, TrainedModel, with_bones_of};
 use vcgpdm::motion::Clip;
 
 /// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON object.
@@ -51,9 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let made = &recorded.provenance;
     let dataset = Dataset::new(&sources, recorded.body.layout.parts(), made.frames_per_second)?;
-    let sequences =
-        dataset.sequences.iter().map(|info| Sequence { frames: info.frames, whole: info.whole }).collect();
-    let movements = Movements { y: dataset.y.clone(), sequences };
+    let movements = Movements::of(&dataset);
     let begin = Instant::now();
     let learner = made.settings.learner(&movements, made.seed);
     let mut learner = learner.map_err(|reason| dataset.refusal(reason))?;

@@ -9,7 +9,9 @@ use thiserror::Error;
 pub(super) const FORMAT: &str = "vcgpdm model";
 /// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
 /// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
-pub(super) const VERSION: usize = 2;
+pub(super) const SECOND: usize = 2;
+/// The third also knows models of tables: "columns" in the place of "pose".
+pub(super) const VERSION: usize = 3;
 /// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
 pub(super) const MOST_BYTES: usize = 32 << 20;
 
@@ -44,6 +46,14 @@ pub enum DocumentError {
     #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
     Kind {
         /// Its kind.
+        found: &'static str,
+    },
+    /// A model of a body where one of tables is asked for, or the other way round.
+    #[error("expected a model of {expected}, found a model of {found}")]
+    Subject {
+        /// What was asked for.
+        expected: &'static str,
+        /// What it is about.
         found: &'static str,
     },
     /// A field is missing, of the wrong type or out of its range.

@@ -1,6 +1,7 @@
 //! From a model to the tree of its document.
 
-use crate::document::error::{FORMAT, VERSION};
+use crate::document::error::FORMAT;
+use crate::document::subject::Subject;
 use crate::json::Value;
 use crate::models::variational::{BoundTerms, FittedExpert, Vcgpdm};
 use crate::models::{
@@ -10,7 +11,7 @@ use crate::models::{
 use crate::motion::parts::PartSpec;
 
 /// A model of any kind.
-pub(super) fn document(trained: &TrainedModel) -> Value {
+pub(super) fn document<S: Subject>(trained: &TrainedModel<Model, S>) -> Value {
     let TrainedModel { model, body, provenance } = trained;
     let settings = settings(&provenance.settings, provenance.seed);
     let fields = match model {
@@ -20,7 +21,7 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
         Model::DmpDiscrete(model) => model.to_value(),
         Model::DmpRhythmic(model) => model.to_value(),
     };
-    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields(spec)));
+    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields::<S>(spec)));
     let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));
     let provenance = Value::object([
         ("engine", Value::text(&provenance.engine)),
@@ -32,9 +33,9 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
     ]);
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(VERSION)),
+        ("version", Value::whole(S::VERSIONS[1])),
         ("kind", Value::text(model.kind().id())),
-        ("pose", body.mapping.to_value()),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("parts", parts),
@@ -74,13 +75,18 @@ pub(super) fn vcgpdm_document(trained: &TrainedModel<Vcgpdm>) -> Value {
     variational(model, body, provenance, settings)
 }
 
-fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, settings: Value) -> Value {
+fn variational<S: Subject, P>(
+    model: &Vcgpdm,
+    body: &Body<S>,
+    provenance: &Provenance<P>,
+    settings: Value,
+) -> Value {
     let parts = model.parts.iter().zip(body.layout.parts());
     let parts = Value::list(parts, |(map, spec)| {
-        let [name, joints] = part_fields(spec);
+        let [name, places] = part_fields::<S>(spec);
         Value::object([
             name,
-            joints,
+            places,
             ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
             ("variance", Value::Number(map.kernel().variance)),
             ("beta", Value::Number(map.beta())),
@@ -116,9 +122,8 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
     ]);
     Value::object([
         ("format", Value::text(FORMAT)),
-        // The first version still says all there is to say.
-        ("version", Value::whole(1)),
-        ("pose", body.mapping.to_value()),
+        ("version", Value::whole(S::VERSIONS[0])),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("order", Value::whole(model.order)),
@@ -132,8 +137,8 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
     ])
 }
 
-fn part_fields(spec: &PartSpec) -> [(&'static str, Value); 2] {
-    [("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))]
+fn part_fields<S: Subject>(spec: &PartSpec) -> [(&'static str, Value); 2] {
+    [("name", Value::text(&spec.name)), (S::PLACES, Value::wholes(&spec.joints))]
 }
 
 fn expert(expert: &FittedExpert) -> Value {
