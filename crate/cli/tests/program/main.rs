@@ -8,3 +8,4 @@ mod files;
 mod models;
 mod reproduce;
 mod rollout;
+mod streams;

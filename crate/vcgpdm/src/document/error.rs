@@ -7,12 +7,12 @@ use thiserror::Error;
 
 /// What a document says that it is.
 pub(super) const FORMAT: &str = "vcgpdm model";
-/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind"; the third knows libraries
-/// of primitives, and models that are combinations of them. A document is written in the earliest version that can say it. Raised
-/// whenever an older program could no longer read the document.
+/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
+/// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
+pub(super) const SECOND: usize = 2;
+/// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and models that are combinations of
+/// these.
 pub(super) const VERSION: usize = 3;
-/// The version that models of other kinds are written in.
-pub(super) const VERSION_OF_KINDS: usize = 2;
 /// What a library says that it is, beside the kinds of models.
 pub(super) const LIBRARY: &str = "library";
 /// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
@@ -60,6 +60,14 @@ pub enum DocumentError {
     #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
     Kind {
         /// Its kind.
+        found: &'static str,
+    },
+    /// A model of a body where one of tables is asked for, or the other way round.
+    #[error("expected a model of {expected}, found a model of {found}")]
+    Subject {
+        /// What was asked for.
+        expected: &'static str,
+        /// What it is about.
         found: &'static str,
     },
     /// A field is missing, of the wrong type or out of its range.

@@ -7,13 +7,14 @@ use crate::document::write::{
 use crate::json::Value;
 use crate::models::SequenceInfo;
 use crate::models::library::{CouplingsFrom, LearnedMovement, LibraryExpert, TrainedLibrary};
+use crate::motion::pose::PoseMapping;
 
 /// Primitives name their part, and movements their primitives, by place.
 pub(super) fn document(trained: &TrainedLibrary) -> Value {
     let TrainedLibrary { library, body, provenance } = trained;
     let parts = library.parts.iter().zip(&library.pose_sums).zip(body.layout.parts());
     let parts = Value::list(parts, |((map, psi2), spec)| {
-        let [name, joints, lambda, variance, beta, r, mean, covariance] = pose_map(map, spec);
+        let [name, joints, lambda, variance, beta, r, mean, covariance] = pose_map::<PoseMapping>(map, spec);
         let sum = ("sum_psi2", Value::matrix(psi2));
         Value::object([name, joints, lambda, variance, beta, r, mean, covariance, sum])
     });

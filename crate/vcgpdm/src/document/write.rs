@@ -1,6 +1,7 @@
 //! From a model to the tree of its document.
 
-use crate::document::error::{FORMAT, VERSION, VERSION_OF_KINDS};
+use crate::document::error::{FORMAT, VERSION};
+use crate::document::subject::Subject;
 use crate::json::Value;
 use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{
@@ -10,7 +11,7 @@ use crate::models::{
 use crate::motion::parts::PartSpec;
 
 /// A model of any kind.
-pub(super) fn document(trained: &TrainedModel) -> Value {
+pub(super) fn document<S: Subject>(trained: &TrainedModel<Model, S>) -> Value {
     let TrainedModel { model, body, provenance } = trained;
     let settings = settings(&provenance.settings, provenance.seed);
     let fields = match model {
@@ -20,7 +21,7 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
         Model::DmpDiscrete(model) => model.to_value(),
         Model::DmpRhythmic(model) => model.to_value(),
     };
-    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields(spec)));
+    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields::<S>(spec)));
     let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));
     let provenance = Value::object([
         ("engine", Value::text(&provenance.engine)),
@@ -32,9 +33,9 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
     ]);
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(VERSION_OF_KINDS)),
+        ("version", Value::whole(S::VERSIONS[1])),
         ("kind", Value::text(model.kind().id())),
-        ("pose", body.mapping.to_value()),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("parts", parts),
@@ -74,9 +75,14 @@ pub(super) fn vcgpdm_document(trained: &TrainedModel<Vcgpdm>) -> Value {
     variational(model, body, provenance, settings)
 }
 
-fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, settings: Value) -> Value {
+fn variational<S: Subject, P>(
+    model: &Vcgpdm,
+    body: &Body<S>,
+    provenance: &Provenance<P>,
+    settings: Value,
+) -> Value {
     let parts = model.parts.iter().zip(body.layout.parts());
-    let parts = Value::list(parts, |(map, spec)| Value::object(pose_map(map, spec)));
+    let parts = Value::list(parts, |(map, spec)| Value::object(pose_map::<S>(map, spec)));
     // The dynamics into each part; matrices over its sources stack them in order.
     let dynamics = Value::list(0..model.part_count(), |i| {
         let own = [
@@ -87,8 +93,8 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
         ];
         with_elsewhere(own, model.elsewhere.get(i))
     });
-    // The first version still says all there is to say about a model that learned from its own rows only.
-    let version = if model.elsewhere.is_empty() { 1 } else { VERSION };
+    // The first version still says all there is to say about a model of a body that learned from its own rows only.
+    let version = if model.elsewhere.is_empty() { S::VERSIONS[0] } else { VERSION };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);
         // The latent means of the first frames of each part.
@@ -99,7 +105,7 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
     Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(version)),
-        ("pose", body.mapping.to_value()),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("order", Value::whole(model.order)),
@@ -114,8 +120,8 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
 }
 
 /// How a variational model or a library was made, and the terms of its bound.
-pub(super) fn variational_provenance<S>(
-    provenance: &Provenance<S>,
+pub(super) fn variational_provenance<P>(
+    provenance: &Provenance<P>,
     settings: Value,
     bound: &BoundTerms,
 ) -> Value {
@@ -132,11 +138,11 @@ pub(super) fn variational_provenance<S>(
 }
 
 /// A part with its pose map.
-pub(super) fn pose_map(map: &PoseMap, spec: &PartSpec) -> [(&'static str, Value); 8] {
-    let [name, joints] = part_fields(spec);
+pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static str, Value); 8] {
+    let [name, places] = part_fields::<S>(spec);
     [
         name,
-        joints,
+        places,
         ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
         ("variance", Value::Number(map.kernel().variance)),
         ("beta", Value::Number(map.beta())),
@@ -159,8 +165,8 @@ pub(super) fn with_elsewhere<const N: usize>(
     Value::Object(own.chain(others.into_iter().flatten()).collect())
 }
 
-fn part_fields(spec: &PartSpec) -> [(&'static str, Value); 2] {
-    [("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))]
+fn part_fields<S: Subject>(spec: &PartSpec) -> [(&'static str, Value); 2] {
+    [("name", Value::text(&spec.name)), (S::PLACES, Value::wholes(&spec.joints))]
 }
 
 fn expert(expert: &FittedExpert) -> Value {

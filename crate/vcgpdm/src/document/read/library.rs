@@ -12,13 +12,14 @@ use crate::models::library::{
 };
 use crate::models::variational::{DynamicsSums, Elsewhere};
 use crate::motion::parts::PartsLayout;
+use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 
 /// More primitives, or movements, than anybody collects.
 const MOST: usize = 1000;
 
 /// What is left of a library's document after the body.
-pub(super) fn library(mut head: Head) -> Result<TrainedLibrary, DocumentError> {
+pub(super) fn library(mut head: Head<PoseMapping>) -> Result<TrainedLibrary, DocumentError> {
     let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
@@ -28,7 +29,7 @@ pub(super) fn library(mut head: Head) -> Result<TrainedLibrary, DocumentError> {
     let (mut specs, mut maps, mut pose_sums) = (Vec::new(), Vec::new(), Vec::new());
     for item in items {
         let mut object = item.object()?;
-        let (spec, map) = part(&mut object)?;
+        let (spec, map) = part::<PoseMapping>(&mut object)?;
         let field = object.get("sum_psi2")?;
         let psi2 = tame_matrix(&field)?;
         shape(&field, &psi2, map.r.nrows(), map.r.nrows())?;

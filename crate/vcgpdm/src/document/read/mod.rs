@@ -8,14 +8,20 @@ mod vcgpdm;
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::Wanted;
+use crate::document::subject::Subject;
 use crate::json::Value;
 use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
-use crate::models::{ModelKind, TrainedModel};
+use crate::models::{Model, ModelKind, TrainedModel};
+
+/// Whether the document is about tables.
+pub(super) fn is_of_columns(value: &Value) -> bool {
+    matches!(value, Value::Object(fields) if fields.iter().any(|(name, _)| name == "columns"))
+}
 
 /// A model of any kind.
-pub(super) fn document(value: &Value) -> Result<TrainedModel, DocumentError> {
-    let head = head::head(value, Wanted::Model)?;
+pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, S>, DocumentError> {
+    let head = head::head::<S>(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => Ok(vcgpdm::vcgpdm(head)?.into()),
         ModelKind::MapGpdm

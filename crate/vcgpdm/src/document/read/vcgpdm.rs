@@ -5,24 +5,25 @@ use crate::document::read::head::{
     Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
 };
 use crate::document::read::settings::{MOST_IPS, MOST_LATENT, MOST_ORDER, variational_settings};
+use crate::document::subject::Subject;
 use crate::gp::{Kernel, NumericsError};
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix, within};
 use crate::json::{Field, FieldError, Object};
 use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{ModelKind, Provenance, SequenceInfo, TrainedModel, VariationalSettings};
-use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::parts::PartSpec;
 use nalgebra::{DMatrix, DVector};
 
 /// What is left of a variational model's document after the body.
-pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
+pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpdm, S>, DocumentError> {
     let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
 
     let parts = head.document.get("parts")?;
-    let (specs, maps): (Vec<_>, Vec<_>) = parts.list(only(part))?.into_iter().unzip();
+    let (specs, maps): (Vec<_>, Vec<_>) = parts.list(only(part::<S>))?.into_iter().unzip();
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    let layout = head.mapping.layout(&specs)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
         let map: &PoseFields = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
@@ -99,8 +100,8 @@ impl PoseFields {
 }
 
 /// A part with its pose map; what else the object holds is left.
-pub(super) fn part(part: &mut Object) -> Result<(PartSpec, PoseFields), FieldError> {
-    let spec = part_spec(part)?;
+pub(super) fn part<S: Subject>(part: &mut Object) -> Result<(PartSpec, PoseFields), FieldError> {
+    let spec = part_spec::<S>(part)?;
     let field = part.get("lambda")?;
     let lambda = field.numbers()?;
     let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;

@@ -23,7 +23,7 @@ use nalgebra::DMatrix;
 pub use combination::CombinationError;
 pub use coupling::CouplingTrainer;
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
-pub use trained::{LibraryError, Observed, TrainedLibrary};
+pub use trained::{LibraryError, ObservedClip, TrainedLibrary};
 pub use trainer::LibraryTrainer;
 
 /// What a primitive predicts about one part.

@@ -76,7 +76,7 @@ pub enum LibraryError {
 
 /// A clip as a library sees it.
 #[derive(Clone, Debug)]
-pub struct Observed {
+pub struct ObservedClip {
     /// Columns of each part, centred by the library's means [T x D_i].
     pub y: Vec<DMatrix<f64>>,
     /// Where they came from.
@@ -198,7 +198,7 @@ impl TrainedLibrary {
     /// # Errors
     ///
     /// When its body is another one, or it cannot be resampled or turned into rows.
-    pub fn observed(&self, clip: &Clip) -> Result<Observed, LibraryError> {
+    pub fn observed(&self, clip: &Clip) -> Result<ObservedClip, LibraryError> {
         let clip = clip.resample(1.0 / self.body.frame_time)?;
         let name = || clip.name.clone();
         let mismatch = |reason| LibraryError::Body { clip: name(), reason: Box::new(reason) };
@@ -218,7 +218,7 @@ impl TrainedLibrary {
             bones_of: clip.bones_of.clone(),
             whole: true,
         };
-        Ok(Observed { y: self.body.layout.split(&rows), info })
+        Ok(ObservedClip { y: self.body.layout.split(&rows), info })
     }
 
     /// A fit of the couplings of a combination to clips, ready to begin.
@@ -229,7 +229,7 @@ impl TrainedLibrary {
     pub fn coupling_trainer(
         &self,
         uses: &[usize],
-        clips: &[Observed],
+        clips: &[ObservedClip],
         max_iterations: usize,
     ) -> Result<CouplingTrainer, LibraryError> {
         let lengths = clips.iter().map(|clip| clip.info.frames).collect();
