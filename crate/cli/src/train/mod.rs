@@ -1,6 +1,7 @@
 //! `vcgpdm train`: clips to a model.
 
 mod kind;
+mod library;
 
 use crate::progress::Progress;
 use crate::usage::usage;
@@ -13,8 +14,8 @@ use std::time::Instant;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source,
-    TrainedModel, with_bones_of,
+    Dataset, DatasetError, Learner, LearningProgress, Model, ModelKind, ModelSettings, Movements, Provenance,
+    Sequence, Source, TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -23,8 +24,14 @@ use vcgpdm::motion::{Clip, Skeleton, parts};
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each becomes a sequence.
-    #[arg(value_name = "CLIP", required = true)]
+    #[arg(value_name = "CLIP", required_unless_present = "movements", conflicts_with = "movements")]
     clips: Vec<String>,
+    /// Train a library of primitives: clips of one movement, under its name; may be given several times.
+    #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
+    movements: Vec<String>,
+    /// Parts that use the same primitive in all movements; every other part has one of its own in each.
+    #[arg(long, value_name = "PART,PART", requires = "movements")]
+    share: Vec<String>,
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     model: Option<ModelKind>,
@@ -53,6 +60,9 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if !arguments.movements.is_empty() {
+        return library::run(arguments);
+    }
     let mut clips = Vec::new();
     for place in &arguments.clips {
         clips.push((files::read_clip(place)?, None));
@@ -170,10 +180,18 @@ fn objective(kind: ModelKind) -> &'static str {
 
 /// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
 fn train(learner: &mut dyn Learner, objective: &str) -> Result<String, Box<dyn Error>> {
+    train_steps(|| learner.step(), objective)
+}
+
+/// As `train`, one step after the other.
+pub fn train_steps(
+    mut step: impl FnMut() -> LearningProgress,
+    objective: &str,
+) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
     let mut shown = Progress::new("at most");
     loop {
-        let progress = learner.step();
+        let progress = step();
         // Not the iterations: a search for the number of primitives may end long before the most there can be.
         shown.show(progress.fraction, || {
             let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
