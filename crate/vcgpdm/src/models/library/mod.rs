@@ -166,6 +166,18 @@ impl Library {
         self.parts.iter().map(|part| part.r().ncols()).collect()
     }
 
+    /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and primitives once, couplings
+    /// and a start for each movement. Of each map its inducing inputs, their posterior mean and its kernel.
+    pub fn stored_numbers(&self) -> usize {
+        let pose = |map: &PoseMap| map.r().len() + map.mean().len() + map.kernel().lambda.len() + 1;
+        let expert = |e: &FittedExpert| e.z().len() + e.mean().len() + e.kernel().lambda.len();
+        let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
+        let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();
+        self.parts.iter().map(pose).sum::<usize>()
+            + experts.map(|known| expert(&known.fitted)).sum::<usize>()
+            + self.movements.len() * (self.part_count() * self.part_count() + start)
+    }
+
     /// Where each primitive's expert about part `i` starts in the stack of all; last its height.
     pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
         stack_offsets(self.primitives.iter().map(|primitive| primitive.experts[i].fitted.z().nrows()))
