@@ -1,5 +1,6 @@
 //! `vcgpdm train`: clips to a model.
 
+mod columns;
 mod kind;
 
 use crate::progress::Progress;
@@ -10,10 +11,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
+use vcgpdm::document::DocumentError;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source,
+    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Observed, Provenance, Source,
     TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
@@ -22,20 +24,25 @@ use vcgpdm::motion::{Clip, Skeleton, parts};
 /// Train a model on clips of one body and print what it reached as one JSON object.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// BVH files, or sample:ID; each becomes a sequence.
+    /// BVH files, or sample:ID; each becomes a sequence. With --columns: CSV files.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<String>,
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     model: Option<ModelKind>,
     /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; legs,trunk,left arm,right arm), or a
-    /// file with a list like [{"name": "legs", "joints": ["LeftUpLeg", 3]}]. Models that are not coupled need none.
+    /// file with a list like [{"name": "legs", "joints": ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns:
+    /// arm=x,y;leg=z (a name that ends with * means all that begin so), or a file with [{"name": "arm", "columns": ["x", "y"]}].
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     parts: Option<String>,
+    /// Train on columns of numbers that are no body: each CLIP is a CSV file, with the names of the columns in its first row and a row a
+    /// moment. A column "time" holds seconds; a column "frame" is left out.
+    #[arg(long, conflicts_with_all = ["seed_frames", "first_bones"])]
+    columns: bool,
     /// Write the model to this file.
     #[arg(long, value_name = "MODEL.json")]
     out: PathBuf,
-    /// Resample the clips to about so many frames a second.
+    /// Resample the clips to about so many frames a second. With --columns: the rows a second of files without times.
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
@@ -53,6 +60,12 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let split = split(arguments)?;
+    if arguments.columns {
+        let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;
+        let rate = 1.0 / dataset.frame_time;
+        return learn(arguments, split, &dataset, rate, |model| model.to_json());
+    }
     let mut clips = Vec::new();
     for place in &arguments.clips {
         clips.push((files::read_clip(place)?, None));
@@ -67,25 +80,35 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             *clip = with_bones_of(clip, &first)?;
         }
     }
-    let split = match (&arguments.parts, arguments.model) {
-        (Some(split), _) => split,
-        (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
-            return Err(usage(
-                "--parts: expected how to split the body of a coupled model, such as lower,upper",
-            ));
-        }
-        (None, Some(_)) => "whole",
-    };
     let parts = parts(split, &clips[0].0.skeleton)?;
-    let kind = kind::of_parts(arguments.model, parts.len(), split)?;
-    let settings = arguments.options.settings(kind)?;
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    let sequences = dataset.sequences.iter().zip(&sources);
-    let sequences = sequences
-        .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
-    let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
+    learn(arguments, split, &dataset, arguments.fps, |model| model.to_json())
+}
+
+/// What `--parts` says, or all as one part for models that are not coupled.
+fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
+    match (&arguments.parts, arguments.model) {
+        (Some(split), _) => Ok(split),
+        (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
+            Err(usage("--parts: expected how to split the body of a coupled model, such as lower,upper"))
+        }
+        (None, Some(_)) => Ok("whole"),
+    }
+}
+
+/// Trains on the data set, and writes the model and what it reached; `fps` is the rate that the data set was asked for.
+fn learn<S: Observed>(
+    arguments: &Arguments,
+    split: &str,
+    dataset: &Dataset<S>,
+    fps: f64,
+    to_json: impl Fn(&TrainedModel<Model, S>) -> Result<String, DocumentError>,
+) -> Result<(), Box<dyn Error>> {
+    let kind = kind::of_parts(arguments.model, dataset.layout.parts().len(), split)?;
+    let settings = arguments.options.settings(kind)?;
+    let movements = Movements::of(dataset);
     let seed_frames =
         arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
     let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
@@ -100,9 +123,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let reason = train(&mut *learner, objective(kind))?;
     let seconds = begin.elapsed().as_secs_f64();
 
-    let mut trained = TrainedModel::<Model>::trained(&dataset, &*learner, settings, seed, arguments.fps)?;
+    let mut trained = TrainedModel::<Model, S>::trained(dataset, &*learner, settings, seed, fps)?;
     trained.provenance.note.clone_from(&arguments.note);
-    files::write_text(&arguments.out, &trained.to_json()?)?;
+    files::write_text(&arguments.out, &to_json(&trained)?)?;
     let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
     let summary = match &trained.model {
         Model::Vcgpdm(model) => {
