@@ -327,7 +327,7 @@ fn the_readmes_commands_run_as_they_stand() {
     assert!(commands.len() >= 5, "the README's commands: {commands:?}");
     for trial in ["trial-1.csv", "trial-2.csv"] {
         let row = |k: i32| format!("{},{},{}\n", f64::from(k).sin(), k % 7, f64::from(k).cos());
-        let table = "shoulder,elbow,hip_left\n".to_owned() + &(0..40).map(row).collect::<String>();
+        let table = "shoulder,elbow,hip_left\n".to_owned() + &(0..20).map(row).collect::<String>();
         fs::write(folder.join(trial), table).unwrap();
     }
     for command in commands {
