@@ -3,9 +3,11 @@
 //! It holds what a rollout needs and no training clip: skeleton and pose mapping, column means, parts with their pose maps,
 //! the dynamics into each part, couplings, the sums from which experts can be inferred again, start latents and provenance.
 //! A document of tables has the names and units of their columns in the place of skeleton and pose mapping ([`Document`] reads both).
-//! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out.
+//! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out; that of a library
+//! holds pose maps, primitives and movements.
 
 mod error;
+mod library;
 mod read;
 mod subject;
 mod write;
@@ -13,6 +15,7 @@ mod write;
 pub use error::DocumentError;
 
 use crate::json::{NotFinite, Value};
+use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
 use crate::models::{SeriesModel, TrainedModel};
 use error::MOST_BYTES;
@@ -98,6 +101,26 @@ impl TrainedModel {
     /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
+    }
+}
+
+impl TrainedLibrary {
+    /// The library as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
+    pub fn to_json(&self) -> Result<String, DocumentError> {
+        text(&library::document(self))
+    }
+
+    /// Reads the document of a library; nothing but a whole and consistent one is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
+    pub fn from_json(text: &str) -> Result<Self, DocumentError> {
+        read::library_document(&parsed(text)?)
     }
 }
 

@@ -19,6 +19,7 @@ pub(crate) mod latent_dynamics;
 mod latent_paths;
 pub(crate) mod latents;
 pub(crate) mod learner;
+pub mod library;
 pub(crate) mod live;
 pub mod map;
 pub(crate) mod model;

@@ -1,6 +1,6 @@
 //! What the documents of all kinds of models have.
 
-use crate::document::error::{DocumentError, FORMAT, VERSION};
+use crate::document::error::{DocumentError, FORMAT, LIBRARY, VERSION};
 use crate::document::subject::Subject;
 use crate::json::checks::{count, tame, within};
 use crate::json::{Field, FieldError, Object, Value, write};
@@ -31,19 +31,35 @@ impl<S> Head<'_, S> {
         layout: PartsLayout,
         sequences: Vec<SequenceInfo>,
     ) -> Result<Body<S>, DocumentError> {
-        if let Some(field) = self.named
+        if let Some(field) = &self.named
             && found != self.kind
         {
             let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
             return Err(field.error(message).into());
         }
+        self.whole(layout, sequences)
+    }
+
+    /// The body, once nothing else is left in the document.
+    pub(super) fn whole(
+        self,
+        layout: PartsLayout,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<Body<S>, DocumentError> {
         self.document.end()?;
         let Head { mapping, column_means, frame_time, .. } = self;
         Ok(Body { mapping, layout, column_means, frame_time, sequences })
     }
 }
 
-pub(super) fn head<S: Subject>(value: &Value) -> Result<Head<'_, S>, DocumentError> {
+/// What a document is asked to be.
+#[derive(Clone, Copy)]
+pub(super) enum Wanted {
+    Model,
+    Library,
+}
+
+pub(super) fn head<S: Subject>(value: &Value, wanted: Wanted) -> Result<Head<'_, S>, DocumentError> {
     let mut document = Field::root(value).object()?;
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
@@ -62,7 +78,13 @@ pub(super) fn head<S: Subject>(value: &Value) -> Result<Head<'_, S>, DocumentErr
     }
     // The first version had no other kind and did not name it.
     let named = document.optional("kind");
-    let kind = named.as_ref().map_or(Ok(ModelKind::Vcgpdm), kind)?;
+    let library = matches!(named.as_ref().map(Field::value), Some(Value::Text(id)) if id == LIBRARY);
+    let kind = named.as_ref().filter(|_| !library).map_or(Ok(ModelKind::Vcgpdm), kind)?;
+    match wanted {
+        Wanted::Model if library => return Err(DocumentError::Library),
+        Wanted::Library if !library => return Err(DocumentError::NoLibrary { found: kind.id() }),
+        Wanted::Model | Wanted::Library => {}
+    }
     let other = if S::FIELD == "pose" { "columns" } else { "pose" };
     if document.optional(other).is_some() {
         let word = |field: &str| if field == "pose" { "a body" } else { "tables" };

@@ -2,12 +2,15 @@
 
 mod baseline;
 mod head;
+mod library;
 mod settings;
 mod vcgpdm;
 
 use crate::document::error::DocumentError;
+use crate::document::read::head::Wanted;
 use crate::document::subject::Subject;
 use crate::json::Value;
+use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
 use crate::models::{Model, ModelKind, TrainedModel};
 
@@ -18,7 +21,7 @@ pub(super) fn is_of_columns(value: &Value) -> bool {
 
 /// A model of any kind.
 pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, S>, DocumentError> {
-    let head = head::head::<S>(value)?;
+    let head = head::head::<S>(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => Ok(vcgpdm::vcgpdm(head)?.into()),
         ModelKind::MapGpdm
@@ -31,9 +34,14 @@ pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, 
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
 pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
-    let head = head::head(value)?;
+    let head = head::head(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
         other => Err(DocumentError::Kind { found: other.id() }),
     }
+}
+
+/// A library of primitives.
+pub(super) fn library_document(value: &Value) -> Result<TrainedLibrary, DocumentError> {
+    library::library(head::head(value, Wanted::Library)?)
 }
