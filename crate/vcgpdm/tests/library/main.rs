@@ -6,6 +6,7 @@ mod examples;
 mod golden;
 mod live;
 mod primitives;
+mod primitives;
 mod real_clips;
 mod schema;
 mod series;
