@@ -18,7 +18,7 @@ import "./comparison-figures";
 import type { SaveFailure } from "./comparison-figures";
 import type { ComparisonStore } from "./comparison-store";
 import { secondsLeft, share } from "./jobs";
-import { modelStyle } from "./model-style";
+import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
 
 /** On narrower pages what is found stands below the choices. */
