@@ -126,5 +126,80 @@ export interface UncertaintyWorker {
   moments(text: string, request: RolloutRequest): PartMoments[];
 }
 
+/** What a study's own text says, in paragraphs. */
+export interface StudyTexts {
+  consent: string;
+  instructions: string;
+  question: string;
+  pause: string;
+  end: string;
+}
+
+export interface StudyStimulus {
+  id: string;
+  kind: "natural" | "generated";
+  trial: string;
+  seen: boolean;
+  failed: boolean;
+  model?: ModelKind;
+  scores?: { testMse: number };
+}
+
+export interface StudyInfo {
+  title: string;
+  hash: string;
+  look: "figure" | "points";
+  framesPerSecond: number;
+  seconds: number;
+  crossSeconds: number;
+  answerDuringMovement: boolean;
+  pauseSeconds: number;
+  texts: StudyTexts;
+  skeleton: { names: string[]; parents: number[]; height: number };
+  stimuli: StudyStimulus[];
+}
+
+export interface StudyTrial {
+  block: number;
+  kind: "comparison" | "attention" | "catch";
+  left: number;
+  right: number;
+  naturalSide: "left" | "right" | "none";
+  headingDegrees: number;
+}
+
+export type StudyPreset = "class" | "p3-part-1" | "p3-part-2" | "p2";
+
+/** A study as the page sees it. */
+export interface StudyView {
+  /** The file on disk. */
+  text: string;
+  info: StudyInfo;
+}
+
+/** What the page changes of a study. */
+export interface StudyChange {
+  preset?: StudyPreset;
+  look?: StudyInfo["look"];
+  texts?: StudyTexts;
+}
+
+/** Answers of one or more participants: a file's name and its text. */
+export interface AnswerFile {
+  name: string;
+  text: string;
+}
+
+/** What a worker does for the graphics Turing test. It keeps nothing between two calls. */
+export interface PerceptionWorker {
+  /** Throws with the reason when the text holds no study. */
+  openStudy(text: string): StudyView;
+  changeStudy(text: string, change: StudyChange): StudyView;
+  /** The trials of one participant, in their order. */
+  drawTrials(text: string, seed: number): StudyTrial[];
+  /** World positions of each stimulus [frames x joints x 3]. */
+  movements(text: string): Float32Array[];
+}
+
 /** The face of a worker of the whole program. */
 export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker {}
