@@ -4,6 +4,7 @@ import type {
   ComparisonSettings,
   FinishedJob,
   Job,
+  ModelKind,
   Outcome,
   Plan,
   PlannedJob,
