@@ -140,10 +140,11 @@ export interface StudyStimulus {
   id: string;
   kind: "natural" | "generated";
   trial: string;
+  speed: number;
   seen: boolean;
   failed: boolean;
   model?: ModelKind;
-  scores?: { testMse: number };
+  scores?: { mse: number };
 }
 
 export interface StudyInfo {
@@ -156,7 +157,7 @@ export interface StudyInfo {
   answerDuringMovement: boolean;
   pauseSeconds: number;
   texts: StudyTexts;
-  skeleton: { names: string[]; parents: number[]; height: number };
+  skeleton: { names: string[]; parents: number[]; joints: number; dots: number[]; height: number };
   stimuli: StudyStimulus[];
 }
 

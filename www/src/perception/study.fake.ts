@@ -17,12 +17,12 @@ export const study: StudyInfo = {
     pause: "Take a rest.",
     end: "Thank you.",
   },
-  skeleton: { names: ["Hips", "Head"], parents: [-1, 0], height: 1.7 },
+  skeleton: { names: ["Hips", "Head"], parents: [-1, 0], joints: 2, dots: [0, 1], height: 1.7 },
   stimuli: [
-    { id: "walk-1", kind: "natural", trial: "walk-1", seen: true, failed: false },
+    { id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false },
     {
-      ...{ id: "tmp-1", kind: "generated", trial: "walk-1", seen: false, failed: false },
-      ...{ model: "tmp", scores: { testMse: 0.01 } },
+      ...{ id: "tmp-1", kind: "generated", trial: "walk-1", speed: 1, seen: false, failed: false },
+      ...{ model: "tmp", scores: { mse: 0.01 } },
     },
   ],
 };

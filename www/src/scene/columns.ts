@@ -13,8 +13,8 @@ export interface Body {
   figure: Figure;
   joints: string[];
   parts: PartSpec[];
-  /** Absent: a figure. Points stand in the dark: no ground, no ghost. */
-  look?: "figure" | "points";
+  /** Nodes that carry a light, for a body that is seen as points and nothing else: no ground, no ghost. Absent: a figure. */
+  lights?: number[];
 }
 
 /** What one column shows. */
@@ -22,6 +22,8 @@ export interface ColumnMotion {
   motion: Motion;
   /** Laid onto the figure, and what the ground is fitted to. */
   ghost: Motion | null;
+  /** How fast the camera goes along the ground, metres a second from the origin; absent: it follows the figure. */
+  camera?: { x: number; z: number };
 }
 
 /** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */
@@ -43,12 +45,12 @@ class Column {
   readonly #pose: Float32Array;
   readonly #ghostPose: Float32Array;
 
-  constructor({ figure, joints, parts, look }: Body, shown: ColumnMotion) {
+  constructor({ figure, joints, parts, lights }: Body, shown: ColumnMotion) {
     const { motion, ghost } = shown;
     this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
     this.#ghostPose = this.#pose.slice();
-    if (look === "points") {
-      this.#figure = new PointLights(figure, joints, this.#pose);
+    if (lights) {
+      this.#figure = new PointLights(lights);
       this.#ghost = null;
     } else {
       this.#figure = new FigureView(figure, joints, parts, this.#pose, { kind: "solid" });
@@ -83,11 +85,19 @@ class Column {
       poseAt(ghost, frame, HERE, this.#ghostPose);
       this.#ghost?.pose(poseAt(ghost, frame, placeOnto(this.#ghostPose, pose), this.#ghostPose));
     }
-    const [x = 0, , z = 0] = pose;
+    const [x, z] = this.#place(frame, pose);
     this.#ground.follow(x, z);
     this.#ground.touch(pose, this.#feet, this.#floor);
     this.#lights.follow(x, this.#floor, z);
     middle.set(x, this.#floor + MIDDLE, z);
+  }
+
+  /** Where the camera looks on the ground. */
+  #place(frame: number, pose: Float32Array): [x: number, z: number] {
+    const { camera, motion } = this.#shown;
+    if (!camera) return [pose[0] ?? 0, pose[2] ?? 0];
+    const seconds = frame * motion.frameTime;
+    return [camera.x * seconds, camera.z * seconds];
   }
 
   dispose(): void {
