@@ -61,6 +61,17 @@ export class App {
     return new ExperimentStore(this.settings, await this.#whole.get());
   });
 
+  readonly perception = new Lazy(async () => {
+    const [{ PerceptionStore }, shelf] = await Promise.all([
+      import("../perception/perception-store"),
+      // A browser that keeps nothing is no reason to ask nobody.
+      this.#answers.get().catch(() => null),
+    ]);
+    return new PerceptionStore(await this.#whole.get(), shelf);
+  });
+
+  readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");
     const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());

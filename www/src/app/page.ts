@@ -44,6 +44,10 @@ const ON_DEMAND = {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
+  async perception({ perception, notices }: App) {
+    const [store] = await Promise.all([perception.get(), import("../perception/perception-page")]);
+    return () => html`<pg-perception .perception=${store} .notices=${notices}></pg-perception>`;
+  },
   async method() {
     await import("../method/method-page");
     return () => html`<pg-method></pg-method>`;

@@ -10,6 +10,7 @@ import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
+import "../ui/two-columns.css";
 import "../terms/term";
 import "./choices";
 import type { ComparisonChoices } from "./choices";

@@ -16,6 +16,9 @@ import type {
   Plan,
   ResultsView,
   Setting,
+  StudyInfo,
+  StudyTrial,
+  StudyView,
   SyntheticTruth,
 } from "./whole-protocol";
 
@@ -103,7 +106,15 @@ export function refusal(message: string): Error {
   return error;
 }
 
+/** The study that a fake program takes a text for: its title is the text, and it has so many trials in one block. */
+export interface FakeStudies {
+  study: StudyInfo;
+  trials: StudyTrial[];
+}
+
 export class FakeProgram implements WholeProgram {
+  /** Null: no text is a study. */
+  studies: FakeStudies | null = null;
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
@@ -134,6 +145,11 @@ export class FakeProgram implements WholeProgram {
       report: (report: Report) => void,
     ) => new Promise<Result>((end, fail) => list.push({ request, report, end, fail, die }));
     return { worker: this.#worker(pending), ready: Promise.resolve(), broken, dismiss: () => {} };
+  }
+
+  #study(text: string): StudyView {
+    if (!this.studies) throw refusal("this is no study");
+    return { text, info: { ...this.studies.study, title: text }, trials: this.studies.trials.length };
   }
 
   #worker(
@@ -176,6 +192,10 @@ export class FakeProgram implements WholeProgram {
       evaluate: (job, report, signal) =>
         Promise.race([pending(this.evaluations, job, report), cancelled(signal).then(() => null)]),
       drawExperiment: (experiment) => pending(this.draws, experiment, () => {}),
+      openStudy: async (text) => this.#study(text),
+      changeStudy: async (text, change) => this.#study(`${text} ${JSON.stringify(change)}`),
+      drawTrials: async () => this.studies?.trials ?? [],
+      movements: async () => (this.studies?.study.stimuli ?? []).map(() => new Float32Array(6)),
       moments: (text, request) => pending(this.moments, { text, request }, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([

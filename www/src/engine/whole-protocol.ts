@@ -143,8 +143,8 @@ export interface StudyStimulus {
   speed: number;
   seen: boolean;
   failed: boolean;
-  model?: ModelKind;
-  scores?: { mse: number };
+  model: ModelKind | null;
+  scores: { mse: number } | null;
 }
 
 export interface StudyInfo {
@@ -177,6 +177,8 @@ export interface StudyView {
   /** The file on disk. */
   text: string;
   info: StudyInfo;
+  /** How many trials a participant has. */
+  trials: number;
 }
 
 /** What the page changes of a study. */
@@ -184,6 +186,8 @@ export interface StudyChange {
   preset?: StudyPreset;
   look?: StudyInfo["look"];
   texts?: StudyTexts;
+  /** The movements that are marked as obvious failures, by their ids: these and no others. */
+  failed?: string[];
 }
 
 /** Answers of one or more participants: a file's name and its text. */
@@ -204,4 +208,4 @@ export interface PerceptionWorker {
 }
 
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker {}
+export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker, PerceptionWorker {}

@@ -31,8 +31,8 @@ export interface KeptParticipation extends Participation {
 /** Where participations are kept, on this machine. */
 export interface AnswerShelf {
   all(): Promise<KeptParticipation[]>;
-  /** The study's text, by its hash. */
-  study(hash: string): Promise<string | null>;
+  /** The text of a participation's study. */
+  study(key: string): Promise<string | null>;
   begin(participation: Participation, study: string): Promise<void>;
   /** Keeps the row in that place. */
   add(key: string, place: number, row: Row): Promise<void>;

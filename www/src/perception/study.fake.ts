@@ -19,7 +19,7 @@ export const study: StudyInfo = {
   },
   skeleton: { names: ["Hips", "Head"], parents: [-1, 0], joints: 2, dots: [0, 1], height: 1.7 },
   stimuli: [
-    { id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false },
+    { id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false, model: null, scores: null },
     {
       ...{ id: "tmp-1", kind: "generated", trial: "walk-1", speed: 1, seen: false, failed: false },
       ...{ model: "tmp", scores: { mse: 0.01 } },

@@ -1,0 +1,96 @@
+// The graphics Turing test: the study, who answers, who has answered, and what came of it.
+import { html, nothing } from "lit";
+import { LARGEST_FILE } from "../clips/clips-store";
+import { fileButton } from "../ui/file-button";
+import { sentence } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { noticeCard } from "../ui/notices-view";
+import "../ui/two-columns.css";
+import { View } from "../ui/view";
+import { participants } from "./participants";
+import "./perception.css";
+import type { PerceptionStore } from "./perception-store";
+import "./run-dialog";
+import { studyCard } from "./study-card";
+
+/** The study that comes with the page; whoever hosts the page puts another in its place. */
+const STUDY = "perception/walks.study.json";
+
+async function studyOfThePage(): Promise<string> {
+  const answer = await fetch(new URL(STUDY, document.baseURI));
+  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  return answer.text();
+}
+
+async function chosenStudy(file: File): Promise<string> {
+  if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a study.");
+  return file.text();
+}
+
+export class PerceptionPage extends View {
+  declare perception: PerceptionStore;
+  declare notices: NoticesStore;
+
+  protected override stores() {
+    return [this.perception, this.notices];
+  }
+
+  protected override arrived(): void {
+    const { perception } = this;
+    void perception.arrive();
+    if (!perception.study) void perception.openStudy(studyOfThePage);
+  }
+
+  #begin(simulated: boolean): void {
+    const field = this.querySelector<HTMLInputElement>("[data-testid=participant-name]");
+    void this.perception.begin(field?.value ?? "", simulated);
+    if (field) field.value = "";
+  }
+
+  #setup() {
+    const { perception } = this;
+    const { study, busy, problem, sitting } = perception;
+    const cannot = study === null || busy || sitting !== null;
+    return html`
+      <h2>Which is natural?</h2>
+      <p class="hint">Two movements side by side, one natural, one made by a model. The more often people take the model’s for the natural one, the better the model.</p>
+      <label class="field"><span>Participant</span>
+        <input type="text" data-testid="participant-name" maxlength="40" autocomplete="off" spellcheck="false" placeholder="a code at random" title="A code, no name" /></label>
+      <div class="begin">
+        <button class="primary big" data-testid="begin" ?disabled=${cannot} @click=${() => this.#begin(false)}>Begin</button>
+        <button data-testid="simulate" class="small" ?disabled=${cannot} title="The program answers, to try the experiment out" @click=${() => this.#begin(true)}>Simulate</button>
+      </div>
+      <p class="hint">This page records no person and sends nothing. Answers stay in this browser until you save or forget them.</p>
+      <h3>Study</h3>
+      ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
+      ${studyCard(perception)}
+      <div class="files">
+        ${fileButton({
+          label: "Open study",
+          meaning: "Open a study (.json)",
+          testId: "open-study",
+          accept: ".json,application/json",
+          multiple: false,
+          disabled: busy || sitting !== null,
+          chosen: ([file]) => file && void perception.openStudy(() => chosenStudy(file)),
+        })}
+      </div>
+      <details class="advanced">
+        <summary>Run it elsewhere</summary>
+        <p class="hint">Put the built page on any static host, with your study as <code>${STUDY}</code>, and give out its address with <code>#view=perception</code>. In JATOS the built folder is the study’s assets,
+          and <code>index.html</code> the component. Nothing is sent there either: participants save their file and hand it in.</p>
+      </details>`;
+  }
+
+  protected override render() {
+    const { perception, notices } = this;
+    return html`
+      <section class="card setup" aria-label="The experiment">${this.#setup()}</section>
+      <section class="found" aria-label="Answers">
+        ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
+        <div class="card"><h2>On this machine</h2>${participants(perception)}</div>
+      </section>
+      <pg-perception-run .perception=${perception} .notices=${notices}></pg-perception-run>`;
+  }
+}
+customElements.define("pg-perception", PerceptionPage);

@@ -1,0 +1,196 @@
+// The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering now.
+import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol";
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+import {
+  type AnswerShelf,
+  answered,
+  columnsOf,
+  isComplete,
+  type KeptParticipation,
+  newParticipation,
+  newSeed,
+  type Row,
+  sittings,
+} from "./participation";
+import { type Step, stepsOf } from "./steps";
+
+/** A participant who is answering now. */
+export interface Sitting {
+  participation: KeptParticipation;
+  study: StudyInfo;
+  steps: readonly Step[];
+  columns: Row;
+  /** Places of the figure's nodes in each movement [frames x nodes x 3]. */
+  movements: readonly Float32Array[];
+}
+
+export class PerceptionStore extends Store {
+  readonly #whole: WholeProgram;
+  readonly #shelf: AnswerShelf | null;
+  #study: StudyView | null = null;
+  #kept: readonly KeptParticipation[] = [];
+  /** The studies of participants of this visit, by their keys. */
+  readonly #texts = new Map<string, string>();
+  #sitting: Sitting | null = null;
+  #busy = false;
+  #problem = "";
+  #unkept = "";
+  /** Changes of a study follow each other. */
+  #changing: Promise<void> = Promise.resolve();
+
+  /** Without a shelf answers last as long as the visit. */
+  constructor(whole: WholeProgram, shelf: AnswerShelf | null) {
+    super();
+    [this.#whole, this.#shelf] = [whole, shelf];
+  }
+
+  get study(): StudyView | null {
+    return this.#study;
+  }
+
+  /** Who has answered on this machine, the newest first. */
+  get kept(): readonly KeptParticipation[] {
+    return this.#kept;
+  }
+
+  get sitting(): Sitting | null {
+    return this.#sitting;
+  }
+
+  /** A study or its movements are being read. */
+  get busy(): boolean {
+    return this.#busy;
+  }
+
+  /** Why a study could not be opened or changed, or an experiment not begun. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /** Why answers are not kept beyond this visit; empty when they are. */
+  get unkept(): string {
+    return this.#shelf === null ? "this browser keeps nothing" : this.#unkept;
+  }
+
+  /** Brings what earlier visits have left. */
+  async arrive(): Promise<void> {
+    const found = (await this.#shelf?.all()) ?? [];
+    const known = new Set(this.#kept.map(({ key }) => key));
+    this.#kept = [...this.#kept, ...found.filter(({ key }) => !known.has(key))].sort((a, b) => b.at - a.at);
+    this.changed();
+  }
+
+  openStudy(text: () => Promise<string>): Promise<void> {
+    return this.#next(async () => {
+      const opened = await text();
+      this.#study = await this.#ask((worker) => worker.openStudy(opened));
+    });
+  }
+
+  change(change: StudyChange): Promise<void> {
+    return this.#next(async () => {
+      const { text } = this.#study ?? {};
+      if (text !== undefined) this.#study = await this.#ask((worker) => worker.changeStudy(text, change));
+    });
+  }
+
+  /** A new participant of the study. */
+  begin(name: string, simulated: boolean): Promise<void> {
+    return this.#next(async () => {
+      const { text, info } = this.#study ?? {};
+      if (text === undefined || !info || this.#sitting) return;
+      const seed = newSeed();
+      const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
+      const participation = newParticipation(info, { name, trials: trials.length, seed, simulated });
+      const movements = await this.#ask((worker) => worker.movements(text));
+      this.#texts.set(participation.key, text);
+      await this.#kindly(() => this.#shelf?.begin(participation, text));
+      this.#kept = [{ ...participation, rows: [] }, ...this.#kept];
+      this.#sit(participation.key, info, stepsOf(info, trials, 0), movements);
+    });
+  }
+
+  /** A participant takes the experiment up again, with the study as it was. */
+  resume(key: string): Promise<void> {
+    return this.#next(async () => {
+      const participation = this.#kept.find((kept) => kept.key === key);
+      if (!participation || this.#sitting || isComplete(participation)) return;
+      const { seed } = participation;
+      const text = this.#texts.get(key) ?? (await this.#shelf?.study(key));
+      if (typeof text !== "string") throw new Error("The study that it belongs to is not on this machine any more.");
+      const { info } = await this.#ask((worker) => worker.openStudy(text));
+      const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
+      const movements = await this.#ask((worker) => worker.movements(text));
+      this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
+    });
+  }
+
+  /** Keeps a row of the participant who is answering; it is on disk when this is kept. */
+  async keep(row: Row): Promise<void> {
+    const { participation } = this.#sitting ?? {};
+    if (!participation) return;
+    const place = participation.rows.length;
+    const placed = { ...row, trial_index: place };
+    this.#replace({ ...participation, rows: [...participation.rows, placed] });
+    await this.#kindly(() => this.#shelf?.add(participation.key, place, placed));
+  }
+
+  /** The participant has left, or has answered all. */
+  stand(): void {
+    this.#sitting = null;
+    this.changed();
+  }
+
+  async forget(key: string): Promise<void> {
+    await this.#kindly(() => this.#shelf?.forget(key));
+    this.#texts.delete(key);
+    this.#kept = this.#kept.filter((kept) => kept.key !== key);
+    this.changed();
+  }
+
+  #sit(key: string, study: StudyInfo, steps: readonly Step[], movements: readonly Float32Array[]): void {
+    const participation = this.#kept.find((kept) => kept.key === key);
+    if (!participation) return;
+    const columns = columnsOf(participation, sittings(participation) + 1);
+    this.#sitting = { participation, study, steps, columns, movements };
+  }
+
+  #replace(participation: KeptParticipation): void {
+    this.#kept = this.#kept.map((kept) => (kept.key === participation.key ? participation : kept));
+    if (this.#sitting) this.#sitting = { ...this.#sitting, participation };
+    this.changed();
+  }
+
+  /** Answers that cannot be kept are no reason to end an experiment: they can still be saved. */
+  async #kindly(keeping: () => Promise<void> | undefined): Promise<void> {
+    try {
+      await keeping();
+      this.#unkept = "";
+    } catch (problem) {
+      this.#unkept = messageOf(problem);
+    }
+  }
+
+  async #ask<Answer>(question: (worker: WholeProgramWorker) => Promise<Answer>): Promise<Answer> {
+    const { desk } = await this.#whole.load();
+    return desk.run(question);
+  }
+
+  #next(work: () => Promise<void>): Promise<void> {
+    const done = this.#changing.then(async () => {
+      [this.#busy, this.#problem] = [true, ""];
+      this.changed();
+      try {
+        await work();
+      } catch (problem) {
+        this.#problem = messageOf(problem);
+      }
+      this.#busy = false;
+      this.changed();
+    });
+    this.#changing = done;
+    return done;
+  }
+}
