@@ -12,6 +12,8 @@ use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
+use vcgpdm::perception::StudyError;
+#[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
@@ -29,6 +31,7 @@ export type ErrorCode =
     | "rollout"
     | "comparison"
     | "results"
+    | "study"
     | "numerics";
 
 /** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. */
@@ -63,6 +66,9 @@ pub enum ErrorCode {
     /// Results, or their file.
     #[cfg(feature = "training")]
     Results,
+    /// A study of perceived naturalness, or answers to one.
+    #[cfg(feature = "training")]
+    Study,
     /// A number out of bounds, or a matrix that cannot be factorised.
     Numerics,
 }
@@ -82,6 +88,8 @@ impl ErrorCode {
             ErrorCode::Comparison => "comparison",
             #[cfg(feature = "training")]
             ErrorCode::Results => "results",
+            #[cfg(feature = "training")]
+            ErrorCode::Study => "study",
             ErrorCode::Numerics => "numerics",
         }
     }
@@ -146,6 +154,7 @@ about! {
     PlanError => Comparison,
     ResultsError => Results,
     SettingError => Comparison,
+    StudyError => Study,
 }
 
 impl LibraryError for TrainingError {

@@ -21,6 +21,8 @@ mod results;
 mod rollout;
 mod settings;
 #[cfg(feature = "training")]
+mod study;
+#[cfg(feature = "training")]
 mod synthetic;
 #[cfg(feature = "training")]
 mod trainer;

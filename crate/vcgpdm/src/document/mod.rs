@@ -10,9 +10,9 @@ mod write;
 
 pub use error::DocumentError;
 
-use crate::json::{NotFinite, Value};
-use crate::models::TrainedModel;
+use crate::json::{Field, FieldError, NotFinite, Value};
 use crate::models::variational::Vcgpdm;
+use crate::models::{ModelKind, ModelSettings, TrainedModel};
 use error::MOST_BYTES;
 
 impl TrainedModel<Vcgpdm> {
@@ -62,6 +62,16 @@ impl TrainedModel {
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
     }
+}
+
+/// Names and values of what a training was asked for, as documents hold them.
+pub(crate) fn settings_value(settings: &ModelSettings, seed: u32) -> Value {
+    write::settings(settings, seed)
+}
+
+/// The same, read again: settings of that kind of model, and the seed.
+pub(crate) fn settings_of(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+    read::settings(field, kind)
 }
 
 fn parsed(text: &str) -> Result<Value, DocumentError> {

@@ -6,9 +6,9 @@ mod settings;
 mod vcgpdm;
 
 use crate::document::error::DocumentError;
-use crate::json::Value;
+use crate::json::{Field, FieldError, Value};
 use crate::models::variational::Vcgpdm;
-use crate::models::{ModelKind, TrainedModel};
+use crate::models::{ModelKind, ModelSettings, TrainedModel};
 
 /// A model of any kind.
 pub(super) fn document(value: &Value) -> Result<TrainedModel, DocumentError> {
@@ -29,5 +29,16 @@ pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, Doc
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
         other => Err(DocumentError::Kind { found: other.id() }),
+    }
+}
+
+/// What a training of a model of any kind was asked for, and the seed.
+pub(super) fn settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+    match kind {
+        ModelKind::Vcgpdm => settings::variational_settings(field)
+            .map(|(settings, seed)| (ModelSettings::Vcgpdm(settings), seed)),
+        ModelKind::Vgpdm => settings::variational_settings(field)
+            .map(|(settings, seed)| (ModelSettings::Vgpdm(settings), seed)),
+        _ => settings::baseline_settings(field, kind),
     }
 }
