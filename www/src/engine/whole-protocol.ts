@@ -4,11 +4,15 @@ import type {
   ComparisonSettings,
   FinishedJob,
   Job,
-  ModelKind,
   Outcome,
   Plan,
   PlannedJob,
   Setting,
+  StudyInfo,
+  StudyLook,
+  StudyPreset,
+  StudyTexts,
+  StudyTrial,
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
@@ -30,6 +34,11 @@ export type {
   PlannedJob,
   Setting,
   Spread,
+  StudyInfo,
+  StudyPreset,
+  StudyStimulus,
+  StudyTexts,
+  StudyTrial,
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
@@ -127,51 +136,6 @@ export interface UncertaintyWorker {
   moments(text: string, request: RolloutRequest): PartMoments[];
 }
 
-/** What a study's own text says, in paragraphs. */
-export interface StudyTexts {
-  consent: string;
-  instructions: string;
-  question: string;
-  pause: string;
-  end: string;
-}
-
-export interface StudyStimulus {
-  id: string;
-  kind: "natural" | "generated";
-  trial: string;
-  speed: number;
-  seen: boolean;
-  failed: boolean;
-  model: ModelKind | null;
-  scores: { mse: number } | null;
-}
-
-export interface StudyInfo {
-  title: string;
-  hash: string;
-  look: "figure" | "points";
-  framesPerSecond: number;
-  seconds: number;
-  crossSeconds: number;
-  answerDuringMovement: boolean;
-  pauseSeconds: number;
-  texts: StudyTexts;
-  skeleton: { names: string[]; parents: number[]; joints: number; dots: number[]; height: number };
-  stimuli: StudyStimulus[];
-}
-
-export interface StudyTrial {
-  block: number;
-  kind: "comparison" | "attention" | "catch";
-  left: number;
-  right: number;
-  naturalSide: "left" | "right" | "none";
-  headingDegrees: number;
-}
-
-export type StudyPreset = "class" | "p3-part-1" | "p3-part-2" | "p2";
-
 /** A study as the page sees it. */
 export interface StudyView {
   /** The file on disk. */
@@ -184,7 +148,7 @@ export interface StudyView {
 /** What the page changes of a study. */
 export interface StudyChange {
   preset?: StudyPreset;
-  look?: StudyInfo["look"];
+  look?: StudyLook;
   texts?: StudyTexts;
   /** The movements that are marked as obvious failures, by their ids: these and no others. */
   failed?: string[];

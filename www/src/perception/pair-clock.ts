@@ -55,7 +55,8 @@ export class PairClock {
     const frame = this.#frame();
     if (this.#over === null && frame !== null) this.#dropped += Math.max(0, Math.round(since / frame) - 1);
     const moved = now - this.#movesSince;
-    if (this.#over === null && moved < this.#movement - this.#half()) return { phase: "movement", seconds: moved / 1000 };
+    if (this.#over === null && moved < this.#movement - this.#half())
+      return { phase: "movement", seconds: moved / 1000 };
     this.#over ??= now;
     return { phase: "over", seconds: this.#movement / 1000 };
   }

@@ -101,7 +101,8 @@ export function pairPlugin(stage: PairStage) {
           };
           view.answered(answered);
           this.#jsPsych.pluginAPI.getKeyboardResponse({
-            callback_function: ({ key }: { key: string }) => answered(key.toLowerCase() === "arrowleft" ? "left" : "right"),
+            callback_function: ({ key }: { key: string }) =>
+              answered(key.toLowerCase() === "arrowleft" ? "left" : "right"),
             valid_responses: ["ArrowLeft", "ArrowRight"],
             rt_method: "performance",
             persist: false,
@@ -125,8 +126,7 @@ export function pairPlugin(stage: PairStage) {
           if (!view.root.isConnected) return;
           if (answer !== null) clock.stop(now);
           const { phase, seconds } = clock.at(now);
-          if (phase === "movement")
-            stage.draw(seconds, (side) => seconds === 0 && clock.drawn(side, marked(side)));
+          if (phase === "movement") stage.draw(seconds, (side) => seconds === 0 && clock.drawn(side, marked(side)));
           view.show(phase === "over" ? "question" : phase);
           if (!taking && (phase === "over" || (early && phase === "movement"))) {
             taking = true;

@@ -16,7 +16,10 @@ function row(store: PerceptionStore, kept: KeptParticipation) {
   const { key, participant, title, trials, simulated } = kept;
   const done = answered(kept);
   const forget = () => {
-    if (done === 0 || confirm(`Forget the ${done} answers of ${participant}? They are on no other machine, unless you saved them.`))
+    if (
+      done === 0 ||
+      confirm(`Forget the ${done} answers of ${participant}? They are on no other machine, unless you saved them.`)
+    )
       void store.forget(key);
   };
   return html`

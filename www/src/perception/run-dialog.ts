@@ -51,7 +51,8 @@ export class RunDialog extends View {
         "The movements cannot be shown",
         "This browser shows no 3-D graphics (WebGL). Answers can still be analysed.",
       );
-      return perception.stand();
+      perception.stand();
+      return;
     }
     dialog?.showModal();
     const { study, steps, columns, participation } = sitting;

@@ -17,12 +17,21 @@ export const study: StudyInfo = {
     pause: "Take a rest.",
     end: "Thank you.",
   },
-  skeleton: { names: ["Hips", "Head"], parents: [-1, 0], joints: 2, dots: [0, 1], height: 1.7 },
+  frames: 30,
+  design: {
+    ...{ blocks: 2, comparisons: 3, attentionChecks: 0, catchTrials: 0, seed: 1 },
+    ...{ pauseSeconds: 5, answerDuringMovement: false },
+  },
+  skeleton: { names: ["Hips", "Head"], parents: [-1, 0], joints: 2, head: 1, feet: null, dots: [0, 1], height: 1.7 },
   stimuli: [
-    { id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false, model: null, scores: null },
+    {
+      ...{ id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false },
+      ...{ model: null, settings: null, scores: null },
+    },
     {
       ...{ id: "tmp-1", kind: "generated", trial: "walk-1", speed: 1, seen: false, failed: false },
-      ...{ model: "tmp", scores: { mse: 0.01 } },
+      ...{ model: "tmp", settings: { model: "tmp", primitives: 3 } },
+      scores: { mse: 0.01, dtwMse: 0.008, bound: null, dynamics: null, pose: null },
     },
   ],
 };
