@@ -16,8 +16,10 @@ export interface Shown {
   dropped: number;
 }
 
-/** So many of the last display frames say when the next will come: a busy machine draws fewer than its display shows. */
+/** So many of the last pictures say how long the next will take: a busy machine draws fewer than its display shows. */
 const RECENT = 5;
+/** A machine is busy when a picture takes so many display frames; none is drawn that might take so many times as long as there is time. */
+const SLOW = 1.5;
 
 const median = (values: readonly number[]) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? null;
 
@@ -31,6 +33,7 @@ export class PairClock {
   /** Between two display frames while the cross stood. */
   readonly #intervals: number[] = [];
   #recent: number[] = [];
+  #holds = false;
   #dropped = 0;
   readonly #drawnAt = new Map<number, number>();
 
@@ -39,26 +42,35 @@ export class PairClock {
     [this.#cross, this.#movement] = [1000 * crossSeconds, 1000 * seconds];
   }
 
-  /** What to show at a display frame, `now` milliseconds, and how far the movement is in seconds. */
-  at(now: number): { phase: Phase; seconds: number } {
+  /**
+   * What to show at a display frame, `now` milliseconds, and how far the movement is in seconds. `hold`: a busy machine would draw the
+   * next picture beyond the end, so that the last one stays, and the end is on time.
+   */
+  at(now: number): { phase: Phase; seconds: number; hold: boolean } {
     const since = this.#before === null ? 0 : now - this.#before;
     this.#before = now;
-    if (since > 0) this.#recent = [...this.#recent, since].slice(-RECENT);
+    if (since > 0 && !this.#holds) this.#recent = [...this.#recent, since].slice(-RECENT);
     this.#crossSince ??= now;
     if (this.#movesSince === null) {
       if (since > 0) this.#intervals.push(since);
       // A phase ends with the display frame that is nearest to its end.
-      if (now - this.#crossSince < this.#cross - this.#half()) return { phase: "cross", seconds: 0 };
+      if (now - this.#crossSince < this.#cross - this.#half()) return { phase: "cross", seconds: 0, hold: false };
       this.#movesSince = now;
-      return { phase: "movement", seconds: 0 };
+      this.#recent = [];
+      return { phase: "movement", seconds: 0, hold: false };
     }
     const frame = this.#frame();
     if (this.#over === null && frame !== null) this.#dropped += Math.max(0, Math.round(since / frame) - 1);
     const moved = now - this.#movesSince;
-    if (this.#over === null && moved < this.#movement - this.#half())
-      return { phase: "movement", seconds: moved / 1000 };
+    const left = this.#movement - moved;
+    if (this.#over === null && left > this.#half()) {
+      const taken = median(this.#recent) ?? 0;
+      this.#holds ||= frame !== null && taken > SLOW * frame && left < SLOW * taken;
+      if (this.#holds) this.#dropped += 1;
+      return { phase: "movement", seconds: moved / 1000, hold: this.#holds };
+    }
     this.#over ??= now;
-    return { phase: "over", seconds: this.#movement / 1000 };
+    return { phase: "over", seconds: this.#movement / 1000, hold: false };
   }
 
   /** A movement's first picture was drawn at this time; what comes later does not count. */
@@ -85,8 +97,8 @@ export class PairClock {
     return median(this.#intervals);
   }
 
-  /** Half the time to the next display frame, as far as can be told. */
+  /** Half a frame of this display. */
   #half(): number {
-    return (median(this.#recent) ?? 0) / 2;
+    return (this.#frame() ?? 0) / 2;
   }
 }

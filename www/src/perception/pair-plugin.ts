@@ -125,8 +125,9 @@ export function pairPlugin(stage: PairStage) {
           // Whoever took the trial off the page has ended it.
           if (!view.root.isConnected) return;
           if (answer !== null) clock.stop(now);
-          const { phase, seconds } = clock.at(now);
-          if (phase === "movement") stage.draw(seconds, (side) => seconds === 0 && clock.drawn(side, marked(side)));
+          const { phase, seconds, hold } = clock.at(now);
+          if (phase === "movement" && !hold)
+            stage.draw(seconds, (side) => seconds === 0 && clock.drawn(side, marked(side)));
           view.show(phase === "over" ? "question" : phase);
           if (!taking && (phase === "over" || (early && phase === "movement"))) {
             taking = true;
