@@ -62,15 +62,27 @@ export class App {
   });
 
   readonly perception = new Lazy(async () => {
-    const [{ PerceptionStore }, shelf] = await Promise.all([
+    const [{ PerceptionStore }, { studyOfThePage }, shelf] = await Promise.all([
       import("../perception/perception-store"),
+      import("../perception/study-of-the-page"),
       // A browser that keeps nothing is no reason to ask nobody.
       this.#answers.get().catch(() => null),
     ]);
-    return new PerceptionStore(await this.#whole.get(), shelf);
+    return new PerceptionStore(await this.#whole.get(), shelf, studyOfThePage);
+  });
+
+  readonly analysis = new Lazy(async () => {
+    const { AnalysisStore } = await import("../perception/analysis-store");
+    return new AnalysisStore(await this.#whole.get());
   });
 
   readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+
+  /** The answers of all participants on this machine. */
+  async forgetAnswers(): Promise<void> {
+    await (await this.#answers.get()).forgetAll();
+    this.perception.loaded?.forgotten();
+  }
 
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");

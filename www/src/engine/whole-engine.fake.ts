@@ -3,6 +3,7 @@ import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
 import type {
+  AnswerFile,
   ComparisonSettings,
   Evaluated,
   EvaluationJob,
@@ -13,6 +14,7 @@ import type {
   ModelKind,
   Outcome,
   PartMoments,
+  PerceptionResults,
   Plan,
   ResultsView,
   Setting,
@@ -118,6 +120,7 @@ export class FakeProgram implements WholeProgram {
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
+  readonly analyses: Pending<AnswerFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   /** The next calls for results fail with these, one after the other. */
   readonly failures: Error[] = [];
@@ -196,6 +199,7 @@ export class FakeProgram implements WholeProgram {
       changeStudy: async (text, change) => this.#study(`${text} ${JSON.stringify(change)}`),
       drawTrials: async () => this.studies?.trials ?? [],
       movements: async () => (this.studies?.study.stimuli ?? []).map(() => new Float32Array(6)),
+      analysePerception: (_, answers) => pending(this.analyses, answers, () => {}),
       moments: (text, request) => pending(this.moments, { text, request }, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([

@@ -20,7 +20,8 @@ type Questions =
   | "openStudy"
   | "changeStudy"
   | "drawTrials"
-  | "movements";
+  | "movements"
+  | "analysePerception";
 
 /** What the page asks of a worker of the whole program. */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
@@ -66,6 +67,7 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
       changeStudy: (text, change) => remote.changeStudy(text, change),
       drawTrials: (text, seed) => remote.drawTrials(text, seed),
       movements: (text) => remote.movements(text),
+      analysePerception: (text, answers) => remote.analysePerception(text, answers),
       drawExperiment: (experiment) => remote.drawExperiment(experiment),
       trainExperiment: (experiment, report, signal) =>
         cancellable(

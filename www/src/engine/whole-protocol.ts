@@ -1,9 +1,11 @@
 // What the page and the workers of the whole program say to each other. Types only.
 import type {
+  Candidate,
   Comparison,
   ComparisonSettings,
   FinishedJob,
   Job,
+  ModelKind,
   Outcome,
   Plan,
   PlannedJob,
@@ -160,6 +162,74 @@ export interface AnswerFile {
   text: string;
 }
 
+/** PLACEHOLDER until the library's. */
+export interface PerceptionConfusion {
+  hits: number;
+  trials: number;
+  mean: number;
+  deviation: number;
+  low: number;
+  high: number;
+  aboveHalf: number;
+}
+export type ScoreKind = "mse" | "dtw-mse" | "bound" | "dynamics" | "pose";
+export interface PerceptionParticipant {
+  name: string;
+  comparisons: number;
+  unanswered: number;
+  attentionChecks: number;
+  attentionHits: number;
+  excluded: boolean;
+  left: number | null;
+  medianRt: number | null;
+  startedApartMs: number | null;
+}
+export interface PerceptionSetting {
+  model: ModelKind;
+  candidate: Candidate;
+  label: string;
+  size: { dynamicsIps: number | null; poseIps: number | null; primitives: number | null; bases: number | null };
+  movements: number;
+  failed: number;
+  scores: { mse: number; dtwMse: number; bound: number | null; dynamics: number | null; pose: number | null } | null;
+  confusion: PerceptionConfusion | null;
+}
+export interface PerceptionRegression {
+  model: ModelKind | null;
+  score: ScoreKind;
+  settings: number;
+  trials: number;
+  centre: number;
+  scale: number;
+  ceiling: number;
+  weights: [number, number];
+  errors: [number, number] | null;
+  logBayesFactor: number | null;
+  logBayesFactorError: number | null;
+  folds: number;
+  curve: [number, number][];
+}
+export interface PerceptionBest {
+  model: ModelKind;
+  setting: number;
+  label: string;
+  confusion: PerceptionConfusion;
+}
+export interface PerceptionResults {
+  title: string;
+  study: string;
+  participants: PerceptionParticipant[];
+  all: PerceptionConfusion;
+  settings: PerceptionSetting[];
+  regressions: PerceptionRegression[];
+  best: PerceptionBest[];
+  orders: { models: ModelKind[]; probability: number }[];
+  pairs: number[][];
+  catch: { confusion: PerceptionConfusion; isHalf: number } | null;
+  needed: { toTell: number | null; forPrecision: number | null };
+  options: { ceiling: number; folds: number; draws: number; seed: number; attention: number };
+}
+
 /** What a worker does for the graphics Turing test. It keeps nothing between two calls. */
 export interface PerceptionWorker {
   /** Throws with the reason when the text holds no study. */
@@ -169,6 +239,8 @@ export interface PerceptionWorker {
   drawTrials(text: string, seed: number): StudyTrial[];
   /** World positions of each stimulus [frames x joints x 3]. */
   movements(text: string): Float32Array[];
+  /** What these answers say of the study. */
+  analysePerception(text: string, answers: AnswerFile[]): PerceptionResults;
 }
 
 /** The face of a worker of the whole program. */

@@ -22,7 +22,7 @@ const info = {
   data: {
     /** "left" or "right". */
     response: { type: ParameterType.STRING },
-    /** Milliseconds since answers were taken. */
+    /** Milliseconds from the beginning of the movements to the answer. */
     rt: { type: ParameterType.FLOAT },
     /** Milliseconds between the first pictures of both movements. */
     started_apart_ms: { type: ParameterType.FLOAT },
@@ -44,8 +44,8 @@ interface Answer {
   rt: number;
 }
 
-/** A simulated participant does not read: so long after the question, milliseconds. */
-const SIMULATED_RT = 200;
+/** A simulated participant answers so long after answers are taken, milliseconds. */
+const SIMULATED_WAIT = 200;
 
 const tenth = (value: number | null) => (value === null ? null : Math.round(10 * value) / 10);
 
@@ -73,16 +73,17 @@ export function pairPlugin(stage: PairStage) {
 
     simulate(pair: Pair, mode: "visual" | "data-only", options: { data?: Partial<Answer> }, loaded?: () => void) {
       const { pluginAPI } = this.#jsPsych;
+      const { movement = 3.5 } = pair;
       const chance: Side = Math.random() < 0.5 ? "left" : "right";
-      const answer = pluginAPI.mergeSimulationData({ response: chance, rt: SIMULATED_RT }, options) as Answer;
+      const given = { response: chance, rt: 1000 * movement + SIMULATED_WAIT };
+      const answer = pluginAPI.mergeSimulationData(given, options) as Answer;
       if (mode === "data-only") {
         loaded?.();
         const untimed = { started_apart_ms: null, lasted_ms: null, frame_ms: null, frames_dropped: null };
         return Promise.resolve({ ...answer, ...untimed });
       }
-      return this.#run(this.#jsPsych.getDisplayElement(), pair, loaded, () =>
-        pluginAPI.pressKey(answer.response === "left" ? "ArrowLeft" : "ArrowRight", answer.rt),
-      );
+      const key = answer.response === "left" ? "ArrowLeft" : "ArrowRight";
+      return this.#run(this.#jsPsych.getDisplayElement(), pair, loaded, () => pluginAPI.pressKey(key, SIMULATED_WAIT));
     }
 
     /** `asked` is called when answers begin to be taken. */
@@ -94,10 +95,10 @@ export function pairPlugin(stage: PairStage) {
       loaded?.();
       return new Promise<object>((end) => {
         let answer: Answer | null = null;
+        let begun = 0;
         const take = () => {
-          const since = performance.now();
           const answered = (response: Side) => {
-            answer ??= { response, rt: Math.round(performance.now() - since) };
+            answer ??= { response, rt: Math.round(performance.now() - begun) };
           };
           view.answered(answered);
           this.#jsPsych.pluginAPI.getKeyboardResponse({
@@ -126,6 +127,7 @@ export function pairPlugin(stage: PairStage) {
           if (!view.root.isConnected) return;
           if (answer !== null) clock.stop(now);
           const { phase, seconds, hold } = clock.at(now);
+          if (phase === "movement" && seconds === 0) begun = now;
           if (phase === "movement" && !hold)
             stage.draw(seconds, (side) => seconds === 0 && clock.drawn(side, marked(side)));
           view.show(phase === "over" ? "question" : phase);

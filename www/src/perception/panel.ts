@@ -4,7 +4,9 @@ import type { ModelKind } from "../engine/whole-protocol";
 import { axes, path, ticksAcross, ticksUp, uprightBar, widthOf } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { inColour, modelMark } from "../figures/model-style";
+import { spread } from "../figures/labels";
 import { linearScale, logScale, type Scale } from "../figures/scale";
+import { textWidth } from "../figures/text-width";
 import { styled } from "../ui/styled";
 
 export interface PanelPoint {
@@ -14,6 +16,8 @@ export interface PanelPoint {
   /** The ends of its error bar; without one the same as y. */
   low: number;
   high: number;
+  /** Half width and half height of an ellipse that is drawn in place of the model's mark, in shares of the type's size. */
+  ellipse?: readonly [number, number];
 }
 
 export interface PanelAxis {
@@ -27,6 +31,8 @@ export interface PanelAxis {
 export interface PanelLine {
   model: ModelKind | null;
   places: readonly (readonly [x: number, y: number])[];
+  /** Stands at its end. */
+  label?: string;
 }
 
 export interface Panel {
@@ -46,9 +52,15 @@ const drawable = ({ x, y }: PanelPoint) => Number.isFinite(x) && Number.isFinite
 const scaleOf = ({ kind, reach }: PanelAxis, values: readonly number[], from: number, to: number): Scale =>
   (kind === "log" ? logScale : linearScale)([...values, ...reach], from, to);
 
+function mark(model: ModelKind, x: number, y: number, type: number, ellipse: PanelPoint["ellipse"]) {
+  if (!ellipse) return modelMark(model, x, y, MARK_SIZE * type);
+  return svg`<ellipse class="dot hollow" cx=${x} cy=${y} rx=${ellipse[0] * type} ry=${ellipse[1] * type}></ellipse>`;
+}
+
 export function panel({ heading, words, x, y, points, lines, references }: Panel, width: number, type: number) {
   const height = Math.round(Math.min(0.72 * width, 240) + 2 * type);
-  const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10];
+  const labelled = Math.max(0, ...lines.map(({ label = "" }) => textWidth(label, type)));
+  const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10 - labelled];
   const drawn = points.filter(drawable);
   const heights = drawn.flatMap((point) => [point.low, point.y, point.high]);
   const yScale = scaleOf(y, heights, bottom, top);
@@ -61,6 +73,16 @@ export function panel({ heading, words, x, y, points, lines, references }: Panel
     right,
   );
   const place = ([px, py]: readonly [number, number]) => [xScale.at(px), yScale.at(py)] as const;
+  const ends = lines.flatMap(({ label, places }) => {
+    const last = places.at(-1);
+    return label && last ? [{ label, x: xScale.at(last[0]), y: yScale.at(last[1]) }] : [];
+  });
+  const labels = spread(
+    ends.map((end) => end.y),
+    1.1 * type,
+    top,
+    bottom,
+  );
   return html`
     <div class="panel-figure">
       <p>${heading}</p>
@@ -75,8 +97,9 @@ export function panel({ heading, words, x, y, points, lines, references }: Panel
         ${drawn.map(
           ({ model, low, high, ...point }) => svg`<g style=${inColour(model)}>
             ${high > low ? uprightBar(xScale.at(point.x), yScale.at(low), yScale.at(high), 3) : nothing}
-            ${modelMark(model, xScale.at(point.x), yScale.at(point.y), MARK_SIZE * type)}</g>`,
+            ${mark(model, xScale.at(point.x), yScale.at(point.y), type, point.ellipse)}</g>`,
         )}
+        ${ends.map(({ label, x }, i) => svg`<text class="label" font-size=${type} x=${x + 0.8 * type} y=${(labels[i] ?? 0) + 0.35 * type}>${label}</text>`)}
       </svg>
     </div>`;
 }

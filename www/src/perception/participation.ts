@@ -59,14 +59,18 @@ const drawn = (count: number) => [...crypto.getRandomValues(new Uint32Array(coun
 /** A name at random. */
 export const newName = (): string => drawn(6).reduce((name, number) => name + SIGNS[number % SIGNS.length], "");
 
-/** Of a study, for this participant; an empty name gets one at random. */
+/** The name, or, where somebody is called so already, with a number after it: a file tells participants apart by their names. */
+export function freeName(name: string, taken: ReadonlySet<string>): string {
+  let free = name;
+  for (let number = 2; taken.has(free); number++) free = `${name}-${number}`;
+  return free;
+}
+
 export function newParticipation(
   { hash, title }: StudyInfo,
-  { name, trials, seed, simulated }: { name: string; trials: number; seed: number; simulated: boolean },
+  about: Pick<Participation, "participant" | "trials" | "seed" | "simulated">,
 ): Participation {
-  const participant = name.trim() || newName();
-  const key = newName() + newName();
-  return { key, at: Date.now(), participant, seed, study: hash, title, trials, simulated };
+  return { key: newName() + newName(), at: Date.now(), study: hash, title, ...about };
 }
 
 export const newSeed = (): number => drawn(1)[0] ?? 0;

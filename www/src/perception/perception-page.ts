@@ -1,34 +1,37 @@
 // The graphics Turing test: the study, who answers, who has answered, and what came of it.
 import { html, nothing } from "lit";
 import { LARGEST_FILE } from "../clips/clips-store";
+import type { StudyView } from "../engine/whole-protocol";
+import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
 import { sentence } from "../ui/format";
+import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
+import type { AnalysisStore } from "./analysis-store";
+import "./analysis-view";
 import { participants } from "./participants";
 import "./perception.css";
 import type { PerceptionStore } from "./perception-store";
 import "./run-dialog";
 import { studyCard } from "./study-card";
-
-/** The study that comes with the page; whoever hosts the page puts another in its place. */
-const STUDY = "perception/walks.study.json";
-
-async function studyOfThePage(): Promise<string> {
-  const answer = await fetch(new URL(STUDY, document.baseURI));
-  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
-  return answer.text();
-}
+import { STUDY_OF_THE_PAGE } from "./study-of-the-page";
 
 async function chosenStudy(file: File): Promise<string> {
   if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a study.");
   return file.text();
 }
 
+function saveStudy({ info, text }: StudyView): void {
+  const name = info.title.replace(/[^\p{L}\p{N}._-]+/gu, "-") || "study";
+  download(`${name}.study.json`, new Blob([text], { type: "application/json" }));
+}
+
 export class PerceptionPage extends View {
   declare perception: PerceptionStore;
+  declare analysis: AnalysisStore;
   declare notices: NoticesStore;
 
   protected override stores() {
@@ -38,7 +41,7 @@ export class PerceptionPage extends View {
   protected override arrived(): void {
     const { perception } = this;
     void perception.arrive();
-    if (!perception.study) void perception.openStudy(studyOfThePage);
+    void perception.ready();
   }
 
   #begin(simulated: boolean): void {
@@ -65,6 +68,7 @@ export class PerceptionPage extends View {
       ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
       ${studyCard(perception)}
       <div class="files">
+        <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => study && saveStudy(study)}>${icon("save")} Save study</button>
         ${fileButton({
           label: "Open study",
           meaning: "Open a study (.json)",
@@ -77,18 +81,20 @@ export class PerceptionPage extends View {
       </div>
       <details class="advanced">
         <summary>Run it elsewhere</summary>
-        <p class="hint">Put the built page on any static host, with your study as <code>${STUDY}</code>, and give out its address with <code>#view=perception</code>. In JATOS the built folder is the study’s assets,
+        <p class="hint">Put the built page on any static host, with your study as <code>${STUDY_OF_THE_PAGE}</code>, and give out its address with <code>#view=perception</code>. In JATOS the built folder is the study’s assets,
           and <code>index.html</code> the component. Nothing is sent there either: participants save their file and hand it in.</p>
       </details>`;
   }
 
   protected override render() {
-    const { perception, notices } = this;
+    const { perception, analysis, notices } = this;
     return html`
       <section class="card setup" aria-label="The experiment">${this.#setup()}</section>
       <section class="found" aria-label="Answers">
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
         <div class="card"><h2>On this machine</h2>${participants(perception)}</div>
+        <div class="card"><h2>What the answers say</h2>
+          <pg-perception-analysis .analysis=${analysis} .perception=${perception} .notices=${notices}></pg-perception-analysis></div>
       </section>
       <pg-perception-run .perception=${perception} .notices=${notices}></pg-perception-run>`;
   }

@@ -47,11 +47,19 @@ beforeEach(async () => {
   program = new FakeProgram();
   program.studies = { study, trials: trialsOf([2, 1]) };
   shelf = new FakeShelf();
-  store = new PerceptionStore(program, shelf);
+  store = new PerceptionStore(program, shelf, async () => "study of the page");
   await store.openStudy(async () => "walks");
 });
 
 describe("a study", () => {
+  it("is that of the page where none is open", async () => {
+    await store.ready();
+    expect(store.study?.text).toBe("walks");
+    const other = new PerceptionStore(program, shelf, async () => "study of the page");
+    await Promise.all([other.ready(), other.ready()]);
+    expect(other.study?.text).toBe("study of the page");
+  });
+
   it("is opened and changed, and what is no study is refused with words", async () => {
     expect(store.study?.info.title).toBe("walks");
     await store.change({ preset: "class" });
@@ -84,7 +92,7 @@ describe("a participant", () => {
   it("goes on in the next visit where the closed tab stopped, with the same trials of the same study", async () => {
     await store.begin("", false);
     for (const row of [page, answer(0), answer(1)]) await store.keep(row);
-    const next = new PerceptionStore(program, shelf);
+    const next = new PerceptionStore(program, shelf, async () => "study of the page");
     await next.arrive();
     const [kept] = next.kept;
     expect([kept?.trials, kept && answered(kept), kept && isComplete(kept)]).toEqual([3, 2, false]);
@@ -130,6 +138,14 @@ describe("a participant", () => {
     store.stand();
     await store.forget(store.kept[0]?.key ?? "");
     expect([store.kept, await shelf.all()]).toEqual([[], []]);
+  });
+
+  it("is told from another of the same name", async () => {
+    for (let time = 0; time < 3; time++) {
+      await store.begin("anna", false);
+      store.stand();
+    }
+    expect(store.kept.map(({ participant }) => participant).sort()).toEqual(["anna", "anna-2", "anna-3"]);
   });
 
   it("is not there twice at once", async () => {

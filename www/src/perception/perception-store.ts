@@ -9,6 +9,8 @@ import {
   columnsOf,
   isComplete,
   type KeptParticipation,
+  freeName,
+  newName,
   newParticipation,
   newSeed,
   type Row,
@@ -29,6 +31,7 @@ export interface Sitting {
 export class PerceptionStore extends Store {
   readonly #whole: WholeProgram;
   readonly #shelf: AnswerShelf | null;
+  readonly #studyOfThePage: () => Promise<string>;
   #study: StudyView | null = null;
   #kept: readonly KeptParticipation[] = [];
   /** The studies of participants of this visit, by their keys. */
@@ -41,9 +44,9 @@ export class PerceptionStore extends Store {
   #changing: Promise<void> = Promise.resolve();
 
   /** Without a shelf answers last as long as the visit. */
-  constructor(whole: WholeProgram, shelf: AnswerShelf | null) {
+  constructor(whole: WholeProgram, shelf: AnswerShelf | null, studyOfThePage: () => Promise<string>) {
     super();
-    [this.#whole, this.#shelf] = [whole, shelf];
+    [this.#whole, this.#shelf, this.#studyOfThePage] = [whole, shelf, studyOfThePage];
   }
 
   get study(): StudyView | null {
@@ -82,11 +85,20 @@ export class PerceptionStore extends Store {
     this.changed();
   }
 
-  openStudy(text: () => Promise<string>): Promise<void> {
+  /** Kept when a study is open: without another that of the page. */
+  ready(): Promise<void> {
     return this.#next(async () => {
-      const opened = await text();
-      this.#study = await this.#ask((worker) => worker.openStudy(opened));
+      if (!this.#study) await this.#open(this.#studyOfThePage);
     });
+  }
+
+  openStudy(text: () => Promise<string>): Promise<void> {
+    return this.#next(() => this.#open(text));
+  }
+
+  async #open(text: () => Promise<string>): Promise<void> {
+    const opened = await text();
+    this.#study = await this.#ask((worker) => worker.openStudy(opened));
   }
 
   change(change: StudyChange): Promise<void> {
@@ -103,7 +115,8 @@ export class PerceptionStore extends Store {
       if (text === undefined || !info || this.#sitting) return;
       const seed = newSeed();
       const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
-      const participation = newParticipation(info, { name, trials: trials.length, seed, simulated });
+      const free = freeName(name.trim() || newName(), new Set(this.#kept.map(({ participant }) => participant)));
+      const participation = newParticipation(info, { participant: free, trials: trials.length, seed, simulated });
       const movements = await this.#ask((worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
       await this.#kindly(() => this.#shelf?.begin(participation, text));
@@ -147,6 +160,12 @@ export class PerceptionStore extends Store {
     await this.#kindly(() => this.#shelf?.forget(key));
     this.#texts.delete(key);
     this.#kept = this.#kept.filter((kept) => kept.key !== key);
+    this.changed();
+  }
+
+  /** All that was kept is gone; who is answering now goes on. */
+  forgotten(): void {
+    this.#kept = this.#kept.filter(({ key }) => key === this.#sitting?.participation.key);
     this.changed();
   }
 

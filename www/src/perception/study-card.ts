@@ -3,9 +3,7 @@ import { html } from "lit";
 import type { StudyInfo, StudyPreset, StudyTexts, StudyView } from "../engine/whole-protocol";
 import { modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
-import { download } from "../ui/download";
 import { duration } from "../ui/format";
-import { icon } from "../ui/icons";
 import type { PerceptionStore } from "./perception-store";
 
 export const PRESETS: [StudyPreset, string, string][] = [
@@ -80,8 +78,7 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo) {
 export function studyCard(store: PerceptionStore) {
   const { study, busy } = store;
   if (!study) return html`<p class="empty">${busy ? "Loading the study." : "Open a study (.json) to begin."}</p>`;
-  const { info, text } = study;
-  const save = () => download(`${info.title}.study.json`, new Blob([text], { type: "application/json" }));
+  const { info } = study;
   return html`
     <p data-testid="study-title"><strong>${info.title}</strong></p>
     <p class="hint" data-testid="study-words">${designWords(study)} ${movementsWords(info)}</p>
@@ -95,8 +92,5 @@ export function studyCard(store: PerceptionStore) {
       @change=${() => void store.change({ look: info.look === "points" ? "figure" : "points" })} />
       <span>Point lights <small>Dots at the joints instead of grey figures.</small></span></label>
     ${textFields(store, info)}
-    ${marks(store, info)}
-    <div class="files">
-      <button class="small" data-testid="save-study" @click=${save}>${icon("save")} Save study</button>
-    </div>`;
+    ${marks(store, info)}`;
 }

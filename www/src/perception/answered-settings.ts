@@ -1,0 +1,57 @@
+// The settings of models that people have answered about, and what is drawn of them. No rendering.
+import type {
+  PerceptionConfusion,
+  PerceptionRegression,
+  PerceptionResults,
+  PerceptionSetting,
+} from "../engine/whole-protocol";
+import { plain } from "../figures/numbers";
+
+/** A setting with its scores and its rate. */
+export type Answered = PerceptionSetting & {
+  scores: NonNullable<PerceptionSetting["scores"]>;
+  confusion: PerceptionConfusion;
+};
+
+const isAnswered = (setting: PerceptionSetting): setting is Answered =>
+  setting.scores !== null && setting.confusion !== null;
+
+/** Those with an answer; settings of which all movements have failed have none. */
+export const answeredSettings = ({ settings }: PerceptionResults): Answered[] => settings.filter(isAnswered);
+
+export type Score = "mse" | "bound" | "dynamics" | "pose";
+
+export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
+  { score: "mse", name: "test MSE", axis: "Test MSE" },
+  { score: "bound", name: "bound", axis: "Bound, nats" },
+  { score: "dynamics", name: "dynamics part of the bound", axis: "Dynamics part, nats" },
+  { score: "pose", name: "pose part of the bound", axis: "Pose part, nats" },
+];
+
+/** The rate over a score, of one kind of model or, without one, of all; null where too few settings have it. */
+export const regressionOf = (
+  { regressions }: PerceptionResults,
+  model: PerceptionRegression["model"],
+  score: Score,
+): PerceptionRegression | null =>
+  regressions.find((regression) => regression.model === model && regression.score === score) ?? null;
+
+/** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
+export function evidenceWords({ logBayesFactor: evidence, logBayesFactorError: error }: PerceptionRegression): string {
+  if (evidence === null) return "ln K needs more answers";
+  const signed = (value: number) => plain(value).replace("-", "\u2212");
+  return `ln K = ${signed(evidence)}${error === null ? "" : ` ± ${plain(error)}`}`;
+}
+
+/** Titles and fields of a rate in a file. */
+export const RATE_TITLES = ["answers", "taken for natural", "confusion rate", "its standard deviation"];
+export const rateFields = ({ trials, hits, mean, deviation }: PerceptionConfusion) => [trials, hits, mean, deviation];
+
+export const MSE_TITLE = "test MSE (squared units of the columns)";
+
+/** The ends of a rate's error bar: one standard deviation. */
+export const rateBar = ({ mean, deviation }: PerceptionConfusion) => ({
+  y: mean,
+  low: mean - deviation,
+  high: mean + deviation,
+});
