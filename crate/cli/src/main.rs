@@ -13,6 +13,7 @@ mod reproduce;
 mod results;
 mod rollout;
 mod score;
+mod study;
 mod train;
 
 use clap::error::ErrorKind;
@@ -45,6 +46,7 @@ enum Command {
     Score(score::Arguments),
     Evaluate(evaluate::Arguments),
     Report(report::Arguments),
+    Study(study::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -89,13 +91,14 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Score(arguments) => score::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
     }
 }
 
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
 fn usage(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate and report (try --help)".to_owned();
+        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate, report and study (try --help)".to_owned();
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");

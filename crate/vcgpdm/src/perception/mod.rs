@@ -6,6 +6,7 @@
 mod design;
 mod draw;
 mod error;
+mod make;
 mod movement;
 mod read;
 mod staging;
@@ -20,6 +21,7 @@ mod write;
 
 pub use design::{Design, Preset};
 pub use error::StudyError;
+pub use make::{Maker, MakerError, MakerReason, Shown};
 pub use movement::{Movement, MovementError};
 pub use staging::{Staged, StagingError, staged};
 pub use stimulus::{Generated, Scores, Source, Stimulus};

@@ -116,3 +116,84 @@ fn ground(places: &[f64], width: usize) -> f64 {
     lows.sort_by(f64::total_cmp);
     lows.get(lows.len() / LOWEST).copied().unwrap_or(0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{Clip, samples};
+
+    fn walk() -> Clip {
+        samples::clip("walk-3").unwrap().resample(30.0).unwrap()
+    }
+
+    fn root(staged: &Staged, nodes: usize, frame: usize) -> Vector3<f64> {
+        let at = 3 * nodes * frame;
+        Vector3::from_fn(|axis, _| f64::from(staged.positions[at + axis]))
+    }
+
+    #[test]
+    fn a_walk_goes_along_z_on_the_spot_whatever_way_it_went() {
+        let clip = walk();
+        let (places, nodes) = (clip.stage_positions(), clip.skeleton.node_count());
+        let first = staged(&clip.skeleton, &places, clip.frame_time, 5, 3.5, 30).unwrap();
+        assert_eq!(first.positions.len(), 105 * nodes * 3);
+        assert!((1.0..1.6).contains(&first.speed), "{}", first.speed);
+        for frame in 0..105 {
+            let root = root(&first, nodes, frame);
+            assert!(root.x.abs() < 0.1 && root.z.abs() < 0.1 && (0.7..1.1).contains(&root.y), "{root}");
+        }
+        // On the spot, the way it faces is the way it went.
+        assert!(facing(&clip.skeleton, &first.positions).unwrap().z > 0.98);
+        let low = first.positions.chunks_exact(3).map(|place| place[1]).fold(f32::INFINITY, f32::min);
+        assert!((-0.03..=0.0).contains(&low), "{low}");
+        // The same walk somewhere else, in another direction.
+        let (sine, cosine) = 2.0_f32.sin_cos();
+        let turned: Vec<f32> = places
+            .chunks_exact(3)
+            .flat_map(|p| [3.0 + cosine * p[0] + sine * p[2], 0.4 + p[1], cosine * p[2] - sine * p[0]])
+            .collect();
+        let second = staged(&clip.skeleton, &turned, clip.frame_time, 5, 3.5, 30).unwrap();
+        for (a, b) in first.positions.iter().zip(&second.positions) {
+            assert!((a - b).abs() < 1e-4, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_walk_of_another_rate_keeps_its_pace() {
+        let clip = walk();
+        let fast = staged(&clip.skeleton, &clip.stage_positions(), clip.frame_time, 5, 3.5, 60).unwrap();
+        let slow = staged(&clip.skeleton, &clip.stage_positions(), clip.frame_time, 5, 3.5, 30).unwrap();
+        let width = 3 * clip.skeleton.node_count();
+        assert_eq!(fast.positions.len(), 2 * slow.positions.len());
+        assert!((fast.speed - slow.speed).abs() < 0.01);
+        let turns = |staged: &Staged, step: usize| -> Vec<f32> {
+            staged.positions.chunks_exact(width).step_by(step).map(|frame| frame[1]).collect()
+        };
+        for (a, b) in turns(&fast, 2).iter().zip(turns(&slow, 1)) {
+            assert!((a - b).abs() < 0.002, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_short_movement_ends_with_its_end_or_is_refused() {
+        let clip = walk();
+        let places = clip.stage_positions();
+        let seconds = clip.frames() as f64 * clip.frame_time;
+        let whole = staged(&clip.skeleton, &places, clip.frame_time, 5, seconds, 30).unwrap();
+        assert_eq!(whole.positions.len(), places.len());
+        let error = staged(&clip.skeleton, &places, clip.frame_time, 5, 4.5, 30).unwrap_err();
+        assert_eq!(error.to_string(), "expected a movement of at least 4.50 seconds, found 4.40");
+        let mut wild = places;
+        wild[7] = f32::NAN;
+        assert_eq!(staged(&clip.skeleton, &wild, clip.frame_time, 5, 1.0, 30), Err(StagingError::NotFinite));
+    }
+
+    #[test]
+    fn who_stands_faces_z() {
+        let clip = walk();
+        let first: Vec<f32> = clip.stage_positions()[..3 * clip.skeleton.node_count()].repeat(60);
+        let still = staged(&clip.skeleton, &first, clip.frame_time, 0, 1.5, 30).unwrap();
+        assert!(still.speed < 1e-6);
+        assert!(facing(&clip.skeleton, &still.positions).unwrap().z > 0.999);
+    }
+}
