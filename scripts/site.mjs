@@ -32,7 +32,7 @@ export function weigh() {
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
   const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
-  const perception = inFolders("assets/perception/", "perception/");
+  const perception = inFolders("assets/perception/", "study/");
   const first = files.filter((file) => ![...later, ...asked, ...perception].includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */

@@ -24,7 +24,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-const bundled = readFileSync(at("www/dist/perception/walks.study.json"), "utf8");
+const bundled = readFileSync(at("www/dist/study/walks.study.json"), "utf8");
 
 /** The study that comes with the page, with other fields, and other fields of its design. */
 function studyWith(/** @type {object} */ fields, /** @type {object} */ design = {}) {
@@ -76,21 +76,12 @@ function rowsOf(/** @type {string} */ csv) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i] ?? ""])));
 }
 
-/** The numbers of a figure's CSV. */
-async function figure(/** @type {Page} */ page, /** @type {string} */ heading) {
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page.getByRole("button", { name: `CSV: ${heading}` }).click(),
-  ]);
-  return readFileSync(await download.path(), "utf8");
-}
-
 describe("the graphics Turing test", () => {
   it("is loaded only when it is asked for, from the page's own folder", async () => {
     sent = [];
     const { page, problems, leave } = await site.visit();
     await page.waitForSelector("html[data-engine=ready]", { timeout: 30_000 });
-    const ofIt = () => sent.filter((path) => path.includes("/perception/"));
+    const ofIt = () => sent.filter((path) => path.includes("/perception/") || path.includes("/study/"));
     assert.deepEqual(ofIt(), []);
     await page.getByTestId("view-perception").click();
     await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
