@@ -8,6 +8,7 @@ mod clip;
 mod evaluate;
 mod files;
 mod interrupt;
+mod perception;
 mod report;
 mod reproduce;
 mod results;
@@ -47,6 +48,7 @@ enum Command {
     Evaluate(evaluate::Arguments),
     Report(report::Arguments),
     Study(study::Arguments),
+    Perception(perception::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -92,13 +94,14 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
+        Command::Perception(arguments) => perception::run(&arguments),
     }
 }
 
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
 fn usage(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate, report and study (try --help)".to_owned();
+        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate, report, study and perception (try --help)".to_owned();
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");

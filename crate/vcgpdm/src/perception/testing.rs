@@ -7,6 +7,8 @@ use crate::perception::design::Preset;
 use crate::perception::movement::Movement;
 use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 
 const FRAMES: usize = 36;
 
@@ -101,4 +103,51 @@ pub fn study() -> Study {
         unit: 0.001,
         stimuli,
     }
+}
+
+/// The answers of a participant, as jsPsych writes them: `rate` is how often a movement is taken for the natural one; who does not look answers
+/// at random.
+pub fn answers(
+    study: &Study,
+    name: &str,
+    seed: u32,
+    looks: bool,
+    rate: &dyn Fn(&Generated) -> f64,
+) -> String {
+    let mut random = ChaCha8Rng::seed_from_u64(seed.into());
+    let mut uniform = || f64::from(random.next_u32()) / f64::from(u32::MAX);
+    let mut text = "\"rt\",\"trial_type\",\"trial_index\",\"participant\",\"study\",\"block\",\"kind\",\"left\",\"right\",\"natural_side\",\
+                    \"response\",\"heading\",\"started_apart_ms\",\"lasted_ms\"\r\n\"1234\",\"html-button-response\",\"0\",\"\",\"\",\"\",\"\",\
+                    \"\",\"\",\"\",\"0\",\"\",\"\",\"\"\r\n"
+        .to_owned();
+    let hash = study.hash().unwrap();
+    for (k, trial) in study.trials(seed).iter().enumerate() {
+        let (left, right) = (&study.stimuli[trial.left], &study.stimuli[trial.right]);
+        let fooled = match left.generated().or(right.generated()) {
+            _ if !looks => uniform() < 0.5,
+            None => uniform() < 0.5,
+            Some(generated) if generated.failed => false,
+            Some(generated) => uniform() < rate(generated),
+        };
+        let generated_left = left.natural() != Some(true);
+        let response = if fooled == generated_left { "left" } else { "right" };
+        let fields = [
+            "4100.5".to_owned(),
+            "side-by-side".to_owned(),
+            (k + 1).to_string(),
+            name.to_owned(),
+            hash.clone(),
+            trial.block.to_string(),
+            trial.kind.id().to_owned(),
+            left.id.clone(),
+            right.id.clone(),
+            trial.natural_side.id().to_owned(),
+            response.to_owned(),
+            trial.heading_degrees.to_string(),
+            "0.3".to_owned(),
+            "1200".to_owned(),
+        ];
+        text += &(fields.map(|field| format!("\"{field}\"")).join(",") + "\r\n");
+    }
+    text
 }
