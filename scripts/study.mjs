@@ -21,7 +21,7 @@ const SWEEPS = [
   ["--models", "vcgpdm,vgpdm", "--ips", "3,12", "--pose-ips", "4,12", "--max-iterations", "400"],
   ["--models", "map-gpdm,map-cgpdm", "--max-iterations", "400"],
 ];
-/** Movements that anybody sees to be wrong, marked by hand: with three basis functions the legs hardly move. */
+/** Movements that anybody sees to be wrong, marked by hand: with three basis functions the figure glides with hardly a step. */
 const FAILED = ["dmp-discrete-3-trial-1", "dmp-discrete-3-trial-2"];
 
 const INSTRUCTIONS = `In every trial a cross appears first: please look at it. Then two figures move side by side. One is the walker of this project, a \

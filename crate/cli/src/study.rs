@@ -162,20 +162,11 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
         let (positions, outcome) = prediction;
         let trial = &setting.trials[job.held_out - 1].name;
         let shown = Shown { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
-        maker.generated(&shown, &job.candidate, job.seed, scores(&outcome))?;
+        maker.generated(&shown, &job.candidate, job.seed, Scores::of(&outcome))?;
     }
     let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
     let look = Look::Figure;
     Ok(maker.study(&title, preset, look, arguments.seed.unwrap_or(0))?)
-}
-
-fn scores(outcome: &Outcome) -> Scores {
-    Scores {
-        mse: outcome.score.mse,
-        dtw_mse: outcome.score.dtw_mse,
-        bound: outcome.bound,
-        terms: outcome.terms.clone(),
-    }
 }
 
 /// The clip of a trial, cut as it was.

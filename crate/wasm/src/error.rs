@@ -12,7 +12,7 @@ use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
-use vcgpdm::perception::StudyError;
+use vcgpdm::perception::{AnalysisError, AnswersError, MakerError, StudyError};
 #[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
@@ -154,6 +154,9 @@ about! {
     PlanError => Comparison,
     ResultsError => Results,
     SettingError => Comparison,
+    AnalysisError => Study,
+    AnswersError => Study,
+    MakerError => Study,
     StudyError => Study,
 }
 

@@ -14,7 +14,11 @@ mod error;
 mod evaluation;
 mod given;
 mod live;
+#[cfg(feature = "training")]
+mod maker;
 mod model;
+#[cfg(feature = "training")]
+mod perception;
 mod predictions;
 #[cfg(feature = "training")]
 mod results;

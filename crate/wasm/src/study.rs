@@ -309,11 +309,7 @@ impl Study {
         &self,
         #[wasm_bindgen(unchecked_param_type = "StudyPreset")] preset: &Text,
     ) -> Result<Study, VcgpdmError> {
-        let id = preset.get(ErrorCode::Study, "the design")?;
-        let preset = Preset::from_id(&id).ok_or_else(|| {
-            let known = Preset::ALL.map(Preset::id).join(", ");
-            VcgpdmError::new(ErrorCode::Study, &format_args!("expected one of {known}, found \"{id}\""))
-        })?;
+        let preset = self::preset(preset)?;
         Ok(Study { study: self.study.clone().with_preset(preset) })
     }
 
@@ -323,10 +319,7 @@ impl Study {
         &self,
         #[wasm_bindgen(unchecked_param_type = "StudyLook")] look: &Text,
     ) -> Result<Study, VcgpdmError> {
-        let id = look.get(ErrorCode::Study, "the look")?;
-        let look = Look::from_id(&id).ok_or_else(|| {
-            VcgpdmError::new(ErrorCode::Study, &format_args!("expected figure or points, found \"{id}\""))
-        })?;
+        let look = self::look(look)?;
         let mut study = self.study.clone();
         study.look = look;
         Ok(Study { study })
@@ -356,7 +349,29 @@ impl Study {
     }
 }
 
+/// The preset of that name.
+pub fn preset(name: &Text) -> Result<Preset, VcgpdmError> {
+    let id = name.get(ErrorCode::Study, "the design")?;
+    Preset::from_id(&id).ok_or_else(|| {
+        let known = Preset::ALL.map(Preset::id).join(", ");
+        VcgpdmError::new(ErrorCode::Study, &format_args!("expected one of {known}, found \"{id}\""))
+    })
+}
+
+/// The look of that name.
+pub fn look(name: &Text) -> Result<Look, VcgpdmError> {
+    let id = name.get(ErrorCode::Study, "the look")?;
+    Look::from_id(&id).ok_or_else(|| {
+        VcgpdmError::new(ErrorCode::Study, &format_args!("expected figure or points, found \"{id}\""))
+    })
+}
+
 impl Study {
+    /// A study of the library.
+    pub fn of(study: MovementStudy) -> Study {
+        Study { study }
+    }
+
     fn stimuli(&self) -> Vec<Stimulus<'_>> {
         fn known(stimulus: &MovementStimulus) -> Stimulus<'_> {
             let generated = stimulus.generated();

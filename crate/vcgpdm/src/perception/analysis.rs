@@ -1,19 +1,18 @@
 //! From answers to what they say about the models and their scores.
 
-use crate::evaluation::Labels;
 use crate::evaluation::stats::mean;
-use crate::models::{ModelKind, ModelSettings};
+use crate::models::ModelKind;
 use crate::perception::answers::Answer;
 use crate::perception::beta::Rate;
+use crate::perception::counted::{Counted, settings};
 use crate::perception::ordering::ordering;
-use crate::perception::participants::{participants, took_generated};
+use crate::perception::participants::participants;
 use crate::perception::power::{trials_for_precision, trials_to_tell};
 use crate::perception::regression::{Curve, Point};
 use crate::perception::results::{
-    AnalysisOptions, Best, Catch, Confusion, MeanScores, Needed, Order, PerceptionResults, Regression,
-    ScoreKind, SettingResult, Size,
+    AnalysisOptions, Best, Catch, Confusion, Needed, Order, PerceptionResults, Regression, ScoreKind,
+    SettingResult,
 };
-use crate::perception::stimulus::Generated;
 use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
 use crate::perception::validation::log_bayes_factor;
@@ -55,25 +54,12 @@ impl PerceptionResults {
     pub fn of(study: &Study, answers: &[Answer], options: AnalysisOptions) -> Result<Self, AnalysisError> {
         check(&options)?;
         let participants = participants(study, answers, options.attention);
-        let counts = |answer: &&Answer| {
-            let excluded = |name: &str| participants.iter().any(|p| p.excluded && p.name == name);
-            answer.chose_left.is_some() && !excluded(&answer.participant)
-        };
-        let kept: Vec<&Answer> = answers.iter().filter(counts).collect();
-        let rate = |wanted: &dyn Fn(&Answer) -> bool| {
-            let trials = kept.iter().filter(|answer| wanted(answer));
-            let (mut hits, mut count) = (0, 0);
-            for answer in trials {
-                count += 1;
-                hits += usize::from(took_generated(study, answer));
-            }
-            Rate::new(hits, count)
-        };
-        let all = rate(&|answer| answer.kind == TrialKind::Comparison);
+        let counted = Counted::new(study, answers, &participants);
+        let all = counted.rate(|answer| answer.kind == TrialKind::Comparison);
         if all.trials == 0 {
             return Err(AnalysisError::Empty);
         }
-        let settings = settings(study, &rate);
+        let settings = settings(&counted);
         let best = best(&settings);
         let rates: Vec<Rate> =
             best.iter().map(|best| Rate::new(best.confusion.hits, best.confusion.trials)).collect();
@@ -83,7 +69,7 @@ impl PerceptionResults {
             models: order.iter().map(|&place| best[place].model).collect(),
             probability,
         });
-        let catch = rate(&|answer| answer.kind == TrialKind::Catch);
+        let catch = counted.rate(|answer| answer.kind == TrialKind::Catch);
         Ok(Self {
             format: Self::FORMAT,
             version: Self::VERSION,
@@ -121,74 +107,6 @@ fn check(options: &AnalysisOptions) -> Result<(), AnalysisError> {
         }
     }
     Ok(())
-}
-
-/// Every model with all its settings, in the order of tables.
-fn settings(study: &Study, rate: &dyn Fn(&dyn Fn(&Answer) -> bool) -> Rate) -> Vec<SettingResult> {
-    let generated: Vec<&Generated> =
-        study.stimuli.iter().filter_map(|stimulus| stimulus.generated()).collect();
-    let labels = Labels::of_candidates(generated.iter().map(|generated| &generated.candidate));
-    let mut candidates: Vec<&ModelSettings> = Vec::new();
-    for generated in &generated {
-        if !candidates.contains(&&generated.candidate) {
-            candidates.push(&generated.candidate);
-        }
-    }
-    candidates.sort_by_key(|candidate| {
-        let kind = ModelKind::ALL.iter().position(|kind| *kind == candidate.kind());
-        let Size { dynamics_ips, pose_ips, primitives, bases } = size(candidate);
-        (kind, dynamics_ips, pose_ips, primitives, bases)
-    });
-    let result = |candidate: &&ModelSettings| {
-        let own = |generated: &&&Generated| generated.candidate == **candidate;
-        let good: Vec<&&Generated> =
-            generated.iter().filter(own).filter(|generated| !generated.failed).collect();
-        let rate = rate(&|answer| {
-            let of_candidate = |place: usize| {
-                study.stimuli[place].generated().is_some_and(|g| !g.failed && g.candidate == **candidate)
-            };
-            answer.kind == TrialKind::Comparison && (of_candidate(answer.left) || of_candidate(answer.right))
-        });
-        SettingResult {
-            model: candidate.kind(),
-            candidate: (*candidate).clone(),
-            label: labels.label(candidate),
-            size: size(candidate),
-            movements: good.len(),
-            failed: generated.iter().filter(own).count() - good.len(),
-            scores: mean_scores(&good),
-            confusion: (rate.trials > 0).then(|| Confusion::of(rate)),
-        }
-    };
-    candidates.iter().map(result).collect()
-}
-
-fn size(candidate: &ModelSettings) -> Size {
-    match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
-            Size { dynamics_ips: Some(s.dynamics_ips), pose_ips: Some(s.pose_ips), ..Size::default() }
-        }
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => Size::default(),
-        ModelSettings::Tmp(s) => Size { primitives: s.primitives, ..Size::default() },
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => {
-            Size { bases: Some(s.bases), ..Size::default() }
-        }
-    }
-}
-
-/// Means over movements; of a score that some lack, none.
-fn mean_scores(movements: &[&&Generated]) -> Option<MeanScores> {
-    let over = |value: &dyn Fn(&Generated) -> Option<f64>| -> Option<f64> {
-        let values: Option<Vec<f64>> = movements.iter().map(|generated| value(generated)).collect();
-        values.filter(|values| !values.is_empty()).map(|values| mean(&values))
-    };
-    Some(MeanScores {
-        mse: over(&|generated| Some(generated.scores.mse))?,
-        dtw_mse: over(&|generated| Some(generated.scores.dtw_mse))?,
-        bound: over(&|generated| generated.scores.bound),
-        dynamics: over(&|generated| generated.scores.dynamics()),
-        pose: over(&|generated| generated.scores.pose()),
-    })
 }
 
 /// The setting of each kind whose rate is the highest.
@@ -263,7 +181,7 @@ mod tests {
     use super::*;
     use crate::perception::answers::{AnswerFile, read};
     use crate::perception::design::Preset;
-    use crate::perception::regression::Curve;
+    use crate::perception::stimulus::Generated;
     use crate::perception::testing::{answers, study};
 
     /// What some participants' answers say: `blind` of them do not look.

@@ -7,6 +7,7 @@
 mod analysis;
 mod answers;
 mod beta;
+mod counted;
 mod csv;
 mod design;
 mod draw;

@@ -39,7 +39,7 @@ pub fn trials_for_precision(width: f64, probability: f64) -> Option<usize> {
     };
     // Even numbers, of which one half can be found; the probability grows with them.
     let (mut low, mut high) = (0, 2 * MOST);
-    if !(within(2 * high) >= probability) {
+    if within(2 * high) < probability {
         return None;
     }
     while low < high {

@@ -1,5 +1,6 @@
 //! One movement that is shown, and what is known of it.
 
+use crate::evaluation::Outcome;
 use crate::models::ModelSettings;
 use crate::models::variational::BoundTerms;
 use crate::perception::movement::Movement;
@@ -58,6 +59,16 @@ pub struct Scores {
 }
 
 impl Scores {
+    /// Those of what came of a candidate in a fold.
+    pub fn of(outcome: &Outcome) -> Self {
+        Self {
+            mse: outcome.score.mse,
+            dtw_mse: outcome.score.dtw_mse,
+            bound: outcome.bound,
+            terms: outcome.terms.clone(),
+        }
+    }
+
     /// The part of the bound about poses: the kinematics terms of all parts.
     pub fn pose(&self) -> Option<f64> {
         self.terms.as_ref().map(|terms| terms.kinematics.iter().sum())
