@@ -4,12 +4,14 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, openSite, saved } from "./site.mjs";
+import { barriers, drop, openSite, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
 /** The same program in Node. @type {typeof import("vcgpdm")} */
-const { Study, analysePerception } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Study, analysePerception, perceptionJson } = createRequire(import.meta.url)(
+  at("crate/wasm/pkg/node/vcgpdm.js"),
+);
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -74,6 +76,19 @@ function rowsOf(/** @type {string} */ csv) {
     .split("\r\n")
     .map((line) => [...line.matchAll(/"((?:[^"]|"")*)"/g)].map(([, field = ""]) => field.replaceAll('""', '"')));
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i] ?? ""])));
+}
+
+/** The rows of a figure's CSV, the titles first. */
+async function figure(/** @type {Page} */ page, /** @type {string} */ heading) {
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: `CSV: ${heading}` }).click(),
+  ]);
+  const text = readFileSync(await download.path(), "utf8");
+  return text
+    .trim()
+    .split("\r\n")
+    .map((line) => [...line.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, field = ""]) => field));
 }
 
 describe("the graphics Turing test", () => {
@@ -151,7 +166,35 @@ describe("the graphics Turing test", () => {
     );
     await page.getByTestId("analyse-here").click();
     await page.getByTestId("analysis-words").waitFor({ timeout: 60_000 });
-    assert.ok(analysePerception);
+    const files = [{ name, text }];
+    assert.equal((await saved(page, "save-analysis")).text, perceptionJson(whole, files));
+    const { settings, participants } = analysePerception(whole, files);
+    assert.deepEqual(
+      participants.map(({ name, excluded, attentionHits }) => [name, excluded, attentionHits]),
+      [["robot", false, 4]],
+    );
+    const drawn = await figure(page, "All models over the test error");
+    assert.deepEqual(
+      drawn.slice(1).map((row) => row.slice(2).map(Number)),
+      settings.flatMap(({ scores, confusion }) =>
+        scores && confusion
+          ? [[scores.mse, confusion.trials, confusion.hits, confusion.mean, confusion.deviation]]
+          : [],
+      ),
+    );
+    assert.equal(await page.getByTestId("analysed").count(), 1);
+    assert.deepEqual(await barriers(page), []);
+
+    // The same from its file, in JSON as in CSV, beside another participant who did not look.
+    const careless = rows.map((row) => ({ ...row, participant: "dreamer", response: row.response ? "left" : "" }));
+    const dropped = { "answers.csv": text, "dreamer.json": JSON.stringify(careless) };
+    await page.reload();
+    await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await open(page, whole);
+    await drop(page, dropped);
+    await page.getByTestId("analysed").nth(1).waitFor({ timeout: 60_000 });
+    assert.match(await page.locator(".left-out").innerText(), /dreamer.*2 of 4.*left out/s);
+    assert.match(await page.getByTestId("analysis-words").innerText(), /^52 answers of 1 participant:.* 1 left out/);
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -263,6 +306,77 @@ describe("the graphics Turing test", () => {
       .getByTestId("open-answers")
       .setInputFiles({ name: "a.csv", mimeType: "text/csv", buffer: Buffer.from("a,b\r\n1,2\r\n") });
     await page.getByTestId("analysis-problem").getByText("a.csv").waitFor({ timeout: 30_000 });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
+    const { page, problems, leave } = await visit();
+    // Somebody who is taken in by every second movement, and looks.
+    const study = Study.fromJson(bundled);
+    const { stimuli, hash } = study.info;
+    const id = (/** @type {number} */ place) => stimuli[place]?.id;
+    const rows = [1, 2, 3, 4].flatMap((seed) =>
+      study.trials(seed).map(({ kind, left, right, naturalSide }, i) => {
+        const taken = kind === "comparison" && i % 2 === 0;
+        const response = (naturalSide === "left") === taken ? "right" : "left";
+        return {
+          participant: `p${seed}`,
+          study: hash,
+          trial_index: i,
+          kind,
+          left: id(left),
+          right: id(right),
+          response,
+        };
+      }),
+    );
+    await drop(page, { "all.json": JSON.stringify(rows) });
+    await page.getByTestId("analysed").nth(3).waitFor({ timeout: 60_000, state: "attached" });
+    /** What each figure's CSV has a column for. */
+    const figures = {
+      "The best of each model": "P(rate > 0.5)",
+      "All models over the test error": "confusion rate",
+      "Over the number of primitives or bases": "primitives or bases",
+      "Confusion rate over inducing points": "dynamics inducing points",
+      "Confusion rate over each score": "ln K",
+      "What inducing points do": "bound (nats)",
+    };
+    for (const [heading, column] of Object.entries(figures)) {
+      const [titles = [], ...numbers] = await figure(page, heading);
+      assert.ok(titles.includes(column), `${heading}: ${titles}`);
+      assert.ok(
+        numbers.length > 1 && !/NaN|Infinity|undefined/.test(numbers.join()),
+        `${heading}: ${numbers.join("\n")}`,
+      );
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.getByRole("button", { name: `PNG: ${heading}` }).click(),
+      ]);
+      const picture = readFileSync(await download.path());
+      assert.equal(picture.subarray(1, 4).toString("latin1"), "PNG", heading);
+      assert.ok(picture.length > 5_000, `${heading}: ${picture.length} bytes`);
+    }
+    assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("makes a study of a comparison that ran on the page", async () => {
+    const settings = "view=compare&models=tmp,dmp-discrete&bases=10&fps=15&steps=5";
+    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    assert.ok(await page.getByTestId("make-study").isDisabled(), "there are no movements yet");
+    await page.locator(".trials summary").click();
+    const boxes = page.locator(".trials input");
+    for (let i = 0; i < (await boxes.count()); i++) await boxes.nth(i).setChecked(i < 3);
+    await page.getByTestId("compare").click();
+    await page.getByTestId("compare").waitFor({ timeout: 120_000 });
+    await page.getByTestId("make-study").click();
+    await page.getByTestId("study-words").getByText("3 natural and 6 generated movements").waitFor({ timeout: 60_000 });
+    await page.getByTestId("begin").click();
+    await goOn(page, "consent", "instructions");
+    await phase(page, "movement");
     assert.deepEqual(problems, []);
     await leave();
   });

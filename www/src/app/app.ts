@@ -78,6 +78,12 @@ export class App {
 
   readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
 
+  /** Shows a study, of which this is the text. */
+  async openStudy(text: string): Promise<void> {
+    this.settings.change({ view: "perception" });
+    await (await this.perception.get()).openStudy(async () => text);
+  }
+
   /** The answers of all participants on this machine. */
   async forgetAnswers(): Promise<void> {
     await (await this.#answers.get()).forgetAll();

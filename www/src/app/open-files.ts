@@ -55,8 +55,7 @@ async function openAnswers(app: App, files: readonly File[]): Promise<void> {
 /** The results of a comparison and studies say so themselves; anything else is to be a model. */
 async function openJson(app: App, text: string): Promise<void> {
   if (/"format"\s*:\s*"vcgpdm study"/.test(text.slice(0, 200))) {
-    app.settings.change({ view: "perception" });
-    await (await app.perception.get()).openStudy(async () => text);
+    await app.openStudy(text);
     return;
   }
   if (/"format"\s*:\s*"vcgpdm-evaluation"/.test(text.slice(0, 200))) {

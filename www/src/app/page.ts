@@ -302,6 +302,7 @@ export class PageView extends View {
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
+        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}

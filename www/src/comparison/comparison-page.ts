@@ -110,6 +110,17 @@ export class ComparisonPage extends View {
     }
   }
 
+  async #makeStudy(): Promise<void> {
+    this.#problem = "";
+    try {
+      const detail = await this.comparison.makeStudy();
+      this.dispatchEvent(new CustomEvent<string>("study-made", { detail, bubbles: true }));
+    } catch (problem) {
+      this.#problem = `No study was made: ${messageOf(problem)}`;
+      this.requestUpdate();
+    }
+  }
+
   #button() {
     const { comparison } = this;
     return comparison.busy
@@ -136,6 +147,8 @@ export class ComparisonPage extends View {
         <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => shown && save(shown.results.text)}>${icon("save")} Save results</button>
         <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title="All models, ten walks of one person, 30 frames a second"
           @click=${() => void this.#open("Ten recorded walks", recordedWalks)}>${icon("eye")} Ten recorded walks</button>
+        <button class="small" data-testid="make-study" ?disabled=${busy || !this.comparison.canMakeStudy} title="Ask people which movement is the more natural: a study of the movements compared here"
+          @click=${() => void this.#makeStudy()}>${icon("play")} Make a study</button>
       </div>`;
   }
 

@@ -3,7 +3,7 @@ import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
 import type {
-  AnswerFile,
+  AnswersFile,
   ComparisonSettings,
   Evaluated,
   EvaluationJob,
@@ -120,7 +120,7 @@ export class FakeProgram implements WholeProgram {
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
-  readonly analyses: Pending<AnswerFile[], never, PerceptionResults>[] = [];
+  readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   /** The next calls for results fail with these, one after the other. */
   readonly failures: Error[] = [];
@@ -200,6 +200,8 @@ export class FakeProgram implements WholeProgram {
       drawTrials: async () => this.studies?.trials ?? [],
       movements: async () => (this.studies?.study.stimuli ?? []).map(() => new Float32Array(6)),
       analysePerception: (_, answers) => pending(this.analyses, answers, () => {}),
+      perceptionJson: async (text, answers) => JSON.stringify({ text, answers }),
+      makeStudy: async ({ generated }) => `a study of ${generated.length}`,
       moments: (text, request) => pending(this.moments, { text, request }, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([

@@ -21,7 +21,9 @@ type Questions =
   | "changeStudy"
   | "drawTrials"
   | "movements"
-  | "analysePerception";
+  | "analysePerception"
+  | "perceptionJson"
+  | "makeStudy";
 
 /** What the page asks of a worker of the whole program. */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
@@ -68,6 +70,8 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
       drawTrials: (text, seed) => remote.drawTrials(text, seed),
       movements: (text) => remote.movements(text),
       analysePerception: (text, answers) => remote.analysePerception(text, answers),
+      perceptionJson: (text, answers) => remote.perceptionJson(text, answers),
+      makeStudy: (request) => remote.makeStudy(request),
       drawExperiment: (experiment) => remote.drawExperiment(experiment),
       trainExperiment: (experiment, report, signal) =>
         cancellable(

@@ -1,12 +1,14 @@
 // What the page and the workers of the whole program say to each other. Types only.
 import type {
+  AnswersFile,
   Candidate,
   Comparison,
   ComparisonSettings,
   FinishedJob,
   Job,
-  ModelKind,
+  MadeMovement,
   Outcome,
+  PerceptionResults,
   Plan,
   PlannedJob,
   Setting,
@@ -21,10 +23,12 @@ import type {
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
+  AnswersFile,
   Candidate,
   Claim,
   Comparison,
   ComparisonSettings,
+  Confusion,
   Correlation,
   FinishedJob,
   Growth,
@@ -32,9 +36,13 @@ export type {
   ModelKind,
   ModelSummary,
   Outcome,
+  Participant,
+  PerceptionResults,
   Plan,
   PlannedJob,
+  Regression,
   Setting,
+  SettingResult,
   Spread,
   StudyInfo,
   StudyPreset,
@@ -156,78 +164,27 @@ export interface StudyChange {
   failed?: string[];
 }
 
-/** Answers of one or more participants: a file's name and its text. */
-export interface AnswerFile {
-  name: string;
-  text: string;
+/** A natural movement of a study that is to be made: a trial as it was. */
+export interface NaturalMovement extends MadeMovement {
+  /** World positions [frames x nodes x 3]. */
+  positions: Float32Array;
 }
 
-/** PLACEHOLDER until the library's. */
-export interface PerceptionConfusion {
-  hits: number;
-  trials: number;
-  mean: number;
-  deviation: number;
-  low: number;
-  high: number;
-  aboveHalf: number;
-}
-export type ScoreKind = "mse" | "dtw-mse" | "bound" | "dynamics" | "pose";
-export interface PerceptionParticipant {
-  name: string;
-  comparisons: number;
-  unanswered: number;
-  attentionChecks: number;
-  attentionHits: number;
-  excluded: boolean;
-  left: number | null;
-  medianRt: number | null;
-  startedApartMs: number | null;
-}
-export interface PerceptionSetting {
-  model: ModelKind;
+/** What a model made of a trial. */
+export interface GeneratedMovement extends NaturalMovement {
   candidate: Candidate;
-  label: string;
-  size: { dynamicsIps: number | null; poseIps: number | null; primitives: number | null; bases: number | null };
-  movements: number;
-  failed: number;
-  scores: { mse: number; dtwMse: number; bound: number | null; dynamics: number | null; pose: number | null } | null;
-  confusion: PerceptionConfusion | null;
+  seed: number;
+  outcome: Outcome;
 }
-export interface PerceptionRegression {
-  model: ModelKind | null;
-  score: ScoreKind;
-  settings: number;
-  trials: number;
-  centre: number;
-  scale: number;
-  ceiling: number;
-  weights: [number, number];
-  errors: [number, number] | null;
-  logBayesFactor: number | null;
-  logBayesFactorError: number | null;
-  folds: number;
-  curve: [number, number][];
-}
-export interface PerceptionBest {
-  model: ModelKind;
-  setting: number;
-  label: string;
-  confusion: PerceptionConfusion;
-}
-export interface PerceptionResults {
+
+/** A study that is to be made from a comparison. */
+export interface StudyRequest {
   title: string;
-  study: string;
-  participants: PerceptionParticipant[];
-  all: PerceptionConfusion;
-  settings: PerceptionSetting[];
-  regressions: PerceptionRegression[];
-  best: PerceptionBest[];
-  orders: { models: ModelKind[]; probability: number }[];
-  pairs: number[][];
-  catch: { confusion: PerceptionConfusion; isHalf: number } | null;
-  needed: { toTell: number | null; forPrecision: number | null };
-  options: { ceiling: number; folds: number; draws: number; seed: number; attention: number };
+  /** A clip of the body that moves. */
+  body: TrainingClip;
+  framesPerSecond: number;
+  natural: NaturalMovement[];
+  generated: GeneratedMovement[];
 }
 
 /** What a worker does for the graphics Turing test. It keeps nothing between two calls. */
@@ -240,7 +197,11 @@ export interface PerceptionWorker {
   /** World positions of each stimulus [frames x joints x 3]. */
   movements(text: string): Float32Array[];
   /** What these answers say of the study. */
-  analysePerception(text: string, answers: AnswerFile[]): PerceptionResults;
+  analysePerception(text: string, answers: AnswersFile[]): PerceptionResults;
+  /** The same as the file that the terminal writes. */
+  perceptionJson(text: string, answers: AnswersFile[]): string;
+  /** Answers the text of the study. */
+  makeStudy(request: StudyRequest): Promise<string>;
 }
 
 /** The face of a worker of the whole program. */

@@ -1,12 +1,12 @@
 // What people's answers say: the files of participants, and what the library finds in them.
 import type { WholeProgram } from "../engine/whole-engine";
-import type { AnswerFile, PerceptionResults } from "../engine/whole-protocol";
+import type { AnswersFile, PerceptionResults } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 
 export class AnalysisStore extends Store {
   readonly #whole: WholeProgram;
-  #files: readonly AnswerFile[] = [];
+  #files: readonly AnswersFile[] = [];
   #results: PerceptionResults | null = null;
   #busy = false;
   #problem = "";
@@ -19,7 +19,7 @@ export class AnalysisStore extends Store {
   }
 
   /** The files that are analysed together. */
-  get files(): readonly AnswerFile[] {
+  get files(): readonly AnswersFile[] {
     return this.#files;
   }
 
@@ -37,7 +37,7 @@ export class AnalysisStore extends Store {
   }
 
   /** Analyses these files beside those that are there; one of the same name takes the other's place. */
-  add(study: string, files: readonly AnswerFile[]): Promise<void> {
+  add(study: string, files: readonly AnswersFile[]): Promise<void> {
     const names = new Set(files.map(({ name }) => name));
     return this.analyse(study, [...this.#files.filter(({ name }) => !names.has(name)), ...files]);
   }
@@ -49,8 +49,14 @@ export class AnalysisStore extends Store {
     );
   }
 
+  /** What came of it, as the file that the terminal writes too. */
+  async json(study: string): Promise<string> {
+    const { desk } = await this.#whole.load();
+    return desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
+  }
+
   /** Analyses these files and no others. */
-  async analyse(study: string, files: readonly AnswerFile[]): Promise<void> {
+  async analyse(study: string, files: readonly AnswersFile[]): Promise<void> {
     this.#asked += 1;
     const asked = this.#asked;
     [this.#files, this.#busy, this.#problem] = [files, files.length > 0, ""];

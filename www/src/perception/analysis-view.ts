@@ -1,9 +1,10 @@
 // What people's answers say: the files, who is left out and why, and the figures.
 import { html, nothing } from "lit";
 import { LARGEST_FILE } from "../clips/clips-store";
-import type { AnswerFile, PerceptionParticipant, PerceptionResults } from "../engine/whole-protocol";
+import type { AnswersFile, Participant, PerceptionResults } from "../engine/whole-protocol";
 import { percent, plain } from "../figures/numbers";
 import type { SaveFailure } from "../figures/figure-element";
+import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
 import { messageOf, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -20,7 +21,7 @@ import "./rate-figures";
 import "./score-figures";
 
 /** The text of files of answers. Fails with the name of one that is too large. */
-export const readAnswers = (files: readonly File[]): Promise<AnswerFile[]> =>
+export const readAnswers = (files: readonly File[]): Promise<AnswersFile[]> =>
   Promise.all(
     files.map(async (file) => {
       if (file.size > LARGEST_FILE) throw new Error(`${file.name} has more than 200 MB; expected answers.`);
@@ -30,7 +31,7 @@ export const readAnswers = (files: readonly File[]): Promise<AnswerFile[]> =>
 
 const COLUMNS = ["Participant", "Answers", "Attention checks passed", "Median answer, s", "Left", "Counts"];
 
-function participantRow(participant: PerceptionParticipant) {
+function participantRow(participant: Participant) {
   const { name, comparisons, unanswered, attentionChecks, attentionHits, excluded, left, medianRt } = participant;
   return html`
     <tr class=${excluded ? "left-out" : ""} data-testid="analysed">
@@ -93,6 +94,17 @@ export class AnalysisView extends View {
     if (study) void this.analysis.analyse(study.text, files);
   }
 
+  async #save(): Promise<void> {
+    const { study } = this.perception;
+    try {
+      if (!study) return;
+      const text = await this.analysis.json(study.text);
+      download("perception.results.json", new Blob([text], { type: "application/json" }));
+    } catch (problem) {
+      this.notices.addError("The results were not saved", messageOf(problem));
+    }
+  }
+
   #files() {
     const { analysis, perception } = this;
     const { study } = perception;
@@ -109,6 +121,7 @@ export class AnalysisView extends View {
           disabled: study === null,
           chosen: (files) => void this.#open(files),
         })}
+        <button class="small" data-testid="save-analysis" ?disabled=${analysis.results === null || analysis.busy} @click=${() => void this.#save()}>${icon("save")} Save results</button>
       </div>
       ${
         analysis.files.length > 0

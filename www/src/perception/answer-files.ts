@@ -1,6 +1,6 @@
 // Answers as files: jsPsych's CSV with all rows of one or more participants, and the same as JSON.
 import { DataCollection } from "jspsych";
-import type { AnswerFile } from "../engine/whole-protocol";
+import type { AnswersFile } from "../engine/whole-protocol";
 import type { KeptParticipation } from "./participation";
 
 const rowsOf = (participations: readonly KeptParticipation[]) =>
@@ -14,10 +14,10 @@ const baseOf = (participations: readonly KeptParticipation[]) => {
   return only && others.length === 0 ? `answers-${plain(only.participant)}` : "answers";
 };
 
-export function csvFile(participations: readonly KeptParticipation[]): AnswerFile {
+export function csvFile(participations: readonly KeptParticipation[]): AnswersFile {
   return { name: `${baseOf(participations)}.csv`, text: rowsOf(participations).csv() };
 }
 
-export function jsonFile(participations: readonly KeptParticipation[]): AnswerFile {
+export function jsonFile(participations: readonly KeptParticipation[]): AnswersFile {
   return { name: `${baseOf(participations)}.json`, text: rowsOf(participations).json() };
 }

@@ -1,19 +1,14 @@
 // The settings of models that people have answered about, and what is drawn of them. No rendering.
-import type {
-  PerceptionConfusion,
-  PerceptionRegression,
-  PerceptionResults,
-  PerceptionSetting,
-} from "../engine/whole-protocol";
+import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { plain } from "../figures/numbers";
 
 /** A setting with its scores and its rate. */
-export type Answered = PerceptionSetting & {
-  scores: NonNullable<PerceptionSetting["scores"]>;
-  confusion: PerceptionConfusion;
+export type Answered = SettingResult & {
+  scores: NonNullable<SettingResult["scores"]>;
+  confusion: Confusion;
 };
 
-const isAnswered = (setting: PerceptionSetting): setting is Answered =>
+const isAnswered = (setting: SettingResult): setting is Answered =>
   setting.scores !== null && setting.confusion !== null;
 
 /** Those with an answer; settings of which all movements have failed have none. */
@@ -31,13 +26,17 @@ export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
 /** The rate over a score, of one kind of model or, without one, of all; null where too few settings have it. */
 export const regressionOf = (
   { regressions }: PerceptionResults,
-  model: PerceptionRegression["model"],
+  model: Regression["model"],
   score: Score,
-): PerceptionRegression | null =>
+): Regression | null =>
   regressions.find((regression) => regression.model === model && regression.score === score) ?? null;
 
+/** The points of its curve. */
+export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
+  curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
+
 /** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
-export function evidenceWords({ logBayesFactor: evidence, logBayesFactorError: error }: PerceptionRegression): string {
+export function evidenceWords({ logBayesFactor: evidence, logBayesFactorError: error }: Regression): string {
   if (evidence === null) return "ln K needs more answers";
   const signed = (value: number) => plain(value).replace("-", "\u2212");
   return `ln K = ${signed(evidence)}${error === null ? "" : ` ± ${plain(error)}`}`;
@@ -45,12 +44,12 @@ export function evidenceWords({ logBayesFactor: evidence, logBayesFactorError: e
 
 /** Titles and fields of a rate in a file. */
 export const RATE_TITLES = ["answers", "taken for natural", "confusion rate", "its standard deviation"];
-export const rateFields = ({ trials, hits, mean, deviation }: PerceptionConfusion) => [trials, hits, mean, deviation];
+export const rateFields = ({ trials, hits, mean, deviation }: Confusion) => [trials, hits, mean, deviation];
 
 export const MSE_TITLE = "test MSE (squared units of the columns)";
 
 /** The ends of a rate's error bar: one standard deviation. */
-export const rateBar = ({ mean, deviation }: PerceptionConfusion) => ({
+export const rateBar = ({ mean, deviation }: Confusion) => ({
   y: mean,
   low: mean - deviation,
   high: mean + deviation,

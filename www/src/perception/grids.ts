@@ -1,5 +1,5 @@
 // Settings of a model on a grid: pose inducing points across, dynamics inducing points upwards. No rendering.
-import type { ModelKind, PerceptionSetting } from "../engine/whole-protocol";
+import type { ModelKind, SettingResult } from "../engine/whole-protocol";
 
 export interface Grid {
   model: ModelKind;
@@ -7,13 +7,13 @@ export interface Grid {
   pose: number[];
   dynamics: number[];
   /** The setting at each pair. */
-  at(pose: number, dynamics: number): PerceptionSetting | null;
+  at(pose: number, dynamics: number): SettingResult | null;
 }
 
 const rising = (values: readonly number[]) => [...new Set(values)].sort((a, b) => a - b);
 
 /** A grid for each model that has inducing points. */
-export function gridsOf(settings: readonly PerceptionSetting[]): Grid[] {
+export function gridsOf(settings: readonly SettingResult[]): Grid[] {
   const models = [...new Set(settings.map(({ model }) => model))];
   return models.flatMap((model) => {
     const placed = settings.flatMap((setting) => {

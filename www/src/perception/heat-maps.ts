@@ -1,6 +1,6 @@
 // Confusion rate over numbers of inducing points, as a map (figures 3 and 4 of Knopp et al. 2019).
 import { html, nothing, svg } from "lit";
-import type { PerceptionResults, PerceptionSetting } from "../engine/whole-protocol";
+import type { PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { modelStyle } from "../figures/model-style";
 import { styled } from "../ui/styled";
@@ -14,7 +14,7 @@ const HIGHEST = 0.6;
 
 const two = (value: number) => value.toFixed(2);
 
-function tile(setting: PerceptionSetting, x: number, y: number, side: number, type: number) {
+function tile(setting: SettingResult, x: number, y: number, side: number, type: number) {
   const { scores, confusion } = setting;
   const failed = scores === null;
   const strength = Math.min(1, (confusion?.mean ?? 0) / HIGHEST);

@@ -6,6 +6,7 @@ import { modelStyle } from "../figures/model-style";
 import {
   type Answered,
   answeredSettings,
+  curveOf,
   MSE_TITLE,
   RATE_TITLES,
   rateBar,
@@ -110,7 +111,7 @@ function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
   const placed = settingsOf(grid, results);
   if (placed.length === 0) return [];
   const regression = regressionOf(results, grid.model, "mse");
-  const fitted = regression ? [{ model: grid.model, places: regression.curve }] : [];
+  const fitted = regression ? [{ model: grid.model, places: curveOf(regression) }] : [];
   const withBound = placed.some(({ setting }) => setting.scores.bound !== null);
   return [
     over(grid, placed, CONFUSION, LINEAR_ERROR, fitted),

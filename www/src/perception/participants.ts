@@ -1,13 +1,13 @@
 // Who has answered on this machine: how far, taken up again, saved as files, forgotten.
 import { html, nothing } from "lit";
-import type { AnswerFile } from "../engine/whole-protocol";
+import type { AnswersFile } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import { csvFile, jsonFile } from "./answer-files";
 import { answered, isComplete, type KeptParticipation } from "./participation";
 import type { PerceptionStore } from "./perception-store";
 
-const save = ({ name, text }: AnswerFile) =>
+const save = ({ name, text }: AnswersFile) =>
   download(name, new Blob([text], { type: name.endsWith(".csv") ? "text/csv;charset=utf-8" : "application/json" }));
 
 const COLUMNS = ["Participant", "Study", "Answered", ""];

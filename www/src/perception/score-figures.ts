@@ -1,11 +1,12 @@
 // Confusion rate over each score with the fitted curve (figures 5 and 6 of Knopp et al. 2019), and of all models together (figure 7).
 import { html } from "lit";
-import type { ModelKind, PerceptionRegression, PerceptionResults } from "../engine/whole-protocol";
+import type { ModelKind, Regression, PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { modelMark, modelStyle, inColour } from "../figures/model-style";
 import {
   type Answered,
   answeredSettings,
+  curveOf,
   evidenceWords,
   MSE_TITLE,
   RATE_TITLES,
@@ -24,8 +25,8 @@ const pointsOf = (settings: readonly Answered[], { score }: Drawn): PanelPoint[]
     return x === null ? [] : [{ model, x, ...rateBar(confusion) }];
   });
 
-const linesOf = (regression: PerceptionRegression | null, model: ModelKind | null) =>
-  regression ? [{ model, places: regression.curve }] : [];
+const linesOf = (regression: Regression | null, model: ModelKind | null) =>
+  regression ? [{ model, places: curveOf(regression) }] : [];
 
 const AXIS = { title: "Confusion rate", kind: "linear", reach: [0, 0.5] } as const;
 
@@ -68,10 +69,10 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
       rows: answeredSettings(results).flatMap(({ model, label, scores, confusion }) =>
         SCORES.flatMap(({ score, name }) => {
           const { weights, logBayesFactor, logBayesFactorError } = regressionOf(results, model, score) ?? {};
-          const [w0, w1] = weights ?? [null, null];
+          const [w0, w1] = weights ?? [];
           const value = scores[score];
           if (value === null) return [];
-          const fit = [w0, w1, logBayesFactor ?? null, logBayesFactorError ?? null];
+          const fit = [w0, w1, logBayesFactor, logBayesFactorError].map((value) => value ?? null);
           return [[modelStyle(model).name, label, name, value, ...rateFields(confusion), ...fit]];
         }),
       ),

@@ -1,8 +1,12 @@
 // What a worker does for the graphics Turing test: reads studies, draws trials, and analyses answers. No DOM.
 import * as Comlink from "comlink";
-import { Study } from "vcgpdm";
+import { analysePerception, Clip, perceptionJson, Study, StudyMaker } from "vcgpdm";
 import type { PerceptionWorker, StudyChange, StudyView } from "../engine/whole-protocol";
+import { readClip } from "./clip-reader";
 import { using } from "./using";
+
+/** What a study has that is made here. */
+const [SECONDS, DESIGN, LOOK, SEED] = [3.5, "class", "figure", 0] as const;
 
 const view = (study: Study): StudyView => ({
   text: study.toJson(),
@@ -31,4 +35,18 @@ export const perceptionWorker: PerceptionWorker = {
         movements.map(({ buffer }) => buffer),
       );
     }),
+  analysePerception: (text, answers) => analysePerception(text, answers),
+  perceptionJson: (text, answers) => perceptionJson(text, answers),
+  async makeStudy({ title, body, framesPerSecond, natural, generated }) {
+    const maker = using(
+      await readClip({ Clip }, body.source),
+      (clip) => new StudyMaker(clip, SECONDS, framesPerSecond),
+    );
+    return using(maker, () => {
+      for (const { positions, ...movement } of natural) maker.addNatural(movement, positions, true);
+      for (const { positions, candidate, seed, outcome, ...movement } of generated)
+        maker.addGenerated(movement, positions, candidate, seed, outcome);
+      return using(maker.study(title, DESIGN, LOOK, SEED), (study) => study.toJson());
+    });
+  },
 };
