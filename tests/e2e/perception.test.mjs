@@ -185,15 +185,19 @@ describe("the graphics Turing test", () => {
     assert.equal(await page.getByTestId("analysed").count(), 1);
     assert.deepEqual(await barriers(page), []);
 
-    // The same from its file, in JSON as in CSV, beside another participant who did not look.
-    const careless = rows.map((row) => ({ ...row, participant: "dreamer", response: row.response ? "left" : "" }));
+    // The same from its file, beside that of another participant, in JSON, who did not look when it mattered.
+    const wrong = (/** @type {Record<string, string>} */ row) => (row.natural_side === "left" ? "right" : "left");
+    const careless = rows.map((row) => ({
+      ...{ ...row, participant: "dreamer" },
+      response: row.kind === "attention" ? wrong(row) : row.response,
+    }));
     const dropped = { "answers.csv": text, "dreamer.json": JSON.stringify(careless) };
     await page.reload();
     await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await open(page, whole);
     await drop(page, dropped);
     await page.getByTestId("analysed").nth(1).waitFor({ timeout: 60_000 });
-    assert.match(await page.locator(".left-out").innerText(), /dreamer.*2 of 4.*left out/s);
+    assert.match(await page.locator(".left-out").innerText(), /dreamer.*0 of 4.*left out/s);
     assert.match(await page.getByTestId("analysis-words").innerText(), /^52 answers of 1 participant:.* 1 left out/);
     assert.deepEqual(problems, []);
     await leave();

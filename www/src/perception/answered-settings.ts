@@ -1,6 +1,6 @@
 // The settings of models that people have answered about, and what is drawn of them. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
-import { plain } from "../figures/numbers";
+import { spreadWords } from "../figures/numbers";
 
 /** A setting with its scores and its rate. */
 export type Answered = SettingResult & {
@@ -36,10 +36,10 @@ export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
   curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
 
 /** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
-export function evidenceWords({ logBayesFactor: evidence, logBayesFactorError: error }: Regression): string {
-  if (evidence === null) return "ln K needs more answers";
-  const signed = (value: number) => plain(value).replace("-", "\u2212");
-  return `ln K = ${signed(evidence)}${error === null ? "" : ` ± ${plain(error)}`}`;
+export function evidenceWords({ logBayesFactor: mean, logBayesFactorError: standardError, folds }: Regression): string {
+  if (mean === null) return "ln K needs more answers";
+  const words = spreadWords({ mean, standardError, count: folds });
+  return `ln K = ${words.mean} ${words.error}`.trim();
 }
 
 /** Titles and fields of a rate in a file. */

@@ -85,8 +85,8 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
     );
     return html`
       ${panels(all, this.width, this.type, 4)}
-      <figcaption>Curves: logistic regression with a ceiling of one half. ln K compares it with the best constant, each tried on answers it was not fitted to: above 0 the score says something about
-        what people see, above 3 strongly so.</figcaption>`;
+      <figcaption>Curves: logistic regression with a ceiling of one half. ln K compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about
+        what people see.</figcaption>`;
   }
 }
 customElements.define("perception-scores", ScoresFigure);

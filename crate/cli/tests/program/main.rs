@@ -6,5 +6,6 @@ mod commands;
 mod evaluate;
 mod files;
 mod models;
+mod perception;
 mod reproduce;
 mod rollout;
