@@ -18,7 +18,8 @@ const COVERAGE = [
 
 /** Small inputs to begin with: a made clip, a model, results of nothing, a study of a node that moves, a participant's answers. */
 function seeds(/** @type {string} */ target) {
-  if (target === "answers") return ["p1.csv", "p2.csv"].map((file) => readFileSync(at("tests/perception", file), "utf8"));
+  if (target === "answers")
+    return ["p1.csv", "p2.csv"].map((file) => readFileSync(at("tests/perception", file), "utf8"));
   if (target === "study") return [smallStudy()];
   const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
   const set = new TrainingSet();

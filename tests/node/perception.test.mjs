@@ -19,7 +19,10 @@ const opened = () => installed.vcgpdm.Study.fromJson(text);
 /** Holds values against each other: numbers up to their last digits, names in camelCase against snake_case. */
 function close(/** @type {any} */ found, /** @type {any} */ expected, where = "results") {
   if (typeof expected === "number") {
-    assert.ok(Math.abs(found - expected) <= 1e-6 * (1 + Math.abs(expected)), `${where}: ${found}, expected ${expected}`);
+    assert.ok(
+      Math.abs(found - expected) <= 1e-6 * (1 + Math.abs(expected)),
+      `${where}: ${found}, expected ${expected}`,
+    );
   } else if (expected !== null && typeof expected === "object") {
     const names = Object.keys(expected);
     const camel = (/** @type {string} */ name) => name.replace(/_([a-z0-9])/g, (_, letter) => letter.toUpperCase());
@@ -42,9 +45,18 @@ describe("a study", () => {
     assert.ok(parents.slice(1).every((parent, k) => parent >= 0 && parent <= k) && joints === 21 && feet !== null);
     const kinds = (/** @type {(s: import("vcgpdm").StudyStimulus) => boolean} */ wanted) =>
       info.stimuli.filter(wanted).length;
-    assert.equal(kinds(({ kind, seen }) => kind === "natural" && seen), 4);
-    assert.equal(kinds(({ kind, seen }) => kind === "natural" && !seen), 2);
-    assert.equal(kinds(({ failed }) => failed), 2);
+    assert.equal(
+      kinds(({ kind, seen }) => kind === "natural" && seen),
+      4,
+    );
+    assert.equal(
+      kinds(({ kind, seen }) => kind === "natural" && !seen),
+      2,
+    );
+    assert.equal(
+      kinds(({ failed }) => failed),
+      2,
+    );
     for (const [k, { scores, settings, model }] of info.stimuli.entries()) {
       const positions = study.positions(k);
       assert.equal(positions.length, 105 * 26 * 3);
@@ -119,7 +131,10 @@ describe("a study", () => {
     assert.ok((info.stimuli[1]?.scores?.mse ?? 0) > 0);
     assert.equal(study.trials(1).length, 52);
     const short = { trial: 3, name: "short", frameTime: 1 / 30 };
-    assert.throws(() => maker.addNatural(short, study.positions(0).slice(0, 26 * 3 * 9), true), /trial-3: expected a movement/);
+    assert.throws(
+      () => maker.addNatural(short, study.positions(0).slice(0, 26 * 3 * 9), true),
+      /trial-3: expected a movement/,
+    );
   });
 });
 
@@ -144,14 +159,19 @@ describe("answers", () => {
     const { csv, rows } = simulatedAnswers(study, "fresh", 77);
     const document = study.toJson();
     const results = analysePerception(document, [{ name: "fresh.csv", text: csv }], { draws: 1000 });
-    assert.deepEqual(analysePerception(document, [{ name: "a", text: JSON.stringify(rows) }], { draws: 1000 }), results);
+    assert.deepEqual(
+      analysePerception(document, [{ name: "a", text: JSON.stringify(rows) }], { draws: 1000 }),
+      results,
+    );
     const wrapped = JSON.stringify({ format: "answers", answers: rows });
     assert.deepEqual(analysePerception(document, [{ name: "a", text: wrapped }], { draws: 1000 }), results);
     assert.deepEqual(
       [results.participants[0]?.name, results.participants[0]?.attentionHits, results.all.trials],
       ["fresh", 17, 620],
     );
-    const fooled = rows.filter(({ kind, response, natural_side }) => kind === "comparison" && response !== natural_side);
+    const fooled = rows.filter(
+      ({ kind, response, natural_side }) => kind === "comparison" && response !== natural_side,
+    );
     assert.equal(results.all.hits, fooled.length);
     assert.equal(results.needed.toTell, 158);
     const all = results.regressions.find(({ model, score }) => model === null && score === "dtw-mse");
@@ -164,7 +184,10 @@ describe("answers", () => {
     const { analysePerception } = installed.vcgpdm;
     const { csv } = simulatedAnswers(opened(), "p", 1);
     const say = (/** @type {string} */ changed) => () => analysePerception(text, [{ name: "p.csv", text: changed }]);
-    assert.throws(say(csv.replace('"comparison"', '"guess"')), /^VcgpdmError: p\.csv: line \d+, kind: expected comparison/);
+    assert.throws(
+      say(csv.replace('"comparison"', '"guess"')),
+      /^VcgpdmError: p\.csv: line \d+, kind: expected comparison/,
+    );
     assert.throws(say(csv.replaceAll(opened().info.hash, "0".repeat(64))), /line 2, study: expected the study /);
     assert.throws(say(""), /p\.csv: expected answers to comparisons, found none/);
     assert.throws(() => analysePerception(text, [], { ceiling: 3 }), /the ceiling: expected a number above 0/);

@@ -127,9 +127,9 @@ describe("the declared types", () => {
     const study = Study.fromJson(text);
     hold("Study.info", study.info);
     hold("Study.trials", study.trials(1));
-    const answers = [{ name: "a.csv", text: simulatedAnswers(study, "a", 1).csv }];
-    hold("analysePerception", analysePerception(text, answers, { draws: 100 }));
-    hold("perceptionFigures", perceptionFigures(text, answers, { draws: 100 }));
+    const given = [{ name: "a.csv", text: simulatedAnswers(study, "a", 1).csv }];
+    hold("analysePerception", analysePerception(text, given, { draws: 100 }));
+    hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
 
     const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "MadeMovement", "PerceptionOptions", "Plan"];
     inputs.push("Reading", "RolloutOptions", "StudyPreset", "VcgpdmError");

@@ -26,7 +26,8 @@ export function simulatedAnswers(study, name, seed, { withStudy = true } = {}) {
     const [a, b] = [stimuli[left], stimuli[right]];
     if (!a || !b) throw new Error("expected stimuli");
     const generated = a.kind === "generated" ? a : b;
-    const rate = kind === "catch" ? 0.5 : generated.failed ? 0 : 0.5 / (1 + Math.exp(800 * (generated.scores?.dtwMse ?? 0) - 1));
+    const rate =
+      kind === "catch" ? 0.5 : generated.failed ? 0 : 0.5 / (1 + Math.exp(800 * (generated.scores?.dtwMse ?? 0) - 1));
     const fooled = uniform() < rate;
     // Of catch trials the left one, half of the time.
     const chosenLeft = kind === "catch" ? fooled : (naturalSide === "left") !== fooled;

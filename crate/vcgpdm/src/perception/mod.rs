@@ -10,6 +10,7 @@ mod beta;
 mod counted;
 mod csv;
 mod design;
+mod document;
 mod draw;
 mod error;
 mod figures;

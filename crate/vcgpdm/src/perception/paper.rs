@@ -53,13 +53,13 @@ pub fn paper_checks(draws: usize, seed: u32) -> Vec<PaperCheck> {
     let names: Vec<&str> = BEST.iter().map(|(name, ..)| *name).collect();
     let likeliest = orders.first().is_some_and(|(order, _)| order.is_sorted());
     let note = if likeliest { "the likeliest order" } else { "an order" };
-    add(format!("{}: probability of this, {note}", names.join(" > ")), "0.36", first, 2);
-    add("P(TMP > vGPDM)".to_owned(), "0.87", pairs[0][1], 2);
-    add("P(vGPDM > vCGPDM)".to_owned(), "0.86", pairs[1][3], 2);
+    add(format!("{}: probability of this, {note}", names.join(" > ")), "0.36", first, 3);
+    add("P(TMP > vGPDM)".to_owned(), "0.87", pairs[0][1], 3);
+    add("P(vGPDM > vCGPDM)".to_owned(), "0.86", pairs[1][3], 3);
     add("P(TMP > 0.5)".to_owned(), "about 0.99", 1.0 - rates[0].below(0.5), 4);
     let (hits, trials) = CATCH;
     let caught = Rate::new(hits, trials);
-    add(format!("catch trials, {hits} of {trials}: P(p = 0.5)"), "about 0.8", caught.is_half(), 2);
+    add(format!("catch trials, {hits} of {trials}: P(p = 0.5)"), "about 0.8", caught.is_half(), 3);
     let needed = |count: Option<usize>| count.map_or(f64::NAN, |count| count as f64);
     add(
         "trials for the exact one-sided test at 5 % to tell 0.6 from 0.5 with power 0.8".to_owned(),

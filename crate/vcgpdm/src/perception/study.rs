@@ -1,12 +1,9 @@
 //! A study: movements, who made them, and how they are shown.
 
-use crate::json::{NotFinite, Value, parse, write};
 use crate::motion::landmarks::Landmarks;
 use crate::perception::design::{Design, Preset};
-use crate::perception::error::{MOST_BYTES, StudyError};
-use crate::perception::read;
+use crate::perception::error::StudyError;
 use crate::perception::stimulus::Stimulus;
-use crate::perception::write::{document, shown};
 
 /// How a figure is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,34 +108,6 @@ pub struct Study {
 }
 
 impl Study {
-    /// Reads a document; nothing but a whole and consistent study is accepted.
-    ///
-    /// # Errors
-    /// The text is not such a document, with the path of the field that is wrong.
-    pub fn from_json(text: &str) -> Result<Self, StudyError> {
-        if text.len() > MOST_BYTES {
-            return Err(StudyError::Size { found: text.len() });
-        }
-        read::study(&parse(text).map_err(StudyError::Json)?)
-    }
-
-    /// The study as a JSON document.
-    ///
-    /// # Errors
-    /// It holds a number that is not finite.
-    pub fn to_json(&self) -> Result<String, StudyError> {
-        text(&document(self))
-    }
-
-    /// SHA-256 of what is shown, in lower-case hexadecimal: of the figure and the movements, their models and scores, not of the design, the texts
-    /// and the marks of failures. Answers name the study by it.
-    ///
-    /// # Errors
-    /// It holds a number that is not finite.
-    pub fn hash(&self) -> Result<String, StudyError> {
-        Ok(crate::motion::sha256(text(&shown(self))?.as_bytes()))
-    }
-
     /// Frames that are shown of each movement.
     pub fn frames(&self) -> usize {
         (self.seconds * self.frames_per_second as f64).round() as usize
@@ -183,8 +152,4 @@ impl Study {
         }
         Ok(self)
     }
-}
-
-fn text(value: &Value) -> Result<String, StudyError> {
-    write(value).map_err(|NotFinite(number)| StudyError::NotFinite(number))
 }
