@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, drop, openSite, saved } from "./site.mjs";
+import { barriers, changes, drop, openSite, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -287,6 +287,13 @@ describe("the graphics Turing test", () => {
     await page.getByText("Movements that check attention").click();
     const mark = page.locator(".movement-marks input:not(:checked)").first();
     const id = (await mark.getAttribute("data-testid"))?.replace("failed-", "");
+    // First a look at it.
+    await page.getByTestId(`look-${id}`).click();
+    const look = page.getByTestId("look");
+    assert.equal(await look.locator("h2").innerText(), id);
+    await look.locator("canvas[data-frames-drawn]").waitFor();
+    assert.ok(await changes(look.locator("canvas"), 1000), "it moves");
+    await look.getByRole("button", { name: "Close" }).click();
     await mark.check();
     await page.locator(`[data-testid="failed-${id}"]:checked:enabled`).waitFor();
     const study = JSON.parse((await saved(page, "save-study")).text);

@@ -37,6 +37,8 @@ export interface AnswerShelf {
   /** Keeps the row in that place. */
   add(key: string, place: number, row: Row): Promise<void>;
   forget(key: string): Promise<void>;
+  /** Keeps other tabs from a participation until the answer is called; null: another tab has it. */
+  hold(key: string): Promise<(() => void) | null>;
 }
 
 const isAnswer = ({ kind }: Row) => typeof kind === "string" && kind !== "";

@@ -12,6 +12,8 @@ import "../ui/two-columns.css";
 import { View } from "../ui/view";
 import type { AnalysisStore } from "./analysis-store";
 import "./analysis-view";
+import "./movement-look";
+import type { MovementLook } from "./movement-look";
 import { participants } from "./participants";
 import "./perception.css";
 import type { PerceptionStore } from "./perception-store";
@@ -66,7 +68,7 @@ export class PerceptionPage extends View {
       <p class="hint">This page records no person and sends nothing. Answers stay in this browser until you save or forget them.</p>
       <h3>Study</h3>
       ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
-      ${studyCard(perception)}
+      ${studyCard(perception, (id) => void this.querySelector<MovementLook>("pg-perception-look")?.open(id))}
       <div class="files">
         <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => study && saveStudy(study)}>${icon("save")} Save study</button>
         ${fileButton({
@@ -96,6 +98,7 @@ export class PerceptionPage extends View {
         <div class="card"><h2>What the answers say</h2>
           <pg-perception-analysis .analysis=${analysis} .perception=${perception} .notices=${notices}></pg-perception-analysis></div>
       </section>
+      <pg-perception-look .perception=${perception} .notices=${notices}></pg-perception-look>
       <pg-perception-run .perception=${perception} .notices=${notices}></pg-perception-run>`;
   }
 }

@@ -8,6 +8,7 @@ class FakeShelf implements AnswerShelf {
   readonly participations = new Map<string, Participation>();
   readonly studies = new Map<string, string>();
   readonly rows = new Map<string, Row[]>();
+  readonly held = new Set<string>();
   full = false;
 
   async all() {
@@ -29,6 +30,11 @@ class FakeShelf implements AnswerShelf {
   }
   async forget(key: string) {
     this.participations.delete(key);
+  }
+  async hold(key: string) {
+    if (this.held.has(key)) return null;
+    this.held.add(key);
+    return () => void this.held.delete(key);
   }
 }
 
@@ -92,6 +98,8 @@ describe("a participant", () => {
   it("goes on in the next visit where the closed tab stopped, with the same trials of the same study", async () => {
     await store.begin("", false);
     for (const row of [page, answer(0), answer(1)]) await store.keep(row);
+    // The tab is closed.
+    shelf.held.clear();
     const next = new PerceptionStore(program, shelf, async () => "study of the page");
     await next.arrive();
     const [kept] = next.kept;
@@ -146,6 +154,19 @@ describe("a participant", () => {
       store.stand();
     }
     expect(store.kept.map(({ participant }) => participant).sort()).toEqual(["anna", "anna-2", "anna-3"]);
+  });
+
+  it("is not in two tabs at once, and the other goes on where this one stopped", async () => {
+    await store.begin("anna", false);
+    const other = new PerceptionStore(program, shelf, async () => "study of the page");
+    await other.arrive();
+    const key = other.kept[0]?.key ?? "";
+    await other.resume(key);
+    expect([other.sitting, other.problem]).toEqual([null, "Another tab of this browser goes on with it."]);
+    await store.keep(answer(0));
+    store.stand();
+    await other.resume(key);
+    expect(left(other)).toBe("instructions 1 pause 2 end");
   });
 
   it("is not there twice at once", async () => {

@@ -37,6 +37,8 @@ export class PerceptionStore extends Store {
   /** The studies of participants of this visit, by their keys. */
   readonly #texts = new Map<string, string>();
   #sitting: Sitting | null = null;
+  /** Lets other tabs have the participation again. */
+  #held: (() => void) | null = null;
   #busy = false;
   #problem = "";
   #unkept = "";
@@ -108,6 +110,12 @@ export class PerceptionStore extends Store {
     });
   }
 
+  /** Places of the figure's nodes in each movement of the study that is open [frames x nodes x 3]. */
+  async movements(): Promise<readonly Float32Array[]> {
+    const { text } = this.#study ?? {};
+    return text === undefined ? [] : this.#ask((worker) => worker.movements(text));
+  }
+
   /** A new participant of the study. */
   begin(name: string, simulated: boolean): Promise<void> {
     return this.#next(async () => {
@@ -121,6 +129,7 @@ export class PerceptionStore extends Store {
       this.#texts.set(participation.key, text);
       await this.#kindly(() => this.#shelf?.begin(participation, text));
       this.#kept = [{ ...participation, rows: [] }, ...this.#kept];
+      await this.#hold(participation.key);
       this.#sit(participation.key, info, stepsOf(info, trials, 0), movements);
     });
   }
@@ -128,15 +137,28 @@ export class PerceptionStore extends Store {
   /** A participant takes the experiment up again, with the study as it was. */
   resume(key: string): Promise<void> {
     return this.#next(async () => {
+      if (this.#sitting) return;
+      if (!(await this.#hold(key))) throw new Error("Another tab of this browser goes on with it.");
+      // Another tab may have gone on meanwhile.
+      const now = (await this.#shelf?.all())?.find((kept) => kept.key === key);
+      if (now && !this.#unkept) this.#replace(now);
       const participation = this.#kept.find((kept) => kept.key === key);
-      if (!participation || this.#sitting || isComplete(participation)) return;
+      if (!participation || isComplete(participation)) {
+        this.#release();
+        return;
+      }
       const { seed } = participation;
       const text = this.#texts.get(key) ?? (await this.#shelf?.study(key));
-      if (typeof text !== "string") throw new Error("The study that it belongs to is not on this machine any more.");
-      const { info } = await this.#ask((worker) => worker.openStudy(text));
-      const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
-      const movements = await this.#ask((worker) => worker.movements(text));
-      this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
+      try {
+        if (typeof text !== "string") throw new Error("The study that it belongs to is not on this machine any more.");
+        const { info } = await this.#ask((worker) => worker.openStudy(text));
+        const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
+        const movements = await this.#ask((worker) => worker.movements(text));
+        this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
+      } catch (problem) {
+        this.#release();
+        throw problem;
+      }
     });
   }
 
@@ -153,6 +175,7 @@ export class PerceptionStore extends Store {
   /** The participant has left, or has answered all. */
   stand(): void {
     this.#sitting = null;
+    this.#release();
     this.changed();
   }
 
@@ -167,6 +190,18 @@ export class PerceptionStore extends Store {
   forgotten(): void {
     this.#kept = this.#kept.filter(({ key }) => key === this.#sitting?.participation.key);
     this.changed();
+  }
+
+  /** Whether no other tab has the participation; it is held until it is released. */
+  async #hold(key: string): Promise<boolean> {
+    if (!this.#shelf) return true;
+    this.#held = await this.#shelf.hold(key);
+    return this.#held !== null;
+  }
+
+  #release(): void {
+    this.#held?.();
+    this.#held = null;
   }
 
   #sit(key: string, study: StudyInfo, steps: readonly Step[], movements: readonly Float32Array[]): void {

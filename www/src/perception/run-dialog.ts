@@ -1,9 +1,9 @@
 // The experiment itself, over the whole page: jsPsych's display, how far it is, and a way out.
 import { html } from "lit";
-import type { Motion } from "../engine/protocol";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
+import { motionsOf } from "./motions";
 import { CanvasPair } from "./pair-stage";
 import type { PerceptionStore, Sitting } from "./perception-store";
 import { answered } from "./participation";
@@ -11,13 +11,6 @@ import { run, type Running } from "./run";
 import { messageOf } from "../ui/format";
 import "../ui/dialog.css";
 import "./run-dialog.css";
-
-/** The movement of a stimulus. */
-function motionOf({ study, movements }: Sitting, stimulus: number): Motion {
-  const nodes = study.skeleton.parents.length;
-  const positions = movements[stimulus] ?? new Float32Array(3 * nodes);
-  return { positions, nodes, frames: positions.length / (3 * nodes), frameTime: 1 / study.framesPerSecond };
-}
 
 export class RunDialog extends View {
   declare perception: PerceptionStore;
@@ -45,7 +38,7 @@ export class RunDialog extends View {
     dialog?.querySelector(".run-place")?.replaceChildren(display);
     let stage: CanvasPair;
     try {
-      stage = new CanvasPair(sitting.study, (stimulus) => motionOf(sitting, stimulus));
+      stage = new CanvasPair(sitting.study, motionsOf(sitting.study, sitting.movements));
     } catch {
       this.notices.addError(
         "The movements cannot be shown",

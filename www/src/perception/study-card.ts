@@ -4,6 +4,7 @@ import type { StudyInfo, StudyPreset, StudyTexts, StudyView } from "../engine/wh
 import { modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { duration } from "../ui/format";
+import { icon } from "../ui/icons";
 import type { PerceptionStore } from "./perception-store";
 
 export const PRESETS: [StudyPreset, string, string][] = [
@@ -57,7 +58,7 @@ function textFields(store: PerceptionStore, { texts }: StudyInfo) {
 }
 
 /** Which generated movements are so bad that everybody who looks must see it. */
-function marks(store: PerceptionStore, { stimuli }: StudyInfo) {
+function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string) => void) {
   const generated = stimuli.filter(({ kind }) => kind === "generated");
   const failed = generated.filter(({ failed }) => failed).map(({ id }) => id);
   const toggle = (id: string) =>
@@ -69,13 +70,14 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo) {
       <ul class="movement-marks">${generated.map(
         ({ id, model, scores, failed }) => html`
         <li><label class="check"><input type="checkbox" data-testid="failed-${id}" .checked=${failed} ?disabled=${store.busy} @change=${() => toggle(id)} />
-          <span>${id} <small>${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label></li>`,
+          <span>${id} <small>${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label>
+          <button class="round" data-testid="look-${id}" aria-label="Look at ${id}" title="Look at it beside the natural one" @click=${() => look(id)}>${icon("eye")}</button></li>`,
       )}</ul>
     </details>`;
 }
 
-/** The study that is open, or that none is. */
-export function studyCard(store: PerceptionStore) {
+/** The study that is open, or that none is. `look` shows one of its movements. */
+export function studyCard(store: PerceptionStore, look: (id: string) => void) {
   const { study, busy } = store;
   if (!study) return html`<p class="empty">${busy ? "Loading the study." : "Open a study (.json) to begin."}</p>`;
   const { info } = study;
@@ -92,5 +94,5 @@ export function studyCard(store: PerceptionStore) {
       @change=${() => void store.change({ look: info.look === "points" ? "figure" : "points" })} />
       <span>Point lights <small>Dots at the joints instead of grey figures.</small></span></label>
     ${textFields(store, info)}
-    ${marks(store, info)}`;
+    ${marks(store, info, look)}`;
 }

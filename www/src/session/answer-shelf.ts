@@ -58,6 +58,17 @@ export async function answerShelf(): Promise<AnswerShelf & { forgetAll(): Promis
         writing.done,
       ]);
     },
+    hold: (key) =>
+      new Promise((held) => {
+        // Without locks nothing tells tabs apart.
+        if (!navigator.locks) held(() => {});
+        else
+          void navigator.locks.request(`vcgpdm answers ${key}`, { ifAvailable: true }, (lock) => {
+            if (lock) return new Promise<void>((release) => held(release));
+            held(null);
+            return undefined;
+          });
+      }),
     async forgetAll() {
       const writing = database.transaction([PARTICIPATIONS, ROWS, STUDIES], "readwrite");
       await Promise.all([
