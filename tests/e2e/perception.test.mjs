@@ -290,7 +290,7 @@ describe("the graphics Turing test", () => {
     // First a look at it.
     await page.getByTestId(`look-${id}`).click();
     const look = page.getByTestId("look");
-    assert.equal(await look.locator("h2").innerText(), id);
+    await look.getByRole("heading", { name: id ?? "" }).waitFor({ timeout: 30_000 });
     await look.locator("canvas[data-frames-drawn]").waitFor();
     assert.ok(await changes(look.locator("canvas"), 1000), "it moves");
     await look.getByRole("button", { name: "Close" }).click();
