@@ -36,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         json!({ "name": joint.name, "parent": joint.parent, "offset": joint.offset, "channels": channels })
     });
     let stage = clip.stage();
-    files::print_json(&json!({
+    let summary = json!({
         "name": clip.name,
         "sha256": clip.sha256,
         "joints": joints.collect::<Vec<_>>(),
@@ -46,5 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "height": stage.height,
         "up_axis": stage.up.letter(),
         "warnings": clip.warnings,
-    }))
+    });
+    let outs: Vec<&Path> = arguments.out.as_deref().into_iter().collect();
+    files::print_summary(&summary, &outs)
 }

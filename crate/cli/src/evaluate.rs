@@ -1,9 +1,10 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
+use crate::progress::Progress;
 use crate::results::Store;
 use crate::train::parts;
+use crate::usage::usage;
 use crate::{files, interrupt};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::collections::HashMap;
 use std::error::Error;
@@ -119,8 +120,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             scope.spawn(move || work.go_on(thread, folds));
         }
     });
-    let progress = work.progress();
-    progress.bar.finish_and_clear();
+    let progress = work.standing();
+    progress.shown.finish();
     if let Some(problem) = &progress.problem {
         return Err(problem.clone().into());
     }
@@ -139,12 +140,13 @@ struct Work {
     jobs: Vec<Job>,
     next: AtomicUsize,
     stopped: Arc<AtomicBool>,
-    progress: Mutex<Progress>,
+    standing: Mutex<Standing>,
 }
 
-struct Progress {
+/// What came of the work so far.
+struct Standing {
     store: Store,
-    bar: ProgressBar,
+    shown: Progress,
     /// How far the job of each thread is, 0 to 1.
     fractions: HashMap<usize, f64>,
     done: usize,
@@ -152,22 +154,17 @@ struct Progress {
     problem: Option<String>,
 }
 
-/// Steps of the bar for one job.
-const FINE: f64 = 100.0;
-
 impl Work {
     fn new(jobs: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
         let stopped = interrupt::flag()?;
-        let bar = ProgressBar::new(jobs.len() as u64 * FINE as u64);
-        if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (about {eta} left)") {
-            bar.set_style(style);
-        }
-        let progress = Progress { store, bar, fractions: HashMap::new(), done: 0, failed: 0, problem: None };
-        Ok(Self { jobs, next: AtomicUsize::new(0), stopped, progress: Mutex::new(progress) })
+        let shown = Progress::new("about");
+        let standing =
+            Standing { store, shown, fractions: HashMap::new(), done: 0, failed: 0, problem: None };
+        Ok(Self { jobs, next: AtomicUsize::new(0), stopped, standing: Mutex::new(standing) })
     }
 
-    fn progress(&self) -> MutexGuard<'_, Progress> {
-        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    fn standing(&self) -> MutexGuard<'_, Standing> {
+        self.standing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Takes job after job until there is none left, or Ctrl-C.
@@ -185,15 +182,26 @@ impl Work {
                 Ok(None) => return,
                 Err(error) => Err(error.to_string()),
             };
-            let mut progress = self.progress();
-            progress.failed += usize::from(result.is_err());
-            if let Err(problem) = progress.store.add(Finished::new(job.clone(), result)) {
-                progress.problem = Some(problem.to_string());
+            let mut standing = self.standing();
+            standing.failed += usize::from(result.is_err());
+            let came_of_it =
+                result.as_ref().map_or_else(|why| format!("failed: {why}"), |_| "done".to_owned());
+            if let Err(problem) = standing.store.add(Finished::new(job.clone(), result)) {
+                standing.problem = Some(problem.to_string());
                 self.stopped.store(true, Ordering::Relaxed);
                 return;
             }
-            progress.done += 1;
-            drop(progress);
+            standing.done += 1;
+            let done = standing.done;
+            standing.shown.ended(|| {
+                let (id, trial, seed) = (job.candidate.kind().id(), job.held_out + 1, job.seed);
+                let of = self.jobs.len();
+                format!(
+                    "{done} of {of} jobs: {id}, trial {trial} held out, seed {seed}, {came_of_it} in {:.1} s",
+                    seconds()
+                )
+            });
+            drop(standing);
             self.show(thread, 0.0);
             if self.stopped.load(Ordering::Relaxed) {
                 return;
@@ -202,11 +210,12 @@ impl Work {
     }
 
     fn show(&self, thread: usize, fraction: f64) {
-        let mut progress = self.progress();
-        progress.fractions.insert(thread, fraction);
-        let parts: f64 = progress.fractions.values().sum();
-        progress.bar.set_position(((progress.done as f64 + parts) * FINE) as u64);
-        progress.bar.set_message(format!("{} of {} jobs", progress.done, self.jobs.len()));
+        let mut standing = self.standing();
+        standing.fractions.insert(thread, fraction);
+        let under_way: f64 = standing.fractions.values().sum();
+        let (done, jobs) = (standing.done, self.jobs.len());
+        let fraction = (done as f64 + under_way) / jobs.max(1) as f64;
+        standing.shown.show(fraction, || format!("{done} of {jobs} jobs"));
     }
 }
 
@@ -231,7 +240,7 @@ fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>
     };
     plan.jobs(trials).map_err(|error| match error {
         PlanError::TrainingTrials { most, found } => {
-            format!("--training-trials {found}: expected from 1 to {most} trials").into()
+            usage(format!("--training-trials {found}: expected from 1 to {most} trials"))
         }
         error => error.into(),
     })
@@ -244,7 +253,7 @@ pub fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     }
     let number = |word: &str| word.trim().parse().ok().filter(|n| (1..=trials).contains(n));
     asked.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
-        format!("--folds {asked}: expected all, or numbers from 1 to {trials} with commas between").into()
+        usage(format!("--folds {asked}: expected all, or numbers from 1 to {trials} with commas between"))
     })
 }
 
@@ -255,7 +264,7 @@ pub fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
     let kind = |word: &str| {
         ModelKind::from_id(word.trim()).ok_or_else(|| {
             let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
-            format!("--models {word}: expected all, or some of {}", known.join(", ")).into()
+            usage(format!("--models {word}: expected all, or some of {}", known.join(", ")))
         })
     };
     asked.split(',').map(kind).collect()
@@ -265,7 +274,7 @@ fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
     let number = |word: &String| match (word.trim(), word.trim().parse()) {
         ("bound", _) => Ok(None),
         (_, Ok(count)) => Ok(Some(count)),
-        _ => Err(format!("--primitives {word}: expected bound, or a number").into()),
+        _ => Err(usage(format!("--primitives {word}: expected bound, or a number"))),
     };
     asked.iter().map(number).collect()
 }
@@ -276,7 +285,7 @@ fn share(arguments: &Arguments, jobs: usize) -> Result<impl Iterator<Item = usiz
         None => (1, 1),
         Some(words) => match (words[0].parse::<usize>(), words[1].as_str(), words[2].parse::<usize>()) {
             (Ok(k), "of", Ok(n)) if k >= 1 && k <= n => (k, n),
-            _ => return Err(format!("--job {}: expected K of N with K from 1 to N", words.join(" ")).into()),
+            _ => return Err(usage(format!("--job {}: expected K of N with K from 1 to N", words.join(" ")))),
         },
     };
     Ok((k - 1..jobs).step_by(n))

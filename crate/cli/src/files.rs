@@ -1,10 +1,12 @@
-//! Reading and writing for all commands; every error names the file.
+//! Reading and writing for all commands; every error names the file. A file called `-` is stdin or stdout.
 
+use crate::usage::usage;
 use serde::Serialize;
 use std::error::Error;
 use std::fs::{self, File};
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use vcgpdm::motion::{Clip, bvh, samples};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -18,19 +20,47 @@ pub fn read_clip(place: &str) -> Result<Clip> {
         });
     }
     let path = Path::new(place);
-    let bytes = fs::read(path).map_err(|error| about(path, &error))?;
-    let name = path.file_name().map_or_else(|| place.into(), |name| name.to_string_lossy());
+    let bytes = read_bytes(path)?;
+    let name = if is_standard(path) { "stdin".to_owned() } else { name_of(path) };
     Ok(bvh::read(&name, &bytes)?.into_clip())
 }
 
-/// Reads a text file.
-pub fn read_text(path: &Path) -> Result<String> {
-    fs::read_to_string(path).map_err(|error| about(path, &error))
+/// A file's name without its folder, as the clip in it is called.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// Writes a text file. Where a file is there already it stays as it was until the new one is whole: a full disk, or an end in the
+/// Whether the path is `-`: stdin or stdout.
+pub fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Reads a file, or stdin.
+fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    if !is_standard(path) {
+        return fs::read(path).map_err(|error| about(path, &error));
+    }
+    static READ: AtomicBool = AtomicBool::new(false);
+    if READ.swap(true, Ordering::Relaxed) {
+        return Err(usage("-: expected stdin once, found it twice"));
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin().lock().read_to_end(&mut bytes).map_err(|error| format!("stdin: {error}"))?;
+    Ok(bytes)
+}
+
+/// Reads a text file, or stdin.
+pub fn read_text(path: &Path) -> Result<String> {
+    String::from_utf8(read_bytes(path)?)
+        .map_err(|_| format!("{}: expected UTF-8 text", path.display()).into())
+}
+
+/// Writes a text file, or to stdout. Where a file is there already it stays as it was until the new one is whole: a full disk, or an end in the
 /// middle, leaves the old one. A link goes on pointing where it pointed.
 pub fn write_text(path: &Path, text: &str) -> Result<()> {
+    if is_standard(path) {
+        return print(text);
+    }
     let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let known = fs::metadata(path).ok();
     // A pipe or a device has no place beside it for a new file.
@@ -53,9 +83,28 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     })
 }
 
+/// Finds out early that one of several files could not be written, or that two of them would be stdout.
+pub fn check_outs<'a, P: AsRef<Path> + 'a>(
+    outs: impl IntoIterator<Item = P>,
+    read: impl IntoIterator<Item = &'a Path> + Clone,
+) -> Result<()> {
+    let mut standard = 0;
+    for out in outs {
+        check_writable(out.as_ref(), read.clone())?;
+        standard += usize::from(is_standard(out.as_ref()));
+    }
+    if standard > 1 {
+        return Err(usage("-: expected one file on stdout, found two"));
+    }
+    Ok(())
+}
+
 /// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and that it is none of
 /// the files that are read.
 pub fn check_writable<'a>(path: &Path, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
+    if is_standard(path) {
+        return Ok(());
+    }
     let place = fs::canonicalize(path);
     if let Ok(place) = &place
         && read.into_iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *place))
@@ -99,6 +148,16 @@ pub fn shown(text: &str) -> String {
 /// Prints one JSON object and a line end.
 pub fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string(value)? + "\n"))
+}
+
+/// Prints what was done as one JSON object: to stderr where one of the files written went to stdout.
+pub fn print_summary(value: &impl Serialize, outs: &[&Path]) -> Result<()> {
+    if !outs.iter().any(|out| is_standard(out)) {
+        return print_json(value);
+    }
+    // Nobody is left to tell when stderr is closed.
+    let _ = writeln!(std::io::stderr(), "{}", serde_json::to_string(value)?);
+    Ok(())
 }
 
 /// Prints to stdout. A reader that has seen enough, such as `head`, is no error.

@@ -1,17 +1,19 @@
-//! Ctrl-C as a request to stop and keep what there is.
+//! Ctrl-C, or a scheduler's SIGTERM, as a request to stop and keep what there is.
 
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 use std::error::Error;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
-/// Becomes true at the first Ctrl-C. A second one ends the program as usual.
+/// Becomes true at the first Ctrl-C or SIGTERM (the end of a Slurm job's time). A second one ends the program at once. The end of the
+/// terminal (SIGHUP) does what it always does: `nohup` has to be able to switch it off.
 pub fn flag() -> Result<Arc<AtomicBool>, Box<dyn Error>> {
     let stopped = Arc::new(AtomicBool::new(false));
-    let signal = Arc::clone(&stopped);
-    ctrlc::set_handler(move || {
-        if signal.swap(true, Ordering::Relaxed) {
-            std::process::exit(1);
-        }
-    })?;
+    for signal in [SIGINT, SIGTERM] {
+        // In this order: the first signal must find the flag still down.
+        flag::register_conditional_shutdown(signal, 1, Arc::clone(&stopped))?;
+        flag::register(signal, Arc::clone(&stopped))?;
+    }
     Ok(stopped)
 }

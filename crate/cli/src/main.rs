@@ -1,21 +1,26 @@
 //! The `vcgpdm` program: the library from a terminal.
 //!
-//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0, or 1 with one line on stderr that
-//! says what was wrong and where.
+//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0; 2 where the command line asks for what there
+//! is not; otherwise 1. Where it is not 0, one line on stderr says what was wrong and where.
 
 mod bound;
 mod clip;
+mod couple;
 mod evaluate;
 mod files;
 mod interrupt;
+mod merge;
 mod perception;
+mod progress;
 mod report;
 mod reproduce;
 mod results;
 mod rollout;
 mod score;
+mod shell;
 mod study;
 mod train;
+mod usage;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -23,6 +28,7 @@ use std::error::Error;
 use std::io::Write;
 use std::num::{IntErrorKind, ParseFloatError, ParseIntError};
 use std::process::ExitCode;
+use usage::Usage;
 
 /// Coupled Gaussian process movement primitives: train them on motion capture and roll them out.
 #[derive(Parser)]
@@ -30,7 +36,8 @@ use std::process::ExitCode;
     name = "vcgpdm",
     version,
     after_help = "A CLIP is a BVH file, or sample:ID for a clip that the program makes itself \
-(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4)."
+(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4). A file called - is stdin or stdout; what a command \
+prints besides then goes to stderr. Exit status: 0, 2 for a wrong command line, 1 for all else."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -42,6 +49,7 @@ enum Command {
     Bound(bound::Arguments),
     Clip(clip::Arguments),
     Train(train::Arguments),
+    Couple(couple::Arguments),
     Reproduce(reproduce::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
@@ -49,6 +57,9 @@ enum Command {
     Report(report::Arguments),
     Study(study::Arguments),
     Perception(perception::Arguments),
+    Results(merge::Arguments),
+    Completions(shell::Completions),
+    Man(shell::Man),
 }
 
 fn main() -> ExitCode {
@@ -58,7 +69,7 @@ fn main() -> ExitCode {
         Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             files::print(&help.render().to_string())
         }
-        Err(error) => Err(usage(&error).into()),
+        Err(error) => Err(Box::new(Usage(words(&error))) as Box<dyn Error>),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -66,28 +77,32 @@ fn main() -> ExitCode {
             let message: Vec<String> = error.to_string().split_whitespace().map(str::to_owned).collect();
             // Nobody is left to tell when stderr is closed.
             let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::shown(&message.join(" ")));
-            ExitCode::FAILURE
+            if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }
 }
 
 /// The command line. Every option takes a number below zero as its value, so that it is refused as one: clap would call it an
 /// unexpected argument.
-fn parsed() -> Result<Arguments, clap::Error> {
-    let command = Arguments::command().mut_subcommands(|command| {
+fn command() -> clap::Command {
+    Arguments::command().mut_subcommands(|command| {
         command.mut_args(|argument| {
             let takes = argument.get_action().takes_values() && !argument.is_positional();
             if takes { argument.allow_negative_numbers(true) } else { argument }
         })
-    });
-    Arguments::from_arg_matches(&command.try_get_matches()?)
+    })
 }
 
-fn run(command: Command) -> Result<(), Box<dyn Error>> {
-    match command {
+fn parsed() -> Result<Arguments, clap::Error> {
+    Arguments::from_arg_matches(&command().try_get_matches()?)
+}
+
+fn run(asked: Command) -> Result<(), Box<dyn Error>> {
+    match asked {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
+        Command::Couple(arguments) => couple::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),
@@ -95,13 +110,18 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Report(arguments) => report::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
         Command::Perception(arguments) => perception::run(&arguments),
+        Command::Results(arguments) => merge::run(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments, command()),
+        Command::Man(arguments) => shell::man(&arguments, command()),
     }
 }
 
 /// What was wrong with the command line, without the help that clap adds in further paragraphs.
-fn usage(error: &clap::Error) -> String {
+fn words(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "expected one of the commands bound, clip, train, reproduce, rollout, score, evaluate, report, study and perception (try --help)".to_owned();
+        let command = command();
+        let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        return format!("expected one of the commands {} (try --help)", known.join(", "));
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");

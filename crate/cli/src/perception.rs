@@ -12,7 +12,7 @@ use vcgpdm::perception::{
 
 /// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what predicts it.
 ///
-/// Prints tables as Markdown; with --out the results as one JSON document. With --paper, and without files, it computes the results of
+/// Prints tables as Markdown; with --out the results go to a file as one JSON document. With --paper, and without files, it computes the results of
 /// Knopp et al. (2019) from the counts that their printed numbers imply.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -75,6 +75,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     if let Some(out) = &arguments.out {
         files::write_text(out, &(serde_json::to_string(&results)? + "\n"))?;
+        if files::is_standard(out) {
+            return Ok(());
+        }
     }
     files::print(&files::shown(&tables(&results)?))
 }

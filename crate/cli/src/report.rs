@@ -1,6 +1,7 @@
-//! `vcgpdm report`: the tables of an evaluation, as Markdown.
+//! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
 use crate::{files, results};
+use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
@@ -16,6 +17,9 @@ pub struct Arguments {
     /// Files that `evaluate` wrote.
     #[arg(value_name = "RESULTS.json", required = true)]
     results: Vec<PathBuf>,
+    /// Print the numbers of the tables as one JSON object instead.
+    #[arg(long)]
+    json: bool,
 }
 
 /// Results of the same trials.
@@ -25,8 +29,11 @@ struct Subject {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let mut text = String::new();
     let subjects = subjects(&arguments.results)?;
+    if arguments.json {
+        return files::print_json(&numbers(&subjects));
+    }
+    let mut text = String::new();
     for subject in &subjects {
         if subjects.len() > 1 {
             writeln!(text, "### {}\n", one_line(&subject.name))?;
@@ -59,6 +66,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         claims(&mut text, &comparison)?;
     }
     files::print(&files::shown(&text))
+}
+
+/// What the tables hold: of each subject, and of all together where there are several.
+fn numbers(subjects: &[Subject]) -> Value {
+    let of = |subject: &Subject| {
+        let results = &subject.results;
+        let failed = results.finished().iter().filter(|finished| finished.failure.is_some());
+        json!({
+            "name": subject.name,
+            "setting": results.setting(),
+            "comparison": Comparison::of(results),
+            "failed": failed.collect::<Vec<_>>(),
+        })
+    };
+    let all = (subjects.len() > 1).then(|| Comparison::of_all(&once(subjects)));
+    json!({ "subjects": subjects.iter().map(of).collect::<Vec<_>>(), "all_together": all })
 }
 
 /// The subjects without those whose clips are there already, from another number of first frames or cut.

@@ -6,9 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use vcgpdm::models::{
-    Dataset, Model, Movements, Sequence, SequenceInfo, Source, TrainedModel, with_bones_of,
-};
+use vcgpdm::models::{Dataset, Model, Movements, SequenceInfo, Source, TrainedModel, with_bones_of};
 use vcgpdm::motion::Clip;
 
 /// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON object.
@@ -51,9 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let made = &recorded.provenance;
     let dataset = Dataset::new(&sources, recorded.body.layout.parts(), made.frames_per_second)?;
-    let sequences =
-        dataset.sequences.iter().map(|info| Sequence { frames: info.frames, whole: info.whole }).collect();
-    let movements = Movements { y: dataset.y.clone(), sequences };
+    let movements = Movements::of(&dataset);
     let begin = Instant::now();
     let learner = made.settings.learner(&movements, made.seed);
     let mut learner = learner.map_err(|reason| dataset.refusal(reason))?;
@@ -77,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let difference = difference(&recorded, &again)?;
     let beyond = difference.clone().filter(|(_, relative)| *relative > arguments.tolerance);
-    files::print_json(&json!({
+    let summary = json!({
         "same_bits": difference.is_none(),
         "within_tolerance": beyond.is_none(),
         "largest_difference": difference.as_ref().map(|(at, relative)| json!({ "at": at, "relative": relative })),
@@ -85,7 +81,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "objective": again.provenance.objective,
         "iterations": again.provenance.iterations,
         "seconds": begin.elapsed().as_secs_f64(),
-    }))?;
+    });
+    files::print_summary(&summary, &arguments.out.as_deref().into_iter().collect::<Vec<_>>())?;
     match beyond {
         Some((at, relative)) => Err(format!(
             "the model differs from the recorded one, most at {at}, by {relative:.1e} of it. Files of {} may need that program",

@@ -2,6 +2,7 @@
 //! that several processes can work on one file.
 
 use crate::files;
+use crate::usage::usage;
 use std::error::Error;
 use std::fs::{File, TryLockError};
 use std::io::Write;
@@ -24,12 +25,19 @@ pub struct Store {
 }
 
 impl Store {
-    /// Opens the file, or will write a new one.
+    /// Opens the file, or writes a new one: a scheduler waits for the file of a share in which there is nothing to do, too.
     pub fn open(path: &Path, setting: Setting) -> Result<Self> {
+        if files::is_standard(path) {
+            return Err(usage("--out -: expected a file, to which finished jobs are added one by one"));
+        }
         let mut store = Self { path: path.to_owned(), results: Results::new(setting) };
-        let _lock = store.lock()?;
+        let lock = store.lock()?;
         files::check_writable(path, [])?;
         store.take_over()?;
+        if !store.path.exists() {
+            store.write()?;
+        }
+        drop(lock);
         Ok(store)
     }
 
@@ -76,6 +84,10 @@ impl Store {
         let _lock = self.lock()?;
         self.take_over()?;
         self.results.add(finished)?;
+        self.write()
+    }
+
+    fn write(&self) -> Result<()> {
         files::write_text(&self.path, &(self.results.to_json()? + "\n"))
     }
 }

@@ -1,8 +1,9 @@
 //! `vcgpdm study`: a study of perceived naturalness, from an evaluation and its clips.
 
 use crate::evaluate::models;
+use crate::progress::Progress;
+use crate::usage::usage;
 use crate::{files, interrupt, results};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -94,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let trials = made.trials(0);
     let count = |kind: TrialKind| trials.iter().filter(|trial| trial.kind == kind).count();
     let failed = made.stimuli.iter().filter(|stimulus| stimulus.failed()).count();
-    files::print_json(&json!({
+    let summary = json!({
         "hash": made.hash()?,
         "natural": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(true)).count(),
         "unseen": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(false)).count(),
@@ -105,7 +106,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "attention_checks": count(TrialKind::Attention),
         "catch_trials": count(TrialKind::Catch),
         "bytes": text.len(),
-    }))
+    });
+    files::print_summary(&summary, &[&arguments.out])
 }
 
 /// Reads a study.
@@ -113,15 +115,15 @@ pub fn read(path: &Path) -> Result<Study, Box<dyn Error>> {
     Study::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
 }
 
-fn preset(id: &str) -> Result<Preset, String> {
+fn preset(id: &str) -> Result<Preset, Box<dyn Error>> {
     Preset::from_id(id).ok_or_else(|| {
         let known = Preset::ALL.map(Preset::id).join(", ");
-        format!("expected one of the designs {known}, found {id:?}")
+        usage(format!("--preset {id}: expected one of {known}"))
     })
 }
 
-fn look(id: &str) -> Result<Look, String> {
-    Look::from_id(id).ok_or_else(|| format!("expected figure or points, found {id:?}"))
+fn look(id: &str) -> Result<Look, Box<dyn Error>> {
+    Look::from_id(id).ok_or_else(|| usage(format!("--look {id}: expected figure or points")))
 }
 
 fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> {
@@ -222,12 +224,11 @@ fn predictions(
     arguments: &Arguments,
 ) -> Result<Vec<(Job, Prediction)>, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
-    let bar = ProgressBar::new(jobs.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos} of {len} trainings {msg}  {elapsed}") {
-        bar.set_style(style);
-    }
     let seconds: f64 = jobs.iter().map(|(_, seconds)| seconds).sum();
-    bar.set_message(format!("(they took {seconds:.0} s)"));
+    let words = |done: usize| format!("{done} of {} trainings, which took {seconds:.0} s", jobs.len());
+    let mut shown = Progress::new("about");
+    shown.show(0.0, || words(0));
+    let shown = Mutex::new(shown);
     let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(jobs.len());
@@ -239,13 +240,15 @@ fn predictions(
                     let Some((job, _)) = jobs.get(place) else { return };
                     let Some(fold) = folds.get(&job.held_out) else { return };
                     let made = predict(fold, job, &|| stopped.load(Ordering::Relaxed));
-                    bar.inc(1);
-                    done.lock().unwrap_or_else(PoisonError::into_inner).insert(place, made);
+                    let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+                    done.insert(place, made);
+                    let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+                    shown.show(done.len() as f64 / jobs.len() as f64, || words(done.len()));
                 }
             });
         }
     });
-    bar.finish_and_clear();
+    shown.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     let named = done.into_iter().map(|(place, made)| {
         let job = &jobs[place].0;

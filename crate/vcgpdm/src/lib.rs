@@ -30,6 +30,7 @@
 //! A module uses only modules that stand before it in this list.
 //!
 //! - [`motion`]: skeletons, clips, BVH files, sample walks; poses as rows of numbers; the parts of a body.
+//! - [`series`]: tables of numbers that are no body's, from CSV; their columns and parts.
 //! - [`gp`]: the kernel, the psi statistics and the collapsed bound of a Gaussian process with inducing points.
 //! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with ([`models::map`],
 //!   [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
@@ -57,6 +58,7 @@ mod json;
 pub mod models;
 pub mod motion;
 pub mod perception;
+pub mod series;
 #[cfg(feature = "speed")]
 pub mod speed;
 pub mod synthetic;

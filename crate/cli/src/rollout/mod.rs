@@ -4,6 +4,7 @@ mod latents;
 mod words;
 
 use crate::files;
+use crate::usage::{Usage, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -74,20 +75,23 @@ impl From<ReadingOption> for Reading {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = read_model(&arguments.model)?;
-    for path in [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()] {
-        path.map_or(Ok(()), |path| files::check_writable(path, [arguments.model.as_path()]))?;
+    let outs = [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()];
+    let outs = outs.into_iter().flatten();
+    if arguments.samples.is_some() && outs.clone().any(|out| files::is_standard(out)) {
+        return Err(usage("--samples: expected files to be numbered, found stdout"));
     }
+    files::check_outs(outs, [arguments.model.as_path()])?;
     match model.into_vcgpdm() {
         Ok(model) => coupled(arguments, &model),
         Err(model) => {
             if let Some(option) = arguments.about_couplings() {
                 let kind = model.kind().id();
-                return Err(
-                    format!("{option}: expected a vcgpdm or vgpdm model, found a {kind} model").into()
-                );
+                return Err(usage(format!(
+                    "{option}: expected a vcgpdm or vgpdm model, found a {kind} model"
+                )));
             }
             let y = model.rollout(arguments.from, arguments.frames)?;
-            write_motion(&model.body.clip(&y, &name_of(&arguments.out))?, &arguments.out)
+            write_motion(&model.body.clip(&y, &files::name_of(&arguments.out))?, &arguments.out)
         }
     }
 }
@@ -108,10 +112,10 @@ impl Arguments {
         options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
     }
 
-    fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, String> {
+    fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, Usage> {
         let mut alpha = alpha.clone();
         for coupling in &self.alpha {
-            let (source, target, value) = words::coupling(coupling, parts)?;
+            let (source, target, value) = words::coupling(coupling, parts).map_err(Usage)?;
             alpha[(source, target)] = value;
         }
         Ok(RolloutRequest {
@@ -120,8 +124,18 @@ impl Arguments {
             frame: self.frame,
             alpha: Some(alpha),
             reading: self.reading.into(),
-            cuts: self.cut.iter().map(|cut| words::cut(cut, parts)).collect::<Result<_, _>>()?,
-            pushes: self.push.iter().map(|push| words::push(push, parts)).collect::<Result<_, _>>()?,
+            cuts: self
+                .cut
+                .iter()
+                .map(|cut| words::cut(cut, parts))
+                .collect::<Result<_, _>>()
+                .map_err(Usage)?,
+            pushes: self
+                .push
+                .iter()
+                .map(|push| words::push(push, parts))
+                .collect::<Result<_, _>>()
+                .map_err(Usage)?,
         })
     }
 }
@@ -133,7 +147,7 @@ fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Bo
     let rollout = model.rollout(&request)?;
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
         let out = numbered(&arguments.out, number);
-        write_motion(&model.clip(rollout, &name_of(&out))?, &out)?;
+        write_motion(&model.clip(rollout, &files::name_of(&out))?, &out)?;
         if let Some(path) = &arguments.latents {
             let text = latents::csv(&parts, &rollout.latents, model.body.frame_time);
             files::write_text(&numbered(path, number), &text)?;
@@ -169,10 +183,6 @@ fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
 /// Reads a model document of any kind.
 pub fn read_model(path: &Path) -> Result<TrainedModel, Box<dyn Error>> {
     TrainedModel::<Model>::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
-}
-
-fn name_of(path: &Path) -> String {
-    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
 #[cfg(test)]

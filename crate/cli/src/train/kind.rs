@@ -1,5 +1,6 @@
 //! Which kind of model `vcgpdm train` makes, and the options that only some kinds have.
 
+use crate::usage::usage;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command, FromArgMatches};
 use std::error::Error;
@@ -79,12 +80,11 @@ impl Options {
         if let Some((id, kinds)) = misplaced {
             let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
             let option = id.replace('_', "-");
-            return Err(format!(
+            return Err(usage(format!(
                 "--{option}: expected a model that has it ({}), found {}",
                 kinds.join(", "),
                 kind.id()
-            )
-            .into());
+            )));
         }
         let &Options {
             latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, ..
@@ -128,7 +128,7 @@ pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<M
         _ => return Ok(kind),
     };
     let ((expected, other), kind) = (wrong, kind.id());
-    Err(format!("--parts {split}: expected {expected} for a {kind} model, found {parts}; {other}").into())
+    Err(usage(format!("--parts {split}: expected {expected} for a {kind} model, found {parts}; {other}")))
 }
 
 /// Which options stand on the command line; the others hold their defaults.

@@ -1,9 +1,11 @@
 //! `vcgpdm train`: clips to a model.
 
 mod kind;
+mod library;
 
+use crate::progress::Progress;
+use crate::usage::usage;
 use crate::{files, interrupt};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -12,8 +14,8 @@ use std::time::Instant;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Provenance, Sequence, Source,
-    TrainedModel, with_bones_of,
+    Dataset, DatasetError, Learner, LearningProgress, Model, ModelKind, ModelSettings, Movements, Provenance,
+    Sequence, Source, TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -22,8 +24,14 @@ use vcgpdm::motion::{Clip, Skeleton, parts};
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each becomes a sequence.
-    #[arg(value_name = "CLIP", required = true)]
+    #[arg(value_name = "CLIP", required_unless_present = "movements", conflicts_with = "movements")]
     clips: Vec<String>,
+    /// Train a library of primitives: clips of one movement, under its name; may be given several times.
+    #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
+    movements: Vec<String>,
+    /// Parts that use the same primitive in all movements; every other part has one of its own in each.
+    #[arg(long, value_name = "PART,PART", requires = "movements")]
+    share: Vec<String>,
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     model: Option<ModelKind>,
@@ -52,6 +60,9 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if !arguments.movements.is_empty() {
+        return library::run(arguments);
+    }
     let mut clips = Vec::new();
     for place in &arguments.clips {
         clips.push((files::read_clip(place)?, None));
@@ -69,9 +80,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let split = match (&arguments.parts, arguments.model) {
         (Some(split), _) => split,
         (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
-            return Err(
-                "--parts: expected how to split the body of a coupled model, such as lower,upper".into()
-            );
+            return Err(usage(
+                "--parts: expected how to split the body of a coupled model, such as lower,upper",
+            ));
         }
         (None, Some(_)) => "whole",
     };
@@ -85,14 +96,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sequences = sequences
         .map(|(info, source)| Sequence { frames: info.frames, whole: source.first_frames.is_none() });
     let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
-    for path in [Some(&arguments.out), arguments.options.write_start.as_ref()].into_iter().flatten() {
-        let seed_frames =
-            arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
-        files::check_writable(
-            path,
-            arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new),
-        )?;
-    }
+    let seed_frames =
+        arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
+    let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
+    let outs = [Some(&arguments.out), arguments.options.write_start.as_ref()];
+    files::check_outs(outs.into_iter().flatten(), read)?;
     let begin = Instant::now();
     let seed = arguments.options.seed;
     let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;
@@ -106,7 +114,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
     let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
-    files::print_json(&match &trained.model {
+    let summary = match &trained.model {
         Model::Vcgpdm(model) => {
             let rows = model.alpha.row_iter();
             let alpha: Vec<Vec<f64>> = rows.map(|row| row.iter().copied().collect()).collect();
@@ -131,7 +139,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             "warnings": dataset.warnings,
             "reason": reason,
         }),
-    })
+    };
+    files::print_summary(&summary, &[&arguments.out])
 }
 
 /// The reason, and what helps where only the bones differ.
@@ -169,26 +178,28 @@ fn objective(kind: ModelKind) -> &'static str {
     }
 }
 
-/// Steps of the bar.
-const FINE: u64 = 1000;
-
-/// Trains to the end, or until Ctrl-C: then the best so far is kept. Says why it ended. The bar is drawn on stderr, and only when
-/// that is a terminal.
+/// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
 fn train(learner: &mut dyn Learner, objective: &str) -> Result<String, Box<dyn Error>> {
+    train_steps(|| learner.step(), objective)
+}
+
+/// As `train`, one step after the other.
+pub fn train_steps(
+    mut step: impl FnMut() -> LearningProgress,
+    objective: &str,
+) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
-    let bar = ProgressBar::new(FINE);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (at most {eta} left)") {
-        bar.set_style(style);
-    }
+    let mut shown = Progress::new("at most");
     loop {
-        let progress = learner.step();
+        let progress = step();
         // Not the iterations: a search for the number of primitives may end long before the most there can be.
-        bar.set_position((progress.fraction * FINE as f64) as u64);
-        let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
-        let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);
-        bar.set_message(format!("{iteration}/{most}  {objective} {best:.1}{phase}"));
+        shown.show(progress.fraction, || {
+            let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
+            let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);
+            format!("{iteration}/{most}  {objective} {best:.1}{phase}")
+        });
         if progress.done || stopped.load(Ordering::Relaxed) {
-            bar.finish_and_clear();
+            shown.finish();
             return Ok(progress.reason.map_or_else(|| "stopped".to_owned(), |reason| reason.to_string()));
         }
     }
@@ -199,7 +210,7 @@ fn read_seed_frames(text: &str) -> Result<(Clip, usize), Box<dyn Error>> {
     let parsed = text.rsplit_once(':').and_then(|(clip, count)| Some((clip, count.parse::<usize>().ok()?)));
     match parsed {
         Some((clip, count)) if count > 0 && !clip.is_empty() => Ok((files::read_clip(clip)?, count)),
-        _ => Err(format!("--seed-frames {text}: expected CLIP:COUNT with a number of frames above 0").into()),
+        _ => Err(usage(format!("--seed-frames {text}: expected CLIP:COUNT with a number of frames above 0"))),
     }
 }
 
@@ -229,9 +240,8 @@ pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn 
         .iter()
         .map(|preset| preset.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>().join(","))
         .collect();
-    Err(format!(
+    Err(usage(format!(
         "--parts {asked}: expected whole, a file, or what this body can be split into ({})",
         known.join("; ")
-    )
-    .into())
+    )))
 }

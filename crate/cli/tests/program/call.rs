@@ -2,12 +2,23 @@
 
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 /// Runs a command to its end.
 pub fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap()
+}
+
+/// Runs a command that reads this from stdin.
+pub fn run_with(arguments: &[&str], stdin: &[u8]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vcgpdm"));
+    let piped = command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().unwrap();
+    // A program that refuses its command line reads nothing.
+    let _ = child.stdin.take().unwrap().write_all(stdin);
+    child.wait_with_output().unwrap()
 }
 
 /// Runs a command that must succeed and reads the one JSON object that it prints.
@@ -25,11 +36,13 @@ pub fn prints(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Runs a command that must fail with status 1, one line on stderr and nothing on stdout.
+/// Runs a command that must fail, with one line on stderr and nothing on stdout. The status is 2 where the line is about the command
+/// line, which it then names or offers to explain, and 1 where it is about anything else.
 pub fn fails(arguments: &[&str]) -> String {
     let output = run(arguments);
     let err = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+    let status = 1 + i32::from(err.starts_with("vcgpdm: -") || err.ends_with("(try --help)\n"));
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {err}");
     assert_eq!(err.matches('\n').count(), 1, "{arguments:?}: one line, found {err:?}");
     assert!(err.ends_with('\n') && !err.contains("panicked"), "{err}");
     assert_eq!(output.stdout, b"", "{arguments:?}");

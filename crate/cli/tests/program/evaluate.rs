@@ -1,6 +1,6 @@
 //! `vcgpdm evaluate` and `report` as a user meets them: resumable, in shares, with tables.
 
-use crate::call::run;
+use crate::call::{run, run_with};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,8 @@ fn summary(output: &Output) -> Value {
 
 fn refusal(output: &Output) -> String {
     let err = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!((output.status.code(), err.matches('\n').count()), (Some(1), 1), "{err}");
+    let status = 1 + i32::from(err.starts_with("vcgpdm: -"));
+    assert_eq!((output.status.code(), err.matches('\n').count()), (Some(status), 1), "{err}");
     err
 }
 
@@ -38,7 +39,10 @@ fn results(file: &Path) -> Value {
 #[test]
 fn a_finished_fold_is_never_computed_twice() {
     let out = file("twice");
-    let first = summary(&evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2"]));
+    let first = evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2"]);
+    let log = String::from_utf8_lossy(&first.stderr).into_owned();
+    assert_eq!(log.matches(" held out, seed 0, done in ").count(), 2, "a line a job: {log}");
+    let first = summary(&first);
     assert_eq!((first["computed"].as_u64(), first["known_before"].as_u64()), (Some(2), Some(0)));
     let before = results(&out);
     let second =
@@ -128,6 +132,32 @@ fn the_report_has_a_row_for_each_model_and_says_what_holds() {
     // The same clips count once.
     let together = both.split("### All together").nth(1).unwrap();
     assert!(!together.contains("20 bases"), "{together}");
+}
+
+#[test]
+fn a_share_without_jobs_writes_its_file_and_files_are_merged() {
+    let shares = ["1", "2", "3"].map(|k| file(&format!("merge-{k}")));
+    let models = ["--models", "dmp-discrete", "--folds", "1,2"];
+    for (path, k) in shares.iter().zip(["1", "2", "3"]) {
+        let done = summary(&evaluate(path, &[&models[..], &["--job", k, "of", "3"]].concat()));
+        assert_eq!(done["computed"].as_u64(), Some(u64::from(k != "3")), "share {k}");
+    }
+    let texts: Vec<&str> = shares.iter().map(|path| path.to_str().unwrap()).collect();
+    let merged = run(&[&["results", "merge"], &texts[..], &["--out", "-"]].concat());
+    let said: Value = serde_json::from_slice(&merged.stderr).unwrap();
+    assert_eq!((said["jobs"].as_u64(), said["failed"].as_u64()), (Some(2), Some(0)));
+    let whole: Value = serde_json::from_slice(&merged.stdout).unwrap();
+    assert_eq!(whole["finished"].as_array().map(Vec::len), Some(2));
+    // Results come from stdin as well, and their tables as numbers.
+    let piped = run_with(&["report", "--json", "-"], &merged.stdout);
+    let report: Value = serde_json::from_slice(&piped.stdout).unwrap();
+    let models = report["subjects"][0]["comparison"]["models"].as_array().unwrap();
+    assert_eq!((models[0]["folds"].as_u64(), &report["all_together"]), (Some(2), &Value::Null));
+    assert!(
+        refusal(&run(&[&["results", "merge"], &texts[..], &["--out", texts[0]]].concat()))
+            .contains("expected another file to write to")
+    );
+    assert!(refusal(&evaluate(Path::new("-"), &["--models", "dmp-discrete"])).contains("expected a file"));
 }
 
 #[test]

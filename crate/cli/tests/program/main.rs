@@ -9,3 +9,4 @@ mod models;
 mod perception;
 mod reproduce;
 mod rollout;
+mod streams;

@@ -16,10 +16,10 @@ pub struct Way {
 /// Iterations after the blocks: with our one block of 25, those of the default.
 pub const ITERATIONS: usize = 225;
 const X: &[Group] = &[Group::Latents];
-const K: &[Group] = &[Group::Kernels];
+const K: &[Group] = &[Group::Couplings, Group::Kernels];
 const IP: &[Group] = &[Group::InducingInputs];
-const K_IP: &[Group] = &[Group::Kernels, Group::InducingInputs];
-const ALL: &[Group] = &[Group::Latents, Group::Kernels, Group::InducingInputs];
+const K_IP: &[Group] = &[Group::Couplings, Group::Kernels, Group::InducingInputs];
+const ALL: &[Group] = &[Group::Latents, Group::Couplings, Group::Kernels, Group::InducingInputs];
 
 fn phase(groups: &'static [Group], iterations: usize) -> Phase {
     Phase { groups, iterations }

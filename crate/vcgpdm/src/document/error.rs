@@ -9,7 +9,12 @@ use thiserror::Error;
 pub(super) const FORMAT: &str = "vcgpdm model";
 /// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
 /// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
-pub(super) const VERSION: usize = 2;
+pub(super) const SECOND: usize = 2;
+/// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and models that are combinations of
+/// these.
+pub(super) const VERSION: usize = 3;
+/// What a library says that it is, beside the kinds of models.
+pub(super) const LIBRARY: &str = "library";
 /// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
 pub(super) const MOST_BYTES: usize = 32 << 20;
 
@@ -40,10 +45,29 @@ pub enum DocumentError {
         /// What the document says.
         found: usize,
     },
+    /// A library, where a model is asked for.
+    #[error(
+        "expected a model, found a library of primitives: choose one of its movements, or a primitive for each part"
+    )]
+    Library,
+    /// A model, where a library is asked for.
+    #[error("expected a library of primitives, found a {found} model")]
+    NoLibrary {
+        /// Its kind.
+        found: &'static str,
+    },
     /// A model of another kind, where couplings and inducing points are asked for.
     #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
     Kind {
         /// Its kind.
+        found: &'static str,
+    },
+    /// A model of a body where one of tables is asked for, or the other way round.
+    #[error("expected a model of {expected}, found a model of {found}")]
+    Subject {
+        /// What was asked for.
+        expected: &'static str,
+        /// What it is about.
         found: &'static str,
     },
     /// A field is missing, of the wrong type or out of its range.

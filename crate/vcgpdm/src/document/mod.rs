@@ -2,17 +2,22 @@
 //!
 //! It holds what a rollout needs and no training clip: skeleton and pose mapping, column means, parts with their pose maps,
 //! the dynamics into each part, couplings, the sums from which experts can be inferred again, start latents and provenance.
-//! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out.
+//! A document of tables has the names and units of their columns in the place of skeleton and pose mapping ([`Document`] reads both).
+//! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out; that of a library
+//! holds pose maps, primitives and movements.
 
 mod error;
+mod library;
 mod read;
+mod subject;
 mod write;
 
 pub use error::DocumentError;
 
 use crate::json::{Field, FieldError, NotFinite, Value};
+use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
-use crate::models::{ModelKind, ModelSettings, TrainedModel};
+use crate::models::{ModelKind, ModelSettings, SeriesModel, TrainedModel};
 use error::MOST_BYTES;
 
 impl TrainedModel<Vcgpdm> {
@@ -44,6 +49,41 @@ impl TrainedModel<Vcgpdm> {
     }
 }
 
+impl SeriesModel {
+    /// The model as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
+    pub fn to_json(&self) -> Result<String, DocumentError> {
+        text(&write::document(self))
+    }
+}
+
+/// A document of any kind, of a body or of tables.
+#[derive(Clone, Debug)]
+pub enum Document {
+    /// A model of a body.
+    Body(Box<TrainedModel>),
+    /// A model of tables.
+    Series(Box<SeriesModel>),
+}
+
+impl Document {
+    /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
+    pub fn from_json(text: &str) -> Result<Self, DocumentError> {
+        let value = parsed(text)?;
+        Ok(match read::is_of_columns(&value) {
+            true => Document::Series(Box::new(read::document(&value)?)),
+            false => Document::Body(Box::new(read::document(&value)?)),
+        })
+    }
+}
+
 impl TrainedModel {
     /// The model as a JSON document.
     ///
@@ -54,13 +94,33 @@ impl TrainedModel {
         text(&write::document(self))
     }
 
-    /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
+    /// Reads a document of any kind of model of a body; nothing but a whole and consistent model is accepted.
     ///
     /// # Errors
     ///
     /// When the text is not such a document, with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
+    }
+}
+
+impl TrainedLibrary {
+    /// The library as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// When it holds a number that is not finite.
+    pub fn to_json(&self) -> Result<String, DocumentError> {
+        text(&library::document(self))
+    }
+
+    /// Reads the document of a library; nothing but a whole and consistent one is accepted.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
+    pub fn from_json(text: &str) -> Result<Self, DocumentError> {
+        read::library_document(&parsed(text)?)
     }
 }
 

@@ -87,7 +87,7 @@ fn other_files_are_refused_with_the_reason() {
     assert!(refused(|v| v["format"] = json!(vec![1; 100_000])).len() < 200, "a line can be read");
     assert_eq!(
         refused(|v| v["version"] = json!(7)),
-        "expected a model of version 2 or earlier, found version 7; a newer program wrote it"
+        "expected a model of version 3 or earlier, found version 7; a newer program wrote it"
     );
 }
 

@@ -1,8 +1,9 @@
 //! From a model to the tree of its document.
 
 use crate::document::error::{FORMAT, VERSION};
+use crate::document::subject::Subject;
 use crate::json::Value;
-use crate::models::variational::{BoundTerms, FittedExpert, Vcgpdm};
+use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{
     Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, SequenceInfo, TmpSettings,
     TrainedModel, VariationalSettings,
@@ -10,7 +11,7 @@ use crate::models::{
 use crate::motion::parts::PartSpec;
 
 /// A model of any kind.
-pub(super) fn document(trained: &TrainedModel) -> Value {
+pub(super) fn document<S: Subject>(trained: &TrainedModel<Model, S>) -> Value {
     let TrainedModel { model, body, provenance } = trained;
     let settings = settings(&provenance.settings, provenance.seed);
     let fields = match model {
@@ -20,7 +21,7 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
         Model::DmpDiscrete(model) => model.to_value(),
         Model::DmpRhythmic(model) => model.to_value(),
     };
-    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields(spec)));
+    let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields::<S>(spec)));
     let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));
     let provenance = Value::object([
         ("engine", Value::text(&provenance.engine)),
@@ -32,9 +33,9 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
     ]);
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(VERSION)),
+        ("version", Value::whole(S::VERSIONS[1])),
         ("kind", Value::text(model.kind().id())),
-        ("pose", body.mapping.to_value()),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("parts", parts),
@@ -45,7 +46,7 @@ pub(super) fn document(trained: &TrainedModel) -> Value {
 }
 
 /// Where a sequence came from, and where it comes to rest if it does.
-fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
+pub(super) fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
     let mut fields = vec![
         ("clip".to_owned(), Value::text(&info.name)),
         ("sha256".to_owned(), Value::text(&info.sha256)),
@@ -74,51 +75,37 @@ pub(super) fn vcgpdm_document(trained: &TrainedModel<Vcgpdm>) -> Value {
     variational(model, body, provenance, settings)
 }
 
-fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, settings: Value) -> Value {
+fn variational<S: Subject, P>(
+    model: &Vcgpdm,
+    body: &Body<S>,
+    provenance: &Provenance<P>,
+    settings: Value,
+) -> Value {
     let parts = model.parts.iter().zip(body.layout.parts());
-    let parts = Value::list(parts, |(map, spec)| {
-        let [name, joints] = part_fields(spec);
-        Value::object([
-            name,
-            joints,
-            ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
-            ("variance", Value::Number(map.kernel().variance)),
-            ("beta", Value::Number(map.beta())),
-            ("r", Value::matrix(map.r())),
-            ("v_mean", Value::matrix(map.mean())),
-            ("v_covariance", Value::matrix(map.covariance())),
-        ])
-    });
+    let parts = Value::list(parts, |(map, spec)| Value::object(pose_map::<S>(map, spec)));
     // The dynamics into each part; matrices over its sources stack them in order.
     let dynamics = Value::list(0..model.part_count(), |i| {
-        Value::object([
+        let own = [
             ("experts", Value::list(&model.experts, |row| expert(&row[i]))),
             ("u_covariance", Value::matrix(&model.dynamics_covariance[i])),
             ("sum_psi2", Value::matrix(&model.sums[i].psi2)),
             ("sum_psi1_mu", Value::matrix(&model.sums[i].psi1_mu)),
-        ])
+        ];
+        with_elsewhere(own, model.elsewhere.get(i))
     });
+    // The first version still says all there is to say about a model of a body that learned from its own rows only.
+    let version = if model.elsewhere.is_empty() { S::VERSIONS[0] } else { VERSION };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);
         // The latent means of the first frames of each part.
         fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
         Value::Object(fields)
     });
-    let provenance = Value::object([
-        ("engine", Value::text(&provenance.engine)),
-        ("settings", settings),
-        ("frames_per_second", Value::Number(provenance.frames_per_second)),
-        ("bound", Value::Number(provenance.objective)),
-        ("terms", terms(&model.terms)),
-        ("iterations", Value::whole(provenance.iterations)),
-        ("evaluations", Value::whole(provenance.evaluations)),
-        ("note", provenance.note.as_deref().map_or(Value::Null, Value::text)),
-    ]);
+    let provenance = variational_provenance(provenance, settings, &model.terms);
     Value::object([
         ("format", Value::text(FORMAT)),
-        // The first version still says all there is to say.
-        ("version", Value::whole(1)),
-        ("pose", body.mapping.to_value()),
+        ("version", Value::whole(version)),
+        (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
         ("order", Value::whole(model.order)),
@@ -132,8 +119,54 @@ fn variational<S>(model: &Vcgpdm, body: &Body, provenance: &Provenance<S>, setti
     ])
 }
 
-fn part_fields(spec: &PartSpec) -> [(&'static str, Value); 2] {
-    [("name", Value::text(&spec.name)), ("joints", Value::wholes(&spec.joints))]
+/// How a variational model or a library was made, and the terms of its bound.
+pub(super) fn variational_provenance<P>(
+    provenance: &Provenance<P>,
+    settings: Value,
+    bound: &BoundTerms,
+) -> Value {
+    Value::object([
+        ("engine", Value::text(&provenance.engine)),
+        ("settings", settings),
+        ("frames_per_second", Value::Number(provenance.frames_per_second)),
+        ("bound", Value::Number(provenance.objective)),
+        ("terms", terms(bound)),
+        ("iterations", Value::whole(provenance.iterations)),
+        ("evaluations", Value::whole(provenance.evaluations)),
+        ("note", provenance.note.as_deref().map_or(Value::Null, Value::text)),
+    ])
+}
+
+/// A part with its pose map.
+pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static str, Value); 8] {
+    let [name, places] = part_fields::<S>(spec);
+    [
+        name,
+        places,
+        ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
+        ("variance", Value::Number(map.kernel().variance)),
+        ("beta", Value::Number(map.beta())),
+        ("r", Value::matrix(map.r())),
+        ("v_mean", Value::matrix(map.mean())),
+        ("v_covariance", Value::matrix(map.covariance())),
+    ]
+}
+
+/// With what was learned from other rows, where there were any.
+pub(super) fn with_elsewhere<const N: usize>(
+    own: [(&str, Value); N],
+    elsewhere: Option<&Elsewhere>,
+) -> Value {
+    let own = own.into_iter().map(|(name, value)| (name.to_owned(), value));
+    let others = elsewhere.map(|elsewhere| {
+        [("other_precision", &elsewhere.precision), ("other_b", &elsewhere.b)]
+            .map(|(name, matrix)| (name.to_owned(), Value::matrix(matrix)))
+    });
+    Value::Object(own.chain(others.into_iter().flatten()).collect())
+}
+
+fn part_fields<S: Subject>(spec: &PartSpec) -> [(&'static str, Value); 2] {
+    [("name", Value::text(&spec.name)), (S::PLACES, Value::wholes(&spec.joints))]
 }
 
 fn expert(expert: &FittedExpert) -> Value {
@@ -177,7 +210,7 @@ pub(super) fn settings(settings: &ModelSettings, seed: u32) -> Value {
     }
 }
 
-fn variational_settings(settings: &VariationalSettings, seed: u32) -> Value {
+pub(super) fn variational_settings(settings: &VariationalSettings, seed: u32) -> Value {
     let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
     Value::object([
         ("latent", Value::whole(*latent)),

@@ -68,7 +68,7 @@ pub struct SparseGp<'a> {
 }
 
 /// dF with respect to the arguments of the bound, the fields of [`SparseGp`].
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct BoundAdjoint {
     /// dF/dK [K x K].
     pub k: DMatrix<f64>,
@@ -82,6 +82,20 @@ pub struct BoundAdjoint {
     pub second_moment: f64,
     /// dF/dn.
     pub noise: f64,
+}
+
+impl BoundAdjoint {
+    /// For K = `inducing` points and C = `columns` target columns.
+    pub(crate) fn zeros(inducing: usize, columns: usize) -> Self {
+        Self {
+            k: DMatrix::zeros(inducing, inducing),
+            psi2: DMatrix::zeros(inducing, inducing),
+            b: DMatrix::zeros(inducing, columns),
+            psi0: 0.0,
+            second_moment: 0.0,
+            noise: 0.0,
+        }
+    }
 }
 
 /// The best Gaussian q(v) of the inducing outputs; every column has the same covariance.
@@ -118,14 +132,6 @@ impl BoundWorkspace {
     pub fn new(inducing: usize, columns: usize) -> Self {
         let square = || DMatrix::zeros(inducing, inducing);
         let wide = || DMatrix::zeros(inducing, columns);
-        let adjoint = BoundAdjoint {
-            k: square(),
-            psi2: square(),
-            b: wide(),
-            psi0: 0.0,
-            second_moment: 0.0,
-            noise: 0.0,
-        };
         Self {
             k: Factor::default(),
             whitened: square(),
@@ -136,7 +142,7 @@ impl BoundWorkspace {
             c_transposed: DMatrix::zeros(columns, inducing),
             cct: square(),
             inverse: square(),
-            adjoint,
+            adjoint: BoundAdjoint::zeros(inducing, columns),
         }
     }
 

@@ -12,6 +12,7 @@ mod kernel_sum;
 pub(crate) mod lanes;
 pub(crate) mod linalg;
 pub mod moments;
+pub mod outputs;
 pub mod psi;
 pub(crate) mod tall;
 

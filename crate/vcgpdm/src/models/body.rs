@@ -2,6 +2,7 @@
 //! trained on.
 
 use crate::models::dataset::{Dataset, SequenceInfo};
+use crate::models::observed::Observed;
 use crate::models::rollout::RolloutError;
 use crate::models::sequences::MOST_FRAMES;
 use crate::motion::Clip;
@@ -10,11 +11,12 @@ use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::skeleton::MAX_PLACES;
 use nalgebra::DMatrix;
 
-/// The body that a model moves, whatever the model.
+/// The body that a model moves, whatever the model; or, with [`Columns`](crate::series::Columns) in the place of the mapping, the table
+/// whose columns it predicts.
 #[derive(Clone, Debug)]
-pub struct Body {
-    /// From columns to joint rotations.
-    pub mapping: PoseMapping,
+pub struct Body<S = PoseMapping> {
+    /// From columns to joint rotations; of tables, the names and units of the columns.
+    pub mapping: S,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
     /// The mean of every column `[D]`.
@@ -25,9 +27,9 @@ pub struct Body {
     pub sequences: Vec<SequenceInfo>,
 }
 
-impl Body {
-    /// The body that a data set is about.
-    pub fn new(dataset: &Dataset) -> Self {
+impl<S: Observed> Body<S> {
+    /// The body, or table, that a data set is about.
+    pub fn new(dataset: &Dataset<S>) -> Self {
         Self {
             mapping: dataset.mapping.clone(),
             layout: dataset.layout.clone(),
@@ -44,7 +46,7 @@ impl Body {
     ///
     /// When there is no frame, or there are too many.
     pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
-        let most = MOST_FRAMES.min(self.mapping.skeleton().max_frames()).min(MAX_PLACES / width.max(1));
+        let most = MOST_FRAMES.min(self.mapping.most_frames()).min(MAX_PLACES / width.max(1));
         if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }
     }
 
@@ -55,13 +57,16 @@ impl Body {
         let mut columns = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
         for (part, y) in parts.iter().enumerate().filter(|(_, y)| y.nrows() > 0) {
             for (c, column) in self.layout.columns(part).iter().enumerate() {
+                let unit = self.mapping.unit(*column);
                 let mut out = columns.column_mut(*column);
-                out += y.column(c);
+                out.axpy(unit, &y.column(c), 1.0);
             }
         }
         columns
     }
+}
 
+impl Body {
     /// All columns [frames x D] as a clip, starting at the origin.
     ///
     /// # Errors

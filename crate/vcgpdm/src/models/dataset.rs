@@ -103,10 +103,12 @@ impl DatasetError {
 }
 
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
+///
+/// `S` is what the columns are: the poses of a body, or [the columns of tables](crate::series).
 #[derive(Clone, Debug)]
-pub struct Dataset {
-    /// From joint rotations to columns and back.
-    pub mapping: PoseMapping,
+pub struct Dataset<S = PoseMapping> {
+    /// From joint rotations to columns and back; of tables, the names and units of the columns.
+    pub mapping: S,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
     /// Centred observations of each part [N x D_i].
@@ -217,7 +219,9 @@ impl Dataset {
         let sequences = clips.iter().zip(&rows).zip(sources).map(info).collect();
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
     }
+}
 
+impl<S> Dataset<S> {
     /// Why this data set cannot be trained on, with the clip's name where the reason is in one sequence.
     pub fn refusal(&self, reason: TrainingError) -> DatasetError {
         DatasetError::about(reason, &self.sequences)

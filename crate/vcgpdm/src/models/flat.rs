@@ -8,7 +8,9 @@ use crate::gp::exp::exp;
 pub enum Group {
     /// mu and S, or point latents.
     Latents,
-    /// Couplings, lengthscales, signal and noise variances.
+    /// Coupling variances alpha.
+    Couplings,
+    /// Lengthscales, signal and noise variances.
     Kernels,
     /// r and z.
     InducingInputs,
@@ -59,7 +61,7 @@ pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
 pub(crate) const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
 pub(crate) const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);
 pub(crate) const BETA: Kind = positive(Group::Kernels, 1e-6, 1e2).in_units_of(0.3);
-pub(crate) const ALPHA: Kind = positive(Group::Kernels, 1e-3, LARGEST_COUPLING);
+pub(crate) const ALPHA: Kind = positive(Group::Couplings, 1e-3, LARGEST_COUPLING);
 
 /// Named parameters that an optimiser can see as one flat vector.
 pub trait Parameters: Clone {

@@ -6,6 +6,7 @@
 //!
 //! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`ModelSettings`] give a [`Learner`] of these, and that a
 //! [`Model`]; a [`TrainedModel`] has with it the [`Body`] that turns its columns into poses, and its [`Provenance`].
+//! Tables of numbers that are no poses go the same way: `Dataset::of_tables`, and a [`SeriesModel`] at the end.
 
 pub(crate) mod body;
 pub(crate) mod couplings;
@@ -18,10 +19,12 @@ pub(crate) mod latent_dynamics;
 mod latent_paths;
 pub(crate) mod latents;
 pub(crate) mod learner;
+pub mod library;
 pub(crate) mod live;
 pub mod map;
 pub(crate) mod model;
 pub(crate) mod movements;
+pub(crate) mod observed;
 pub(crate) mod phase;
 pub(crate) mod progress;
 pub(crate) mod provenance;
@@ -30,6 +33,7 @@ pub(crate) mod search;
 pub(crate) mod sequences;
 pub(crate) mod settings;
 mod stored;
+mod tables;
 pub mod tmp;
 pub(crate) mod trained;
 mod training;
@@ -48,6 +52,7 @@ pub use learner::Learner;
 pub use live::{LiveFrames, LiveRollout};
 pub use model::Model;
 pub use movements::{Movements, Sequence};
+pub use observed::Observed;
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use progress::{EndReason, LearningProgress, TrainingPhase};
 pub use provenance::{ENGINE, Provenance};
@@ -55,5 +60,5 @@ pub use rollout::{Cut, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
 pub use sequences::{Sequences, SequencesError};
 pub use settings::{DmpSettings, MapSettings, ModelSettings, TmpSettings, VariationalSettings};
-pub use trained::{Fitted, TrainedModel};
+pub use trained::{Fitted, SeriesModel, TrainedModel};
 pub use training_error::TrainingError;

@@ -1,5 +1,6 @@
 //! What every model learns from: the columns of each part, sequence after sequence.
 
+use crate::models::dataset::Dataset;
 use nalgebra::DMatrix;
 
 /// What a model learns from.
@@ -24,6 +25,13 @@ pub struct Sequence {
 }
 
 impl Movements {
+    /// The movements of a data set.
+    pub fn of<S>(dataset: &Dataset<S>) -> Movements {
+        let sequences = dataset.sequences.iter();
+        let sequences = sequences.map(|info| Sequence { frames: info.frames, whole: info.whole }).collect();
+        Movements { y: dataset.y.clone(), sequences }
+    }
+
     /// The numbers of frames T_s of the sequences.
     pub fn lengths(&self) -> Vec<usize> {
         self.sequences.iter().map(|s| s.frames).collect()

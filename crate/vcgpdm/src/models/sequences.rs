@@ -42,6 +42,8 @@ pub enum SequencesError {
 pub struct Sequences {
     lengths: Vec<usize>,
     order: usize,
+    /// The frame of the stack with which the first sequence begins.
+    first: usize,
 }
 
 impl Sequences {
@@ -63,8 +65,22 @@ impl Sequences {
         }
         match lengths.iter().position(|&frames| frames <= order) {
             Some(index) => Err(SequencesError::TooShort { index, frames: lengths[index], order }),
-            None => Ok(Self { lengths, order }),
+            None => Ok(Self { lengths, order, first: 0 }),
         }
+    }
+
+    /// Some of the sequences, one after the other, where they lie in the same stack of frames: those of one movement.
+    ///
+    /// # Errors
+    ///
+    /// When there is none in the range.
+    pub fn some(&self, which: Range<usize>) -> Result<Self, SequencesError> {
+        let lengths = self.lengths.get(which.clone()).unwrap_or_default();
+        if lengths.is_empty() {
+            return Err(SequencesError::Empty);
+        }
+        let before: usize = self.lengths[..which.start].iter().sum();
+        Ok(Self { lengths: lengths.to_vec(), order: self.order, first: self.first + before })
     }
 
     /// The numbers of frames T_s of the sequences.
@@ -89,7 +105,7 @@ impl Sequences {
 
     /// The frames of each sequence.
     pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + '_ {
-        self.lengths.iter().scan(0, |start, length| {
+        self.lengths.iter().scan(self.first, |start, length| {
             let range = *start..*start + length;
             *start += length;
             Some(range)
@@ -174,7 +190,7 @@ impl Sequences {
     /// For each sequence, its transition rows and the frames `lag` before them.
     fn blocks(&self, lag: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
         self.ranges().enumerate().map(move |(s, r)| {
-            let first_row = r.start - s * self.order;
+            let first_row = r.start - self.first - s * self.order;
             let count = r.len() - self.order;
             let first_frame = r.start + self.order - lag;
             (first_row..first_row + count, first_frame..first_frame + count)
@@ -198,6 +214,20 @@ mod tests {
         assert_eq!(h.variance.column(1).as_slice(), &[11.0, 12.0, 15.0]);
         assert_eq!(sequences.lagged(&x.mean, 0).as_slice(), &[2.0, 3.0, 6.0]);
         assert_eq!(sequences.initial_frames().collect::<Vec<_>>(), [0, 1, 4, 5]);
+    }
+
+    #[test]
+    fn some_of_the_sequences_keep_their_place_in_the_stack() {
+        let all = Sequences::new(vec![4, 3, 5], 2).unwrap();
+        let some = all.some(1..3).unwrap();
+        assert_eq!((some.lengths(), some.frames(), some.transitions()), (&[3, 5][..], 8, 4));
+        assert_eq!(some.ranges().collect::<Vec<_>>(), [4..7, 7..12]);
+        let x = DMatrix::from_fn(12, 1, |t, _| t as f64);
+        assert_eq!(some.lagged(&x, 0).as_slice(), &[6.0, 9.0, 10.0, 11.0]);
+        assert_eq!(some.lagged(&x, 2).as_slice(), &[4.0, 7.0, 8.0, 9.0]);
+        assert_eq!(all.some(0..3).unwrap(), all);
+        assert_eq!(all.some(2..2).unwrap_err(), SequencesError::Empty);
+        assert_eq!(all.some(2..4).unwrap_err(), SequencesError::Empty);
     }
 
     #[test]

@@ -7,12 +7,14 @@ use crate::models::dataset::Dataset;
 use crate::models::kind::ModelKind;
 use crate::models::learner::Learner;
 use crate::models::model::Model;
+use crate::models::observed::Observed;
 use crate::models::provenance::{ENGINE, Provenance};
 use crate::models::rollout::{Rollout, RolloutError, RolloutRequest};
 use crate::models::settings::{ModelSettings, VariationalSettings};
 use crate::models::variational::{LatentMoments, PredictiveDynamics, Trainer, Vcgpdm};
 use crate::motion::Clip;
-use crate::motion::pose::PoseError;
+use crate::motion::pose::{PoseError, PoseMapping};
+use crate::series::Columns;
 use nalgebra::DMatrix;
 use std::fmt::Debug;
 
@@ -33,18 +35,21 @@ impl Fitted for Vcgpdm {
 /// A trained model with the body that it moves, ready to roll out. It holds no training clip.
 ///
 /// `TrainedModel` alone is of any kind and rolls out as it was learned; a `TrainedModel<Vcgpdm>` has couplings that can be
-/// changed, and latents to show.
+/// changed, and latents to show. `S` is what its columns are: poses, or the columns of tables (a [`SeriesModel`]).
 #[derive(Clone, Debug)]
-pub struct TrainedModel<M: Fitted = Model> {
+pub struct TrainedModel<M: Fitted = Model, S = PoseMapping> {
     /// The fitted model.
     pub model: M,
     /// What turns its columns into poses, and what it was trained on.
-    pub body: Body,
+    pub body: Body<S>,
     /// How the model was made.
     pub provenance: Provenance<M::Settings>,
 }
 
-impl TrainedModel {
+/// A trained model of time series that are no body.
+pub type SeriesModel<M = Model> = TrainedModel<M, Columns>;
+
+impl<S: Observed> TrainedModel<Model, S> {
     /// The best model of a training so far; `settings`, `seed` and `frames_per_second` are what the training and the data set
     /// were asked for.
     ///
@@ -52,7 +57,7 @@ impl TrainedModel {
     ///
     /// When a covariance of the model cannot be factorised.
     pub fn trained(
-        dataset: &Dataset,
+        dataset: &Dataset<S>,
         learner: &dyn Learner,
         settings: ModelSettings,
         seed: u32,
@@ -97,7 +102,7 @@ impl TrainedModel {
     ///
     /// The model itself, when it has no such couplings.
     #[expect(clippy::result_large_err, reason = "the error is the model itself, given back")]
-    pub fn into_vcgpdm(self) -> Result<TrainedModel<Vcgpdm>, Self> {
+    pub fn into_vcgpdm(self) -> Result<TrainedModel<Vcgpdm, S>, Self> {
         let Self { model, body, provenance } = self;
         match (model, provenance.settings.clone()) {
             (Model::Vcgpdm(model), ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings)) => {
@@ -109,8 +114,8 @@ impl TrainedModel {
     }
 }
 
-impl From<TrainedModel<Vcgpdm>> for TrainedModel {
-    fn from(trained: TrainedModel<Vcgpdm>) -> Self {
+impl<S> From<TrainedModel<Vcgpdm, S>> for TrainedModel<Model, S> {
+    fn from(trained: TrainedModel<Vcgpdm, S>) -> Self {
         let TrainedModel { model, body, provenance } = trained;
         let one_part = model.part_count() == 1;
         let any = if one_part { ModelSettings::Vgpdm } else { ModelSettings::Vcgpdm };
@@ -118,14 +123,14 @@ impl From<TrainedModel<Vcgpdm>> for TrainedModel {
     }
 }
 
-impl TrainedModel<Vcgpdm> {
+impl<S: Observed> TrainedModel<Vcgpdm, S> {
     /// The best model of a training so far; `frames_per_second` is the rate that the data set was asked for.
     ///
     /// # Errors
     ///
     /// When a covariance of the model cannot be factorised.
     pub fn trained(
-        dataset: &Dataset,
+        dataset: &Dataset<S>,
         trainer: &Trainer,
         frames_per_second: f64,
     ) -> Result<Self, NumericsError> {
@@ -200,7 +205,9 @@ impl TrainedModel<Vcgpdm> {
         let y = self.body.columns(&self.model.observations(&latents));
         Rollout { latents, y, weights: coupling_weight_matrix(request.alpha_or(&self.model.alpha)) }
     }
+}
 
+impl TrainedModel<Vcgpdm> {
     /// The rollout as a clip, starting at the origin.
     ///
     /// # Errors

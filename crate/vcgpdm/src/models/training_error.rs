@@ -1,7 +1,9 @@
 //! Why a training could not start.
 
 use crate::gp::NumericsError;
+use crate::models::library::{CombinationError, PlanError};
 use crate::models::sequences::SequencesError;
+use crate::models::variational::RepertoireError;
 use crate::words::counted;
 use thiserror::Error;
 
@@ -37,6 +39,27 @@ pub enum TrainingError {
         /// Frames found.
         found: usize,
     },
+    /// Other parts than those that were learned before.
+    #[error("expected observations of {expected} parts, found {found}")]
+    Parts {
+        /// Parts there are.
+        expected: usize,
+        /// Parts found.
+        found: usize,
+    },
+    /// Other columns than those that were learned before.
+    #[error("part {part} has {}, expected {expected}", counted(*found, "column"))]
+    Columns {
+        /// Counted from 0.
+        part: usize,
+        /// Columns that were learned.
+        expected: usize,
+        /// Columns found.
+        found: usize,
+    },
+    /// Primitives that cannot be combined.
+    #[error(transparent)]
+    Combination(#[from] CombinationError),
     /// No sequence is a whole movement.
     #[error("expected at least one whole movement to learn from, found none")]
     NoWhole,
@@ -53,6 +76,12 @@ pub enum TrainingError {
     /// The sequences cannot be trained on.
     #[error(transparent)]
     Sequences(#[from] SequencesError),
+    /// Movements and primitives do not fit each other.
+    #[error(transparent)]
+    Repertoire(#[from] RepertoireError),
+    /// Movements and shared parts that do not fit the data.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
     /// The bound cannot be computed at the starting point.
     #[error("training could not start: {0}")]
     Numerics(#[from] NumericsError),

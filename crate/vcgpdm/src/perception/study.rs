@@ -113,10 +113,10 @@ impl Study {
         (self.seconds * self.frames_per_second as f64).round() as usize
     }
 
-    /// The longest movement in seconds that all stimuli hold.
+    /// The longest movement in seconds that all stimuli hold; infinity without any.
     pub fn longest(&self) -> f64 {
-        let frames = self.stimuli.iter().map(|stimulus| stimulus.movement.frames()).min().unwrap_or(0);
-        frames as f64 / self.frames_per_second as f64
+        let frames = self.stimuli.iter().map(|stimulus| stimulus.movement.frames()).min();
+        frames.map_or(f64::INFINITY, |frames| frames as f64 / self.frames_per_second as f64)
     }
 
     /// The places of a movement's nodes as they are shown [frames x nodes x 3]: y up, in metres, the ground at y = 0, the figure above the

@@ -1,7 +1,8 @@
 //! Documents of studies, and what participants are shown.
 
 use super::*;
-use crate::perception::testing::study;
+use crate::perception::testing::{answers, study};
+use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, HashSet};
 
@@ -207,4 +208,36 @@ fn a_preset_shows_short_movements_whole() {
     assert_eq!(study.positions(0).unwrap().len(), 36 * 2 * 3);
     assert_eq!(study.positions(99), None);
     assert!(Study::from_json(&study.to_json().unwrap()).is_ok());
+}
+
+/// A text in which some letters are others.
+fn damaged(text: &str, changes: &[(usize, char)]) -> String {
+    let mut letters: Vec<char> = text.chars().collect();
+    let count = letters.len();
+    changes.iter().for_each(|(place, letter)| letters[place % count] = *letter);
+    letters.into_iter().collect()
+}
+
+fn changes() -> impl proptest::strategy::Strategy<Value = Vec<(usize, char)>> {
+    prop::collection::vec((any::<usize>(), prop::char::range(' ', '~')), 1..4)
+}
+
+proptest! {
+    #[test]
+    fn no_damage_of_a_study_panics(changes in changes()) {
+        if let Ok(study) = Study::from_json(&damaged(&study().to_json().unwrap(), &changes)) {
+            prop_assert!(!study.trials(1).is_empty());
+            prop_assert!(study.positions(0).unwrap().iter().all(|place| place.is_finite()));
+            prop_assert!(Study::from_json(&study.to_json().unwrap()).unwrap() == study);
+        }
+    }
+
+    #[test]
+    fn no_damage_of_answers_panics(changes in changes()) {
+        let text = damaged(&answers(&study(), "p", 1, true, &|_| 0.3), &changes);
+        let options = AnalysisOptions { draws: 10, ..AnalysisOptions::default() };
+        if let Ok(answers) = read_answers(&study(), &[AnswerFile { name: "damaged", text: &text }]) {
+            prop_assert!(PerceptionResults::of(&study(), &answers, options).is_ok());
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod golden;
 mod live;
 mod primitives;
 mod real_clips;
+mod series;
 #[path = "../shared/start_model.rs"]
 mod start_model;
 mod t_pose;

@@ -5,24 +5,24 @@ use crate::document::read::head::{
     Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
 };
 use crate::document::read::settings::baseline_settings;
+use crate::document::subject::Subject;
 use crate::json::checks::count;
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
 use crate::models::{Model, ModelKind, Provenance, TrainedModel};
-use crate::motion::parts::PartsLayout;
 
 /// What is left of a baseline's document after the body.
-pub(super) fn baseline(mut head: Head) -> Result<TrainedModel, DocumentError> {
+pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Model, S>, DocumentError> {
     let parts = head.document.get("parts")?;
     let specs = parts.list(|part| {
         let mut object = part.object()?;
-        let spec = part_spec(&mut object)?;
+        let spec = part_spec::<S>(&mut object)?;
         object.end()?;
         Ok(spec)
     })?;
     count(&parts, specs.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    let layout = head.mapping.layout(&specs)?;
     let columns: Vec<usize> = (0..specs.len()).map(|part| layout.columns(part).len()).collect();
     let field = head.document.get("sequences")?;
     let sequences = field.list(|item| {

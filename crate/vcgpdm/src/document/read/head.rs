@@ -1,11 +1,11 @@
 //! What the documents of all kinds of models have.
 
-use crate::document::error::{DocumentError, FORMAT, VERSION};
+use crate::document::error::{DocumentError, FORMAT, LIBRARY, VERSION};
+use crate::document::subject::Subject;
 use crate::json::checks::{count, tame, within};
 use crate::json::{Field, FieldError, Object, Value, write};
 use crate::models::{Body, ModelKind, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
-use crate::motion::pose::PoseMapping;
 
 /// More parts than a body has.
 pub(super) const MOST_PARTS: usize = 64;
@@ -13,37 +13,53 @@ pub(super) const MOST_PARTS: usize = 64;
 pub(super) const MOST_SEQUENCES: usize = 10_000;
 
 /// What all kinds of documents have, and the rest.
-pub(super) struct Head<'a> {
+pub(super) struct Head<'a, S> {
     pub(super) document: Object<'a>,
     /// The field that names the kind.
     named: Option<Field<'a>>,
     pub(super) kind: ModelKind,
-    pub(super) mapping: PoseMapping,
+    pub(super) mapping: S,
     column_means: Vec<f64>,
     frame_time: f64,
 }
 
-impl Head<'_> {
+impl<S> Head<'_, S> {
     /// The body, once the model is known to be of the kind that the document names.
     pub(super) fn body(
         self,
         found: ModelKind,
         layout: PartsLayout,
         sequences: Vec<SequenceInfo>,
-    ) -> Result<Body, DocumentError> {
-        if let Some(field) = self.named
+    ) -> Result<Body<S>, DocumentError> {
+        if let Some(field) = &self.named
             && found != self.kind
         {
             let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
             return Err(field.error(message).into());
         }
+        self.whole(layout, sequences)
+    }
+
+    /// The body, once nothing else is left in the document.
+    pub(super) fn whole(
+        self,
+        layout: PartsLayout,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<Body<S>, DocumentError> {
         self.document.end()?;
         let Head { mapping, column_means, frame_time, .. } = self;
         Ok(Body { mapping, layout, column_means, frame_time, sequences })
     }
 }
 
-pub(super) fn head(value: &Value) -> Result<Head<'_>, DocumentError> {
+/// What a document is asked to be.
+#[derive(Clone, Copy)]
+pub(super) enum Wanted {
+    Model,
+    Library,
+}
+
+pub(super) fn head<S: Subject>(value: &Value, wanted: Wanted) -> Result<Head<'_, S>, DocumentError> {
     let mut document = Field::root(value).object()?;
     let format = document.optional("format");
     match format.as_ref().map(Field::value) {
@@ -62,8 +78,19 @@ pub(super) fn head(value: &Value) -> Result<Head<'_>, DocumentError> {
     }
     // The first version had no other kind and did not name it.
     let named = document.optional("kind");
-    let kind = named.as_ref().map_or(Ok(ModelKind::Vcgpdm), kind)?;
-    let mapping = PoseMapping::from_field(document.get("pose")?)?;
+    let library = matches!(named.as_ref().map(Field::value), Some(Value::Text(id)) if id == LIBRARY);
+    let kind = named.as_ref().filter(|_| !library).map_or(Ok(ModelKind::Vcgpdm), kind)?;
+    match wanted {
+        Wanted::Model if library => return Err(DocumentError::Library),
+        Wanted::Library if !library => return Err(DocumentError::NoLibrary { found: kind.id() }),
+        Wanted::Model | Wanted::Library => {}
+    }
+    let other = if S::FIELD == "pose" { "columns" } else { "pose" };
+    if document.optional(other).is_some() {
+        let word = |field: &str| if field == "pose" { "a body" } else { "tables" };
+        return Err(DocumentError::Subject { expected: word(S::FIELD), found: word(other) });
+    }
+    let mapping = S::from_field(document.get(S::FIELD)?)?;
     let frame_time = within(document.get("frame_time")?, 1e-5..=10.0, "seconds from 0.00001 to 10")?;
     let means = document.get("column_means")?;
     let column_means = means.numbers()?;
@@ -81,11 +108,11 @@ fn kind(field: &Field) -> Result<ModelKind, FieldError> {
     })
 }
 
-/// The name and the joints of a part.
-pub(super) fn part_spec(part: &mut Object) -> Result<PartSpec, FieldError> {
+/// The name and the joints, or columns, of a part.
+pub(super) fn part_spec<S: Subject>(part: &mut Object) -> Result<PartSpec, FieldError> {
     Ok(PartSpec {
         name: part.get("name")?.text()?.to_owned(),
-        joints: part.get("joints")?.list(|joint| joint.whole())?,
+        joints: part.get(S::PLACES)?.list(|joint| joint.whole())?,
     })
 }
 

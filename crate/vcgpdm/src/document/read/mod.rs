@@ -2,17 +2,26 @@
 
 mod baseline;
 mod head;
+mod library;
 mod settings;
 mod vcgpdm;
 
 use crate::document::error::DocumentError;
+use crate::document::read::head::Wanted;
+use crate::document::subject::Subject;
 use crate::json::{Field, FieldError, Value};
+use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
-use crate::models::{ModelKind, ModelSettings, TrainedModel};
+use crate::models::{Model, ModelKind, ModelSettings, TrainedModel};
+
+/// Whether the document is about tables.
+pub(super) fn is_of_columns(value: &Value) -> bool {
+    matches!(value, Value::Object(fields) if fields.iter().any(|(name, _)| name == "columns"))
+}
 
 /// A model of any kind.
-pub(super) fn document(value: &Value) -> Result<TrainedModel, DocumentError> {
-    let head = head::head(value)?;
+pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, S>, DocumentError> {
+    let head = head::head::<S>(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => Ok(vcgpdm::vcgpdm(head)?.into()),
         ModelKind::MapGpdm
@@ -25,7 +34,7 @@ pub(super) fn document(value: &Value) -> Result<TrainedModel, DocumentError> {
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
 pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
-    let head = head::head(value)?;
+    let head = head::head(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
         other => Err(DocumentError::Kind { found: other.id() }),
@@ -41,4 +50,9 @@ pub(super) fn settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, 
             .map(|(settings, seed)| (ModelSettings::Vgpdm(settings), seed)),
         _ => settings::baseline_settings(field, kind),
     }
+}
+
+/// A library of primitives.
+pub(super) fn library_document(value: &Value) -> Result<TrainedLibrary, DocumentError> {
+    library::library(head::head(value, Wanted::Library)?)
 }

@@ -5,24 +5,25 @@ use crate::document::read::head::{
     Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
 };
 use crate::document::read::settings::{MOST_IPS, MOST_LATENT, MOST_ORDER, variational_settings};
-use crate::gp::Kernel;
+use crate::document::subject::Subject;
+use crate::gp::{Kernel, NumericsError};
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix, within};
-use crate::json::{Field, FieldError};
-use crate::models::variational::{BoundTerms, DynamicsSums, FittedExpert, PoseMap, Vcgpdm};
+use crate::json::{Field, FieldError, Object};
+use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{ModelKind, Provenance, SequenceInfo, TrainedModel, VariationalSettings};
-use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::motion::parts::PartSpec;
 use nalgebra::{DMatrix, DVector};
 
 /// What is left of a variational model's document after the body.
-pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
+pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpdm, S>, DocumentError> {
     let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
 
     let parts = head.document.get("parts")?;
-    let (specs, maps): (Vec<_>, Vec<_>) = parts.list(part)?.into_iter().unzip();
+    let (specs, maps): (Vec<_>, Vec<_>) = parts.list(only(part::<S>))?.into_iter().unzip();
     let m = count(&parts, maps.len(), 1..=MOST_PARTS)?;
-    let layout = PartsLayout::new(&specs, &head.mapping)?;
+    let layout = head.mapping.layout(&specs)?;
     for (i, item) in parts.items()?.into_iter().enumerate() {
         let map: &PoseFields = &maps[i];
         shape(&item.object()?.get("v_mean")?, &map.mean, map.r.nrows(), layout.columns(i).len())?;
@@ -35,6 +36,10 @@ pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentErr
     let mut targets = Vec::with_capacity(m);
     for (item, q) in items.into_iter().zip(&latent) {
         targets.push(target(item, &latent, *q, order)?);
+    }
+    if targets.iter().any(|target| target.elsewhere.is_some() != targets[0].elsewhere.is_some()) {
+        let message = "expected other_precision and other_b in the dynamics of all parts or of none";
+        return Err(dynamics.error(message).into());
     }
     let field = head.document.get("alpha")?;
     let alpha = field.matrix()?;
@@ -49,34 +54,54 @@ pub(super) fn vcgpdm(mut head: Head) -> Result<TrainedModel<Vcgpdm>, DocumentErr
     let body = head.body(found, layout, sequences)?;
 
     let mut parts = Vec::with_capacity(m);
-    for PoseFields { r, kernel, beta, mean, covariance } in maps {
-        parts.push(PoseMap::new(r, kernel, beta, mean, covariance, jitter)?);
+    for map in maps {
+        parts.push(map.solved(jitter)?);
     }
     let mut experts = vec![Vec::with_capacity(m); m];
     let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
+    let mut elsewhere = Vec::new();
     for target in targets {
-        for (row, ExpertFields { z, kernel, mean }) in experts.iter_mut().zip(target.experts) {
-            row.push(FittedExpert::new(z, kernel, mean, jitter)?);
+        for (row, expert) in experts.iter_mut().zip(target.experts) {
+            row.push(expert.solved(jitter)?);
         }
         dynamics_covariance.push(target.covariance);
         sums.push(target.sums);
+        elsewhere.extend(target.elsewhere);
     }
-    let model = Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, alpha, starts, terms };
+    let model =
+        Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, elsewhere, alpha, starts, terms };
     Ok(TrainedModel { model, body, provenance })
 }
 
+/// Reads an object that holds nothing else.
+fn only<T>(read: impl Fn(&mut Object) -> Result<T, FieldError>) -> impl Fn(Field) -> Result<T, FieldError> {
+    move |field| {
+        let mut object = field.object()?;
+        let value = read(&mut object)?;
+        object.end()?;
+        Ok(value)
+    }
+}
+
 /// A part's pose map as it stands in the document.
-struct PoseFields {
-    r: DMatrix<f64>,
+pub(super) struct PoseFields {
+    pub(super) r: DMatrix<f64>,
     kernel: Kernel,
     beta: f64,
-    mean: DMatrix<f64>,
+    pub(super) mean: DMatrix<f64>,
     covariance: DMatrix<f64>,
 }
 
-fn part(field: Field) -> Result<(PartSpec, PoseFields), FieldError> {
-    let mut part = field.object()?;
-    let spec = part_spec(&mut part)?;
+impl PoseFields {
+    pub(super) fn solved(self, jitter: f64) -> Result<PoseMap, NumericsError> {
+        let Self { r, kernel, beta, mean, covariance } = self;
+        PoseMap::new(r, kernel, beta, mean, covariance, jitter)
+    }
+}
+
+/// A part with its pose map; what else the object holds is left.
+pub(super) fn part<S: Subject>(part: &mut Object) -> Result<(PartSpec, PoseFields), FieldError> {
+    let spec = part_spec::<S>(part)?;
     let field = part.get("lambda")?;
     let lambda = field.numbers()?;
     let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;
@@ -92,16 +117,21 @@ fn part(field: Field) -> Result<(PartSpec, PoseFields), FieldError> {
     let field = part.get("v_covariance")?;
     let covariance = tame_matrix(&field)?;
     shape(&field, &covariance, l, l)?;
-    part.end()?;
     let kernel = Kernel { lambda: DVector::from_vec(lambda), variance };
     Ok((spec, PoseFields { r, kernel, beta, mean, covariance }))
 }
 
 /// An expert as it stands in the document.
-struct ExpertFields {
-    z: DMatrix<f64>,
+pub(super) struct ExpertFields {
+    pub(super) z: DMatrix<f64>,
     kernel: Kernel,
     mean: DMatrix<f64>,
+}
+
+impl ExpertFields {
+    pub(super) fn solved(self, jitter: f64) -> Result<FittedExpert, NumericsError> {
+        FittedExpert::new(self.z, self.kernel, self.mean, jitter)
+    }
 }
 
 /// The dynamics into one part; matrices over its sources stack them in order.
@@ -109,6 +139,7 @@ struct Target {
     experts: Vec<ExpertFields>,
     covariance: DMatrix<f64>,
     sums: DynamicsSums,
+    elsewhere: Option<Elsewhere>,
 }
 
 /// `latent`: dimensions of each source; `q`: of the target.
@@ -119,7 +150,7 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
     let items = field.items()?;
     count(&field, items.len(), latent.len()..=latent.len())?;
     for (item, source) in items.into_iter().zip(latent) {
-        experts.push(expert(item, order * source, q)?);
+        experts.push(only(|object| expert(object, order * source, q))(item)?);
     }
     let total = experts.iter().map(|expert| expert.z.nrows()).sum();
     let mut matrix = |name: &str, width: usize| {
@@ -130,13 +161,28 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
     };
     let covariance = matrix("u_covariance", total)?;
     let sums = DynamicsSums { psi2: matrix("sum_psi2", total)?, psi1_mu: matrix("sum_psi1_mu", q)? };
+    let elsewhere = elsewhere(&mut target, total, q)?;
     target.end()?;
-    Ok(Target { experts, covariance, sums })
+    Ok(Target { experts, covariance, sums, elsewhere })
 }
 
-/// `dims`: of the source's history; `q`: of the target.
-fn expert(field: Field, dims: usize, q: usize) -> Result<ExpertFields, FieldError> {
-    let mut expert = field.object()?;
+/// What `total` inducing outputs of `q` columns have learned from other rows, where there were any.
+pub(super) fn elsewhere(
+    object: &mut Object,
+    total: usize,
+    q: usize,
+) -> Result<Option<Elsewhere>, FieldError> {
+    let Some(field) = object.optional("other_precision") else { return Ok(None) };
+    let precision = tame_matrix(&field)?;
+    shape(&field, &precision, total, total)?;
+    let field = object.get("other_b")?;
+    let b = tame_matrix(&field)?;
+    shape(&field, &b, total, q)?;
+    Ok(Some(Elsewhere { precision, b }))
+}
+
+/// `dims`: of the source's history; `q`: of the target. What else the object holds is left.
+pub(super) fn expert(expert: &mut Object, dims: usize, q: usize) -> Result<ExpertFields, FieldError> {
     let field = expert.get("lambda")?;
     let lambda = field.numbers()?;
     count(&field, lambda.len(), dims..=dims)?;
@@ -148,12 +194,11 @@ fn expert(field: Field, dims: usize, q: usize) -> Result<ExpertFields, FieldErro
     let field = expert.get("u_mean")?;
     let mean = tame_matrix(&field)?;
     shape(&field, &mean, k, q)?;
-    expert.end()?;
     Ok(ExpertFields { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
 }
 
 /// A training sequence with the latent means of the first frames of each part, or of all.
-fn sequence(
+pub(super) fn sequence(
     field: Field,
     latent: &[usize],
     order: usize,
@@ -176,7 +221,10 @@ fn sequence(
 }
 
 /// How a variational model of `m` parts was made, and the terms of its bound.
-fn provenance(field: Field, m: usize) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
+pub(super) fn provenance(
+    field: Field,
+    m: usize,
+) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
     let mut object = field.object()?;
     let engine = object.get("engine")?.text()?.to_owned();
     let (settings, seed) = variational_settings(object.get("settings")?)?;

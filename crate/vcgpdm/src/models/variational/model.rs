@@ -68,6 +68,16 @@ impl PoseMap {
         &self.covariance
     }
 
+    /// K_rr^-1 `E[v]` [L x D], by which the kernels of a latent point are multiplied; `jitter` as in [`new`](Self::new).
+    ///
+    /// # Errors
+    ///
+    /// When K_rr cannot be factorised.
+    pub(in crate::models) fn coefficients(&self, jitter: f64) -> Result<DMatrix<f64>, NumericsError> {
+        let k = self.kernel.inducing_covariance(&self.r, jitter);
+        Ok(Factor::new(&k, "covariance of the pose inducing points")?.solve(&self.mean))
+    }
+
     /// The columns of the part at its latents `x` [T x Q]: [T x D], without the column means.
     pub fn observations(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
         self.sum.at_rows(x)
@@ -121,16 +131,31 @@ impl FittedExpert {
         &self.mean
     }
 
+    /// f(x) = `k(x, z) K_zz^-1 E[u]`.
+    pub(in crate::models) fn sum(&self) -> &KernelSum {
+        &self.sum
+    }
+
     /// K_zz [K x K].
-    pub(super) fn k(&self) -> &DMatrix<f64> {
+    pub(in crate::models) fn k(&self) -> &DMatrix<f64> {
         &self.k
     }
 }
 
+/// What experts about one target have learned from rows that the model's own sums do not hold, such as those of other movements that
+/// use the same primitives. The sources are stacked in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elsewhere {
+    /// What these rows add to the precision A - K of the inducing outputs [sum K x sum K].
+    pub precision: DMatrix<f64>,
+    /// What they add to b / n [sum K x Q_i].
+    pub b: DMatrix<f64>,
+}
+
 /// The posterior of the inducing outputs u of all experts about one target, stacked.
-pub(super) struct Inferred {
+pub(in crate::models) struct Inferred {
     /// A = K + Psi2 / n.
-    pub(super) factor: Factor,
+    pub(in crate::models) factor: Factor,
     /// K^-1 `E[u]` = A^-1 b / n [sum K x Q_i].
     pub(super) coefficients: DMatrix<f64>,
     /// Where each source begins in the stack; last its height.
@@ -152,6 +177,8 @@ pub struct Vcgpdm {
     pub dynamics_covariance: Vec<DMatrix<f64>>,
     /// The sums from which the experts into each target can be inferred again under other couplings `[M]`.
     pub sums: Vec<DynamicsSums>,
+    /// What the experts into each target have learned from other rows `[M]`; none where there were no others.
+    pub elsewhere: Vec<Elsewhere>,
     /// Learned coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
     /// The latent means of the first frames of every training sequence, p or more: `starts[sequence][part]` [T x Q_i]. After a training
@@ -162,7 +189,7 @@ pub struct Vcgpdm {
 }
 
 impl Vcgpdm {
-    /// The model with the optimal posteriors at `params`, where the bound has these `terms`.
+    /// The model with the optimal posteriors at `params`, where the bound of one movement has these `terms`.
     ///
     /// # Errors
     ///
@@ -196,8 +223,9 @@ impl Vcgpdm {
             experts,
             starts: starts.collect(),
             dynamics_covariance: posteriors.dynamics.into_iter().map(|u| u.covariance).collect(),
-            sums: posteriors.sums,
-            alpha: params.alpha.clone(),
+            sums: posteriors.sums.into_iter().next().unwrap_or_default(),
+            elsewhere: Vec::new(),
+            alpha: params.alpha.first().cloned().unwrap_or_default(),
             terms,
         })
     }
@@ -288,7 +316,12 @@ impl Vcgpdm {
 
     /// The inducing outputs of all experts about the target i, inferred again under weights w and noise variance alpha^i: the mean
     /// of (A36), Velychko et al. 2018.
-    pub(super) fn infer(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Inferred, NumericsError> {
+    pub(in crate::models) fn infer(
+        &self,
+        i: usize,
+        noise: f64,
+        weights: &[f64],
+    ) -> Result<Inferred, NumericsError> {
         let offsets = self.offsets(i);
         let (psi2, b) = self.sums[i].weighted(weights, &offsets);
         let mut a = psi2 / noise;
@@ -297,8 +330,15 @@ impl Vcgpdm {
             let mut block = a.view_mut((*offset, *offset), k.shape());
             block += k;
         }
+        let elsewhere = self.elsewhere.get(i);
+        if let Some(elsewhere) = elsewhere {
+            a += &elsewhere.precision;
+        }
         let factor = Factor::new(&a, "covariance of the data at the dynamics inducing points")?;
-        let coefficients = factor.solve(&b) / noise;
+        let mut coefficients = factor.solve(&b) / noise;
+        if let Some(elsewhere) = elsewhere {
+            coefficients += factor.solve(&elsewhere.b);
+        }
         Ok(Inferred { factor, coefficients, offsets })
     }
 
@@ -357,12 +397,12 @@ mod tests {
     fn re_inferred_agrees_with_a_fit_under_the_other_couplings() {
         let (mut params, objective) = random_case(1);
         let model = fitted(1);
-        params.alpha[(0, 1)] *= 7.0;
-        params.alpha[(1, 1)] *= 0.3;
+        params.alpha[0][(0, 1)] *= 7.0;
+        params.alpha[0][(1, 1)] *= 0.3;
         let terms = objective.terms(&params).unwrap();
         let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
         let step = |model: &Vcgpdm, reading| {
-            let dynamics = model.dynamics(&params.alpha, reading).unwrap();
+            let dynamics = model.dynamics(&params.alpha[0], reading).unwrap();
             dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()
         };
         for (a, b) in step(&model, Reading::ReInferred).iter().zip(&step(&refitted, Reading::AsLearned)) {

@@ -34,10 +34,11 @@ pub struct Expert {
 pub struct Params {
     /// One for each of the M parts.
     pub parts: Vec<PartParams>,
-    /// Experts by source and target: `experts[j][i]` is j's prediction about i.
+    /// Experts by primitive and target: `experts[a][i]` is the prediction of primitive a about part i. In the plain model, each part
+    /// has one primitive, and `experts[j][i]` is j's prediction about i.
     pub experts: Vec<Vec<Expert>>,
-    /// Coupling variances alpha [M x M], row the source, column the target.
-    pub alpha: DMatrix<f64>,
+    /// Coupling variances alpha of each movement [M x M], row the source, column the target; the plain model has one movement.
+    pub alpha: Vec<DMatrix<f64>>,
 }
 
 impl Params {
@@ -76,7 +77,9 @@ impl Parameters for Params {
             f(IPS, expert.z.as_slice());
             f(LAMBDA, expert.kernel.lambda.as_slice());
         }
-        f(ALPHA, self.alpha.as_slice());
+        for alpha in &self.alpha {
+            f(ALPHA, alpha.as_slice());
+        }
     }
 
     fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64])) {
@@ -92,7 +95,9 @@ impl Parameters for Params {
             f(IPS, expert.z.as_mut_slice());
             f(LAMBDA, expert.kernel.lambda.as_mut_slice());
         }
-        f(ALPHA, self.alpha.as_mut_slice());
+        for alpha in &mut self.alpha {
+            f(ALPHA, alpha.as_mut_slice());
+        }
     }
 }
 
@@ -111,7 +116,7 @@ mod tests {
             expert.kernel.variance = 1.0;
         }
         back.set_flat(&flat);
-        assert_relative_eq!(back.alpha, params.alpha, max_relative = 1e-14);
+        assert_relative_eq!(back.alpha[0], params.alpha[0], max_relative = 1e-14);
         for (a, b) in back.parts.iter().zip(&params.parts) {
             assert_relative_eq!(a.latents.mean, b.latents.mean);
             assert_relative_eq!(a.latents.variance, b.latents.variance, max_relative = 1e-14);
@@ -122,12 +127,12 @@ mod tests {
     #[test]
     fn values_outside_their_box_are_held_at_its_edge() {
         let (mut params, ..) = random_case(0);
-        params.alpha[(0, 0)] = 1e9;
+        params.alpha[0][(0, 0)] = 1e9;
         params.parts[0].latents.mean[(0, 0)] = -50.0;
         let flat = params.to_flat();
         assert_eq!(flat[0], -10.0);
         params.set_flat(&flat);
-        assert_eq!(params.alpha[(0, 0)], 10.0);
+        assert_eq!(params.alpha[0][(0, 0)], 10.0);
     }
 
     #[test]

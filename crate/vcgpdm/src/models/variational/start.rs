@@ -7,6 +7,7 @@ use crate::models::sequences::Sequences;
 use crate::models::settings::VariationalSettings;
 use crate::models::variational::first_latents::first_latents;
 use crate::models::variational::params::{Expert, Params, PartParams};
+use crate::models::variational::repertoire::Repertoire;
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -29,11 +30,23 @@ pub fn starting_point(
     settings: &VariationalSettings,
     seed: u32,
 ) -> Params {
+    starting_point_of(y, &Repertoire::plain(sequences.clone(), y.len()), settings, seed)
+}
+
+/// As [`starting_point`], for movements that may share primitives. The dynamics inducing inputs of a primitive are histories of the
+/// movements that use it; a primitive that none uses sees all.
+pub(super) fn starting_point_of(
+    y: &[DMatrix<f64>],
+    repertoire: &Repertoire,
+    settings: &VariationalSettings,
+    seed: u32,
+) -> Params {
+    let sequences = repertoire.sequences();
     let mut rng = ChaCha8Rng::seed_from_u64(u64::from(seed));
     let mut latents = Vec::with_capacity(y.len());
     for y in y {
         let mean = first_latents(y, sequences, settings.latent, &mut rng);
-        let s = (STEP_SHARE * mean_absolute_step(&mean, sequences)).max(SMALLEST_S);
+        let s = first_variance(&mean, sequences);
         let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
         latents.push(Gaussians { mean, variance });
     }
@@ -45,8 +58,8 @@ pub fn starting_point(
         parts.push(PartParams { latents: latents.clone(), r, kernel, beta });
     }
     let mut experts = Vec::with_capacity(y.len());
-    for source in &latents {
-        let histories = sequences.histories(source).mean;
+    for (primitive, part) in repertoire.primitives().iter().enumerate() {
+        let histories = histories_of(primitive, repertoire, &latents[*part].mean);
         let mut row = Vec::with_capacity(y.len());
         for _target in 0..y.len() {
             let z = random_subset(&histories, settings.dynamics_ips, &mut rng);
@@ -54,7 +67,23 @@ pub fn starting_point(
         }
         experts.push(row);
     }
-    Params { parts, experts, alpha: starting_couplings(y.len()) }
+    Params { parts, experts, alpha: vec![starting_couplings(y.len()); repertoire.movements().len()] }
+}
+
+/// The histories of latents `x` [N x Q] in the movements that use a primitive of their part [rows x pQ].
+fn histories_of(primitive: usize, repertoire: &Repertoire, x: &DMatrix<f64>) -> DMatrix<f64> {
+    let in_use = repertoire.movements().iter().filter(|movement| movement.uses().contains(&primitive));
+    let blocks: Vec<_> = in_use.map(|movement| movement.sequences().windows(x)).collect();
+    if blocks.is_empty() {
+        return repertoire.sequences().windows(x);
+    }
+    let mut all = DMatrix::zeros(blocks.iter().map(|block| block.nrows()).sum(), blocks[0].ncols());
+    let mut at = 0;
+    for block in &blocks {
+        all.rows_mut(at, block.nrows()).copy_from(block);
+        at += block.nrows();
+    }
+    all
 }
 
 /// A kernel of functions that are nearly linear in latents of unit variance and vary as much there as those of `kernel`: of a slope with
@@ -65,6 +94,11 @@ fn nearly_linear(kernel: &Kernel) -> Kernel {
         lambda: DVector::from_element(latent, NEARLY_LINEAR),
         variance: kernel.variance * NEARLY_LINEAR / latent as f64,
     }
+}
+
+/// The variance S that latents with the means `x` [N x Q] start with.
+pub fn first_variance(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
+    (STEP_SHARE * mean_absolute_step(x, sequences)).max(SMALLEST_S)
 }
 
 fn mean_absolute_step(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {

@@ -54,7 +54,7 @@ pub fn random_case(seed: u64) -> (Params, Objective) {
     let alpha = DMatrix::from_fn(q.len(), q.len(), |_, _| uniform(0.02, 1.5));
     let y = d.iter().map(|&d| normal(n, d, 1.0)).collect();
     let objective = Objective::new(y, Sequences::new(lengths, order).unwrap(), 0.0);
-    (Params { parts, experts, alpha }, objective)
+    (Params { parts, experts, alpha: vec![alpha] }, objective)
 }
 
 /// The model fitted to the random problem of that seed.

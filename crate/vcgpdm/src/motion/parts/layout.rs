@@ -28,6 +28,16 @@ impl PartsLayout {
         Ok(PartsLayout { parts: parts.to_vec(), columns })
     }
 
+    /// The layout of parts that name their columns themselves, as those of tables do: the places in `parts` are columns.
+    pub fn of_columns(parts: &[PartSpec]) -> PartsLayout {
+        let sorted = |part: &PartSpec| {
+            let mut columns = part.joints.clone();
+            columns.sort_unstable();
+            columns
+        };
+        PartsLayout { parts: parts.to_vec(), columns: parts.iter().map(sorted).collect() }
+    }
+
     /// The parts, in their order.
     pub fn parts(&self) -> &[PartSpec] {
         &self.parts

@@ -10,7 +10,7 @@ use thiserror::Error;
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,
-    /// The places of its joints in the skeleton.
+    /// The places of its joints in the skeleton; of a part of a table, those of its columns.
     pub joints: Vec<usize>,
 }
 

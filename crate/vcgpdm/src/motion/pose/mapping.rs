@@ -28,6 +28,23 @@ pub enum ColumnKind {
     Rotation(usize),
 }
 
+impl ColumnKind {
+    /// Its name, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            ColumnKind::YawRate => "yaw_rate",
+            ColumnKind::Forward => "forward",
+            ColumnKind::Sideways => "sideways",
+            ColumnKind::Height => "height",
+            ColumnKind::Pitch => "pitch",
+            ColumnKind::Roll => "roll",
+            ColumnKind::Rotation(0) => "x",
+            ColumnKind::Rotation(1) => "y",
+            ColumnKind::Rotation(_) => "z",
+        }
+    }
+}
+
 /// One column of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {

@@ -14,13 +14,13 @@ pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
         params.experts.into_iter().map(|row| row.into_iter().map(|expert| expert.kernel).collect()).collect();
     let density =
         LogDensity::new(objective.observations().to_vec(), objective.sequences().clone(), seed % 8 > 3);
-    let m = params.alpha.nrows();
+    let m = params.alpha[0].nrows();
     let linear = if seed % 3 == 1 {
         DMatrix::from_fn(m, m, |j, i| 0.2 + 0.3 * (j + 2 * i) as f64)
     } else {
         DMatrix::zeros(0, 0)
     };
-    (MapParams { parts, dynamics, linear, alpha: params.alpha }, density)
+    (MapParams { parts, dynamics, linear, alpha: params.alpha[0].clone() }, density)
 }
 
 /// Every entry of the gradient, in every block, by central differences on the flat vector.

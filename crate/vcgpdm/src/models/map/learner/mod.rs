@@ -73,10 +73,13 @@ impl MapLearner {
         let target = Evaluated { density, terms, gradient: params.zeros_like() };
         let phases = vec![
             Phase {
-                groups: &[Group::Kernels],
+                groups: &[Group::Couplings, Group::Kernels],
                 iterations: BLOCK_ITERATIONS.min(settings.max_iterations / 8),
             },
-            Phase { groups: &[Group::Latents, Group::Kernels], iterations: settings.max_iterations },
+            Phase {
+                groups: &[Group::Latents, Group::Couplings, Group::Kernels],
+                iterations: settings.max_iterations,
+            },
         ];
         let ascent = Ascent::new(target, params, start, phases, settings.max_iterations);
         Ok(Self { ascent })

@@ -58,7 +58,8 @@ fn search(fails: std::ops::Range<usize>) -> Ascent<Valley> {
     let mut target = Valley { fails: 0..0, computed: 0, gradient: start.clone() };
     let value = target.compute(&start).unwrap();
     target.fails = fails;
-    let phases = vec![Phase { groups: &[Group::Latents, Group::Kernels], iterations: 1000 }];
+    let phases =
+        vec![Phase { groups: &[Group::Latents, Group::Couplings, Group::Kernels], iterations: 1000 }];
     Ascent::new(target, start, (value, ()), phases, 1000)
 }
 

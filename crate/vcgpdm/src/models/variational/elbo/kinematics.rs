@@ -1,8 +1,9 @@
 //! The kinematics of one part: the collapsed bound of its pose map.
 
 use crate::gp::NumericsError;
-use crate::gp::bound::{BoundWorkspace, InducingPosterior, SparseGp};
+use crate::gp::bound::{InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
+use crate::gp::outputs::{Outputs, StoredOutputs};
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::models::variational::elbo::objective::Objective;
@@ -15,7 +16,7 @@ pub struct Kinematics {
     statistics: PsiStatistics,
     /// psi1^T Y [L x D].
     b: DMatrix<f64>,
-    room: BoundWorkspace,
+    outputs: Outputs,
     /// dF/db^T [D x L].
     b_adjoint: DMatrix<f64>,
     /// dF/dpsi1 [N x L].
@@ -31,7 +32,7 @@ impl Kinematics {
             k: DMatrix::zeros(ips, ips),
             statistics: PsiStatistics::new(frames, ips, latent),
             b: DMatrix::zeros(ips, columns),
-            room: BoundWorkspace::new(ips, columns),
+            outputs: objective.outputs(|stored| &stored.kinematics[i], (ips, columns)),
             b_adjoint: DMatrix::zeros(columns, ips),
             psi1_adjoint: DMatrix::zeros(frames, ips),
             kernel_adjoint: KernelAdjoint::zeros(ips, latent),
@@ -54,13 +55,8 @@ impl Kinematics {
         add_tr_product(&self.statistics.psi1, &objective.y[i], &mut self.b);
     }
 
-    /// The bound and the room to compute it in, apart.
-    fn gp(
-        &mut self,
-        objective: &Objective,
-        params: &Params,
-        i: usize,
-    ) -> (SparseGp<'_>, &mut BoundWorkspace) {
+    /// The process, and the place where its bound is computed, apart.
+    fn gp(&mut self, objective: &Objective, params: &Params, i: usize) -> (SparseGp<'_>, &mut Outputs) {
         let gp = SparseGp {
             k: &self.k,
             psi2: &self.statistics.psi2,
@@ -70,13 +66,13 @@ impl Kinematics {
             rows: objective.y[i].nrows(),
             noise: params.parts[i].beta,
         };
-        (gp, &mut self.room)
+        (gp, &mut self.outputs)
     }
 
     /// The bound, in nats.
     pub fn bound(&mut self, objective: &Objective, params: &Params, i: usize) -> Result<f64, NumericsError> {
-        let (gp, room) = self.gp(objective, params, i);
-        gp.bound(room)
+        let (gp, outputs) = self.gp(objective, params, i);
+        outputs.bound(&gp)
     }
 
     /// q(v).
@@ -89,6 +85,21 @@ impl Kinematics {
         self.gp(objective, params, i).0.posterior()
     }
 
+    /// Sum over rows of psi2, from which q(v) is computed.
+    pub fn into_psi2(self) -> DMatrix<f64> {
+        self.statistics.psi2
+    }
+
+    /// The best inducing outputs of the pose map, to be kept.
+    pub fn stored(
+        &mut self,
+        objective: &Objective,
+        params: &Params,
+        i: usize,
+    ) -> Result<StoredOutputs, NumericsError> {
+        StoredOutputs::best(&self.gp(objective, params, i).0)
+    }
+
     /// The bound, in nats; its gradient is added to `gradient`.
     pub fn gradient(
         &mut self,
@@ -98,9 +109,9 @@ impl Kinematics {
         room: &mut PairWorkspace,
         gradient: &mut Params,
     ) -> Result<f64, NumericsError> {
-        let (gp, bound_room) = self.gp(objective, params, i);
-        let bound = gp.bound_and_adjoint(bound_room)?;
-        let adjoint = self.room.adjoint();
+        let (gp, outputs) = self.gp(objective, params, i);
+        let bound = outputs.bound_and_adjoint(&gp)?;
+        let adjoint = self.outputs.adjoint();
         let (part, into) = (&params.parts[i], &mut gradient.parts[i]);
         into.beta += adjoint.noise;
         let kernel = &mut self.kernel_adjoint;

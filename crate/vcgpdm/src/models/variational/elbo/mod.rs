@@ -6,6 +6,8 @@
 mod dynamics;
 mod kinematics;
 mod objective;
+mod rows;
+mod sums;
 
 use crate::elementary::Elementary;
 use crate::gp::bound::InducingPosterior;
@@ -13,12 +15,12 @@ use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
-pub use dynamics::{DynamicsSums, stack_offsets};
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
-pub use objective::Objective;
+pub use objective::{Objective, StoredMaps};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+pub use sums::{DynamicsSums, stack_offsets};
 
 /// The terms of the bound, in nats.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,22 +48,26 @@ impl BoundTerms {
 pub struct Posteriors {
     /// q(v^i) `[M]`.
     pub kinematics: Vec<InducingPosterior>,
-    /// q(u) into each target, its sources stacked in order `[M]`.
+    /// q(u) into each target, the experts of all primitives stacked in order `[M]`.
     pub dynamics: Vec<InducingPosterior>,
-    /// What q(u) was computed from `[M]`.
-    pub sums: Vec<DynamicsSums>,
+    /// What q(u) was computed from, `sums[movement][target]`, the movement's own primitives stacked in order of their parts.
+    pub sums: Vec<Vec<DynamicsSums>>,
+    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`, from which q(v) was computed.
+    pub pose_sums: Vec<DMatrix<f64>>,
 }
 
 /// Room for the bound and its gradient, to be used again and again: an evaluation then allocates nothing.
 pub struct Workspace {
     terms: BoundTerms,
     gradient: Params,
-    histories: Vec<Gaussians>,
-    histories_adjoint: Vec<Gaussians>,
+    /// Of each movement and part.
+    histories: Vec<Vec<Gaussians>>,
+    histories_adjoint: Vec<Vec<Gaussians>>,
     kinematics: Vec<Kinematics>,
     dynamics: Vec<Dynamics>,
-    /// One for each source of a target at a time.
-    rooms: Vec<PairWorkspace>,
+    /// For each movement, one for each source of a target at a time.
+    rooms: Vec<Vec<PairWorkspace>>,
+    pose_room: PairWorkspace,
 }
 
 impl Workspace {
@@ -80,11 +86,12 @@ impl Workspace {
 impl Objective {
     /// Room to compute the bound for parameters of the shapes of `params`.
     pub fn workspace(&self, params: &Params) -> Workspace {
-        let transitions = self.sequences.transitions();
-        let histories = || {
-            let dims = params.parts.iter().map(|part| self.sequences.order() * part.latents.mean.ncols());
-            dims.map(|dims| Gaussians::zeros(transitions, dims)).collect()
+        let movements = || self.repertoire.movements().iter();
+        let histories = |rows: usize| {
+            let dims = params.parts.iter().map(|part| self.sequences().order() * part.latents.mean.ncols());
+            dims.map(|dims| Gaussians::zeros(rows, dims)).collect()
         };
+        let histories = || movements().map(|m| histories(m.sequences().transitions())).collect();
         let m = params.part_count();
         Workspace {
             terms: BoundTerms {
@@ -98,7 +105,8 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: (0..m).map(|_| PairWorkspace::default()).collect(),
+            rooms: movements().map(|_| (0..m).map(|_| PairWorkspace::default()).collect()).collect(),
+            pose_room: PairWorkspace::default(),
         }
     }
 
@@ -108,10 +116,10 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
-        let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
+        let Workspace { terms, histories, kinematics, dynamics, rooms, pose_room, .. } = workspace;
         self.begin(params, histories, terms);
         for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, &mut rooms[0]);
+            kinematics.compute(self, params, i, Purpose::Value, pose_room);
             terms.kinematics[i] = kinematics.bound(self, params, i)?;
             dynamics.compute(self, params, histories, Purpose::Value, rooms);
             terms.dynamics[i] = dynamics.bound()?;
@@ -129,21 +137,31 @@ impl Objective {
         params: &Params,
         workspace: &mut Workspace,
     ) -> Result<(), NumericsError> {
-        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms } =
-            workspace;
+        let Workspace {
+            terms,
+            gradient,
+            histories,
+            histories_adjoint,
+            kinematics,
+            dynamics,
+            rooms,
+            pose_room,
+        } = workspace;
         gradient.set_zero();
-        histories_adjoint.iter_mut().for_each(Gaussians::set_zero);
+        histories_adjoint.iter_mut().flatten().for_each(Gaussians::set_zero);
         self.begin(params, histories, terms);
         self.free_gradient(params, gradient);
         for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Gradient, &mut rooms[0]);
-            terms.kinematics[i] = kinematics.gradient(self, params, i, &mut rooms[0], gradient)?;
+            kinematics.compute(self, params, i, Purpose::Gradient, pose_room);
+            terms.kinematics[i] = kinematics.gradient(self, params, i, pose_room, gradient)?;
             dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
             terms.dynamics[i] =
                 dynamics.gradient(self, params, histories, rooms, gradient, histories_adjoint)?;
         }
-        for (part, adjoint) in gradient.parts.iter_mut().zip(histories_adjoint) {
-            self.sequences.add_histories_adjoint(adjoint, &mut part.latents);
+        for (movement, adjoints) in self.repertoire.movements().iter().zip(histories_adjoint) {
+            for (part, adjoint) in gradient.parts.iter_mut().zip(adjoints) {
+                movement.sequences().add_histories_adjoint(adjoint, &mut part.latents);
+            }
         }
         finite(terms)
     }
@@ -176,29 +194,61 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, mut pose_room, .. } =
             self.workspace(params);
+        let movements = self.repertoire.movements().len();
         self.begin(params, &mut histories, &mut terms);
-        let mut out = Posteriors { kinematics: Vec::new(), dynamics: Vec::new(), sums: Vec::new() };
+        let mut out = Posteriors {
+            kinematics: Vec::new(),
+            dynamics: Vec::new(),
+            sums: vec![Vec::new(); movements],
+            pose_sums: Vec::new(),
+        };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, &mut rooms[0]);
+            kinematics.compute(self, params, i, Purpose::Value, &mut pose_room);
             out.kinematics.push(kinematics.posterior(self, params, i)?);
+            out.pose_sums.push(kinematics.into_psi2());
             dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
             out.dynamics.push(dynamics.posterior()?);
-            out.sums.push(dynamics.into_sums());
+            for (of_movement, sums) in out.sums.iter_mut().zip(dynamics.into_sums()) {
+                of_movement.push(sums);
+            }
+        }
+        Ok(out)
+    }
+
+    /// The best inducing outputs of all maps at `params`, to be kept for other movements: see [`under`](Self::under).
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
+    pub fn stored(&self, params: &Params) -> Result<StoredMaps, NumericsError> {
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, mut pose_room, .. } =
+            self.workspace(params);
+        self.begin(params, &mut histories, &mut terms);
+        let mut out = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
+        for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
+            kinematics.compute(self, params, i, Purpose::Value, &mut pose_room);
+            out.kinematics.push(kinematics.stored(self, params, i)?);
+            dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
+            out.dynamics.push(dynamics.stored()?);
         }
         Ok(out)
     }
 
     /// The histories, and the terms that need no GP: the prior of the initial states and the entropy.
-    fn begin(&self, params: &Params, histories: &mut [Gaussians], terms: &mut BoundTerms) {
+    fn begin(&self, params: &Params, histories: &mut [Vec<Gaussians>], terms: &mut BoundTerms) {
+        for (movement, histories) in self.repertoire.movements().iter().zip(histories) {
+            for (part, histories) in params.parts.iter().zip(histories) {
+                movement.sequences().histories_into(&part.latents, histories);
+            }
+        }
         (terms.initial, terms.entropy) = (0.0, 0.0);
-        for (part, histories) in params.parts.iter().zip(histories) {
+        for part in &params.parts {
             let Gaussians { mean, variance } = &part.latents;
-            self.sequences.histories_into(&part.latents, histories);
             terms.entropy +=
                 0.5 * ((TAU.logarithm() + 1.0) * variance.len() as f64 + sum_of_logarithms(variance));
-            for t in self.sequences.initial_frames() {
+            for t in self.sequences().initial_frames() {
                 for q in 0..mean.ncols() {
                     terms.initial -= 0.5 * (TAU.logarithm() + mean[(t, q)].powi(2) + variance[(t, q)]);
                 }
@@ -212,7 +262,7 @@ impl Objective {
             let Gaussians { mean, variance } = &part.latents;
             let into = &mut into.latents;
             into.variance.zip_apply(variance, |g, s| *g += 0.5 / s);
-            for t in self.sequences.initial_frames() {
+            for t in self.sequences().initial_frames() {
                 for q in 0..mean.ncols() {
                     into.mean[(t, q)] -= mean[(t, q)];
                     into.variance[(t, q)] -= 0.5;

@@ -35,7 +35,7 @@ fn gradient_agrees_with_differences_in_every_block() {
 fn an_expert_switched_off_leaves_the_others_alone() {
     // With a huge alpha the second part's prediction about the first has no weight, so its inducing inputs do not matter.
     let (mut params, objective) = random_case(1);
-    params.alpha[(1, 0)] = 1e12;
+    params.alpha[0][(1, 0)] = 1e12;
     let before = objective.terms(&params).unwrap();
     params.experts[1][0].z *= 0.5;
     assert_relative_eq!(before.total(), objective.terms(&params).unwrap().total(), max_relative = 1e-10);

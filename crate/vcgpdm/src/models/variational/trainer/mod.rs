@@ -10,8 +10,8 @@ use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
-
-use crate::models::variational::start::starting_point;
+use crate::models::variational::repertoire::Repertoire;
+use crate::models::variational::start::starting_point_of;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -93,9 +93,40 @@ impl Trainer {
     ) -> Result<Self, TrainingError> {
         check_settings(settings)?;
         let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
-        let params = starting_point(&y, &sequences, settings, seed);
+        let parts = y.len();
+        Self::of_repertoire(y, Repertoire::plain(sequences, parts), settings, seed)
+    }
+
+    /// As [`new`](Self::new), for movements that may share primitives: `primitives` says to which part each belongs, and
+    /// `movements` how many of the sequences each movement has, one movement after the other, and which primitive each part uses.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new), or when the movements do not fit the primitives or the sequences.
+    pub fn of_movements(
+        y: Vec<DMatrix<f64>>,
+        lengths: Vec<usize>,
+        primitives: Vec<usize>,
+        movements: Vec<(usize, Vec<usize>)>,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Self, TrainingError> {
+        check_settings(settings)?;
+        let sequences = check_training(&y, lengths, settings.latent, settings.order)?;
+        let repertoire = Repertoire::new(sequences, y.len(), primitives, movements)?;
+        Self::of_repertoire(y, repertoire, settings, seed)
+    }
+
+    fn of_repertoire(
+        y: Vec<DMatrix<f64>>,
+        repertoire: Repertoire,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Self, TrainingError> {
+        let params = starting_point_of(&y, &repertoire, settings, seed);
         let phases = schedule(settings.max_iterations);
-        Self::from_start(Objective::new(y, sequences, JITTER), params, phases, settings, seed)
+        let objective = Objective::of_movements(y, repertoire, JITTER);
+        Self::from_start(objective, params, phases, settings, seed)
     }
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
@@ -207,10 +238,10 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
 /// Without the first block some seeds end in a model that stands still; with the authors' further blocks (latents alone, kernels
 /// alone, inducing points alone) more of them end in a worse bound.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
-    use Group::{InducingInputs, Kernels, Latents};
-    let first =
-        Phase { groups: &[Kernels, InducingInputs], iterations: BLOCK_ITERATIONS.min(max_iterations / 8) };
-    let last = Phase { groups: &[Latents, Kernels, InducingInputs], iterations: max_iterations };
+    use Group::{Couplings, InducingInputs, Kernels, Latents};
+    let block = BLOCK_ITERATIONS.min(max_iterations / 8);
+    let first = Phase { groups: &[Couplings, Kernels, InducingInputs], iterations: block };
+    let last = Phase { groups: &[Latents, Couplings, Kernels, InducingInputs], iterations: max_iterations };
     vec![first, last]
 }
 

@@ -1,0 +1,76 @@
+//! What the program is to a pipe, a scheduler, a shell and `man`.
+
+use crate::call::{fails, folder, prints, run, run_with, text};
+use serde_json::Value;
+use std::fs;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+#[test]
+fn files_called_minus_are_stdin_and_stdout() {
+    let written = run(&["clip", "sample:walk-1", "--out", "-"]);
+    assert!(written.stdout.starts_with(b"HIERARCHY"));
+    let about: Value = serde_json::from_slice(&written.stderr).unwrap();
+    assert_eq!(about["frames"].as_u64(), Some(252));
+
+    let train = ["train", "-", "--model", "dmp-discrete", "--fps", "15", "--bases", "5", "--out", "-"];
+    let model = run_with(&train, &written.stdout);
+    assert!(serde_json::from_slice::<Value>(&model.stderr).unwrap()["seconds"].is_number());
+    let document: Value = serde_json::from_slice(&model.stdout).unwrap();
+    assert_eq!(document["format"], "vcgpdm model");
+    assert!(document.to_string().contains("\"stdin\""), "the clip has a name");
+
+    let rolled = run_with(&["rollout", "-", "--frames", "9", "--out", "-"], &model.stdout);
+    assert!(String::from_utf8(rolled.stdout).unwrap().contains("Frames: 9"));
+    assert!(rolled.status.success() && rolled.stderr.is_empty());
+
+    let twice = run_with(&["train", "-", "-", "--parts", "whole", "--out", "-"], &written.stdout);
+    assert_eq!(twice.status.code(), Some(2));
+    let both = run_with(&["rollout", "-", "--frames", "9", "--out", "-", "--latents", "-"], &model.stdout);
+    assert_eq!((both.status.code(), both.stdout.is_empty()), (Some(2), true));
+}
+
+/// A scheduler sends SIGTERM when the time of a job is over.
+#[cfg(unix)]
+#[test]
+fn sigterm_keeps_the_best_so_far() {
+    let folder = folder("sigterm");
+    let (model, start) = (folder.join("model.json"), folder.join("start.json"));
+    let child = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
+        .args(["train", "sample:walk-1", "sample:walk-2", "--parts", "whole", "--fps", "10"])
+        .args(["--max-iterations", "1000000", "--out", text(&model), "--write-start", text(&start)])
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // It trains, and listens to signals, from shortly after that file is there.
+    let begin = Instant::now();
+    while !start.exists() && begin.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{:?}", output.status);
+    let said: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(said["reason"], "stopped");
+    let kept: Value = serde_json::from_str(&fs::read_to_string(&model).unwrap()).unwrap();
+    assert_eq!(kept["provenance"]["iterations"], said["iterations"]);
+}
+
+#[test]
+fn shells_and_man_are_told_of_every_command() {
+    let commands =
+        ["bound", "clip", "train", "reproduce", "rollout", "score", "evaluate", "report", "results"];
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = prints(&["completions", shell]);
+        assert!(commands.iter().all(|command| script.contains(command)), "{shell}");
+        assert!(script.contains("max-iterations"), "{shell}");
+    }
+    assert!(commands.iter().all(|command| prints(&["man"]).contains(&format!("vcgpdm\\-{command}"))));
+    for command in commands {
+        let page = prints(&["man", command]);
+        assert!(page.contains(".TH") && page.contains("SYNOPSIS"), "{command}: {page}");
+    }
+    assert!(fails(&["completions", "tcsh"]).contains("'tcsh'"));
+    assert_eq!(run(&["man", "dance"]).status.code(), Some(2));
+}

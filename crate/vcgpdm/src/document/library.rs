@@ -1,0 +1,228 @@
+//! From a library to the tree of its document.
+
+use crate::document::error::{FORMAT, LIBRARY, VERSION};
+use crate::document::write::{
+    pose_map, sequence_fields, variational_provenance, variational_settings, with_elsewhere,
+};
+use crate::json::Value;
+use crate::models::SequenceInfo;
+use crate::models::library::{CouplingsFrom, LearnedMovement, LibraryExpert, TrainedLibrary};
+use crate::motion::pose::PoseMapping;
+
+/// Primitives name their part, and movements their primitives, by place.
+pub(super) fn document(trained: &TrainedLibrary) -> Value {
+    let TrainedLibrary { library, body, provenance } = trained;
+    let parts = library.parts.iter().zip(&library.pose_sums).zip(body.layout.parts());
+    let parts = Value::list(parts, |((map, psi2), spec)| {
+        let [name, joints, lambda, variance, beta, r, mean, covariance] = pose_map::<PoseMapping>(map, spec);
+        let sum = ("sum_psi2", Value::matrix(psi2));
+        Value::object([name, joints, lambda, variance, beta, r, mean, covariance, sum])
+    });
+    let primitives = Value::list(&library.primitives, |primitive| {
+        Value::object([
+            ("name", Value::text(&primitive.name)),
+            ("part", Value::whole(primitive.part)),
+            ("experts", Value::list(&primitive.experts, expert)),
+        ])
+    });
+    let mut sequences = body.sequences.iter();
+    let movements = library.movements.iter().map(|learned| {
+        let own: Vec<&SequenceInfo> = sequences.by_ref().take(learned.starts.len()).collect();
+        movement(learned, &own)
+    });
+    let movements = Value::List(movements.collect());
+    let settings = variational_settings(&provenance.settings, provenance.seed);
+    Value::object([
+        ("format", Value::text(FORMAT)),
+        ("version", Value::whole(VERSION)),
+        ("kind", Value::text(LIBRARY)),
+        ("pose", body.mapping.to_value()),
+        ("frame_time", Value::Number(body.frame_time)),
+        ("column_means", Value::numbers(&body.column_means)),
+        ("order", Value::whole(library.order)),
+        ("jitter", Value::Number(library.jitter)),
+        ("parts", parts),
+        ("primitives", primitives),
+        ("movements", movements),
+        ("provenance", variational_provenance(provenance, settings, &library.terms)),
+    ])
+}
+
+fn expert(expert: &LibraryExpert) -> Value {
+    let own = [
+        ("lambda", Value::numbers(expert.fitted.kernel().lambda.as_slice())),
+        ("z", Value::matrix(expert.fitted.z())),
+        ("u_mean", Value::matrix(expert.fitted.mean())),
+        ("u_covariance", Value::matrix(&expert.covariance)),
+    ];
+    with_elsewhere(own, expert.elsewhere.as_ref())
+}
+
+fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
+    let sequences = Value::list(sequences.iter().zip(&movement.starts), |(info, start)| {
+        let mut fields = sequence_fields(info);
+        fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
+        Value::Object(fields)
+    });
+    // Absent where no rows were learned from.
+    let sums = movement.sums.as_ref().map_or(Value::Null, |sums| {
+        Value::list(sums, |sums| {
+            Value::object([
+                ("sum_psi2", Value::matrix(&sums.psi2)),
+                ("sum_psi1_mu", Value::matrix(&sums.psi1_mu)),
+            ])
+        })
+    });
+    let couplings = match &movement.couplings {
+        CouplingsFrom::Training => Value::object([("from", Value::text("training"))]),
+        CouplingsFrom::Clips { bound, iterations } => Value::object([
+            ("from", Value::text("clips")),
+            ("bound", Value::Number(*bound)),
+            ("iterations", Value::whole(*iterations)),
+        ]),
+        CouplingsFrom::Movement(name) => {
+            Value::object([("from", Value::text("movement")), ("movement", Value::text(name))])
+        }
+        CouplingsFrom::Nothing => Value::object([("from", Value::text("nothing"))]),
+    };
+    Value::object([
+        ("name", Value::text(&movement.name)),
+        ("uses", Value::wholes(&movement.uses)),
+        // Row the source, column the target.
+        ("alpha", Value::matrix(&movement.alpha)),
+        ("sums", sums),
+        ("sequences", sequences),
+        ("couplings", couplings),
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+    use crate::models::variational::Vcgpdm;
+    use crate::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+    use crate::motion::{parts, samples};
+    use serde_json::json;
+    use std::sync::OnceLock;
+
+    fn trained() -> &'static TrainedLibrary {
+        static LIBRARY: OnceLock<TrainedLibrary> = OnceLock::new();
+        LIBRARY.get_or_init(|| {
+            let clips = ["walk-1", "walk-wave-1"].map(|id| samples::clip(id).unwrap().cut(0, 90).unwrap());
+            let sources = clips.each_ref().map(|clip| Source { clip, first_frames: None });
+            let parts = &parts::presets(&clips[0].skeleton)[1].parts;
+            let dataset = Dataset::new(&sources, parts, 30.0).unwrap();
+            let settings = VariationalSettings {
+                max_iterations: 10,
+                dynamics_ips: 5,
+                pose_ips: 4,
+                ..Default::default()
+            };
+            let movement = |name: &str| PlannedMovement { name: name.to_owned(), sequences: 1 };
+            let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![true, false]).unwrap();
+            let lengths = dataset.lengths();
+            let mut trainer = LibraryTrainer::new(dataset.y.clone(), lengths, plan, &settings, 0).unwrap();
+            while !trainer.step().done {}
+            let mut library = TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap();
+            let uses = library.uses("lower=walk,upper=wave").unwrap();
+            let fitted = library.observed(&clips[0]).unwrap();
+            let mut fit = library.coupling_trainer(&uses, &[fitted.clone()], 4).unwrap();
+            while !fit.step().done {}
+            library.add(fit.movement("fitted"), vec![fitted.info]);
+            library
+        })
+    }
+
+    #[test]
+    fn a_read_library_is_the_written_one() {
+        let text = trained().to_json().unwrap();
+        let again = TrainedLibrary::from_json(&text).unwrap();
+        assert_eq!(again.library, trained().library);
+        assert_eq!(again.body.sequences, trained().body.sequences);
+        assert_eq!(again.provenance, trained().provenance);
+        assert_eq!(again.to_json().unwrap(), text);
+    }
+
+    /// A combination of a library is a model like others: it can be saved alone, and rolls out to the same bits.
+    #[test]
+    fn a_combination_is_a_document_of_its_own() {
+        for index in 0..3 {
+            let model = trained().movement(index).unwrap();
+            let text = model.to_json().unwrap();
+            assert!(text.contains("\"version\":3"));
+            let again = TrainedModel::<Vcgpdm>::from_json(&text).unwrap();
+            assert_eq!(again.model, model.model);
+            let request = RolloutRequest { frames: 30, ..Default::default() };
+            assert_eq!(again.rollout(&request).unwrap().y, model.rollout(&request).unwrap().y);
+        }
+        let mut value: serde_json::Value =
+            serde_json::from_str(&trained().movement(0).unwrap().to_json().unwrap()).unwrap();
+        value["dynamics"][1].as_object_mut().unwrap().remove("other_precision");
+        let refused = |value: &serde_json::Value| {
+            TrainedModel::<Vcgpdm>::from_json(&value.to_string()).unwrap_err().to_string()
+        };
+        assert!(refused(&value).contains("other_b"), "{}", refused(&value));
+        value["dynamics"][1].as_object_mut().unwrap().remove("other_b");
+        assert!(refused(&value).contains("of all parts or of none"), "{}", refused(&value));
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_with_its_path() {
+        type Change = fn(&mut serde_json::Value);
+        let cases: [(&str, Change); 9] = [
+            ("at movements[0].uses: expected a primitive of part 1", |v| {
+                v["movements"][0]["uses"] = json!([0, 0]);
+            }),
+            ("at movements[0].uses: expected a primitive of part 0", |v| {
+                v["movements"][0]["uses"] = json!([99, 1]);
+            }),
+            ("at movements[1]: expected a name of its own", |v| v["movements"][1]["name"] = json!("walk")),
+            ("at movements[0].sums[0].sum_psi2", |v| {
+                v["movements"][0]["sums"][0]["sum_psi2"] = json!([[1.0]]);
+            }),
+            ("at movements[2].couplings.from", |v| v["movements"][2]["couplings"]["from"] = json!("afar")),
+            ("at primitives[0].part: expected from 0 to 1, found 2", |v| {
+                v["primitives"][0]["part"] = json!(2)
+            }),
+            ("at primitives[2]: expected a name of its own", |v| v["primitives"][2]["name"] = json!("walk")),
+            ("at primitives[0].experts[0].u_covariance", |v| {
+                v["primitives"][0]["experts"][0]["u_covariance"] = json!([[1.0, 0.0]]);
+            }),
+            ("at parts[0].sum_psi2", |v| v["parts"][0]["sum_psi2"] = json!([[1.0]])),
+        ];
+        for (expected, change) in cases {
+            let mut value: serde_json::Value = serde_json::from_str(&trained().to_json().unwrap()).unwrap();
+            change(&mut value);
+            let words = TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string();
+            assert!(words.starts_with(expected), "{words}");
+        }
+    }
+
+    #[test]
+    fn models_and_libraries_are_told_apart() {
+        let library = trained().to_json().unwrap();
+        let words = TrainedModel::<Vcgpdm>::from_json(&library).unwrap_err().to_string();
+        assert!(words.starts_with("expected a model, found a library of primitives"), "{words}");
+        let model = trained().movement(0).unwrap().to_json().unwrap();
+        let words = TrainedLibrary::from_json(&model).unwrap_err().to_string();
+        assert_eq!(words, "expected a library of primitives, found a vcgpdm model");
+    }
+
+    #[test]
+    fn choices_are_understood_by_primitive_and_by_movement() {
+        let library = trained();
+        assert_eq!(library.uses("lower=walk,upper=wave").unwrap(), [0, 2]);
+        assert_eq!(library.uses("upper=walk, lower=walk+wave").unwrap(), [0, 1]);
+        let words = |text: &str| library.uses(text).unwrap_err().to_string();
+        assert_eq!(
+            words("lower=walk"),
+            "expected PART=PRIMITIVE for each part, such as lower=walk+wave,upper=walk, found \"lower=walk\""
+        );
+        assert_eq!(words("tail=walk"), "expected the part to be one of lower, upper, found \"tail\"");
+        assert_eq!(
+            words("lower=walk,upper=jump"),
+            "expected the primitive to be one of walk, wave, found \"jump\""
+        );
+    }
+}

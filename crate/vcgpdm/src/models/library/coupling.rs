@@ -1,0 +1,144 @@
+//! New couplings for stored primitives: everything else stays as it was learned.
+
+use crate::gp::Gaussians;
+use crate::gp::NumericsError;
+use crate::gp::outputs::StoredOutputs;
+use crate::models::flat::Group;
+use crate::models::latents::check_training;
+use crate::models::library::{CouplingsFrom, LearnedMovement, Library};
+use crate::models::search::ascent::Phase;
+use crate::models::settings::VariationalSettings;
+use crate::models::training_error::{TrainingError, in_range};
+use crate::models::variational::{
+    Expert, Objective, Params, PartParams, StoredMaps, Trainer, TrainingProgress, first_variance,
+};
+use nalgebra::DMatrix;
+
+/// More iterations than any fit needs.
+const MOST_ITERATIONS: usize = 10_000;
+/// Iterations in which the latents come near the new frames, before the couplings are free too, as a part of all.
+const LATENTS_FIRST: usize = 4;
+
+/// A fit of couplings under way: of a combination of stored primitives, to new frames. Latents of these frames and couplings are
+/// learned; pose maps, primitives and their inducing outputs stay.
+pub struct CouplingTrainer {
+    trainer: Trainer,
+    uses: Vec<usize>,
+}
+
+impl CouplingTrainer {
+    /// Ready to fit the combination `uses` of a library to the observations `y` [N x D_i] of each part, centred by the means of the
+    /// library's columns and stacked as the `lengths` of the sequences say, in at most so many iterations.
+    ///
+    /// # Errors
+    ///
+    /// When a part is not given one of its primitives, the observations do not fit the library or the lengths, or the bound cannot be
+    /// computed at the start.
+    pub fn new(
+        library: &Library,
+        uses: &[usize],
+        y: Vec<DMatrix<f64>>,
+        lengths: Vec<usize>,
+        max_iterations: usize,
+    ) -> Result<Self, TrainingError> {
+        library.check_uses(uses)?;
+        in_range("the number of iterations", max_iterations, MOST_ITERATIONS)?;
+        let latent = library.latent_dimensions();
+        let largest = latent.iter().copied().max().unwrap_or(0);
+        let sequences = check_training(&y, lengths, largest, library.order)?;
+        if y.len() != library.part_count() {
+            let (expected, found) = (library.part_count(), y.len());
+            return Err(TrainingError::Parts { expected, found });
+        }
+        for (part, (y, map)) in y.iter().zip(&library.parts).enumerate() {
+            if y.ncols() != map.mean().ncols() {
+                let (expected, found) = (map.mean().ncols(), y.ncols());
+                return Err(TrainingError::Columns { part, expected, found });
+            }
+        }
+        let latents = library.latents_near(&y);
+        let parts = latents.into_iter().zip(&library.parts).map(|(mean, map)| {
+            let s = first_variance(&mean, &sequences);
+            let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
+            PartParams {
+                latents: Gaussians { mean, variance },
+                r: map.r().clone(),
+                kernel: map.kernel().clone(),
+                beta: map.beta(),
+            }
+        });
+        let experts = uses.iter().map(|a| {
+            let experts = library.primitives[*a].experts.iter().map(|expert| &expert.fitted);
+            experts.map(|e| Expert { z: e.z().clone(), kernel: e.kernel().clone() }).collect()
+        });
+        let start = Params {
+            parts: parts.collect(),
+            experts: experts.collect(),
+            alpha: vec![library.nearest_couplings(uses)],
+        };
+        let settings = VariationalSettings {
+            latent: largest,
+            order: library.order,
+            dynamics_ips: start.experts.iter().flatten().map(|expert| expert.z.nrows()).max().unwrap_or(1),
+            pose_ips: start.parts.iter().map(|part| part.r.nrows()).max().unwrap_or(1),
+            max_iterations,
+        };
+        let stored = stored(library, uses)?;
+        let objective = Objective::new(y, sequences, library.jitter).under(stored);
+        let trainer = Trainer::from_start(objective, start, phases(max_iterations), &settings, 0)?;
+        Ok(Self { trainer, uses: uses.to_vec() })
+    }
+
+    /// One iteration of the optimiser. After the end it does nothing.
+    pub fn step(&mut self) -> TrainingProgress {
+        self.trainer.step()
+    }
+
+    /// How far the fit is. The bound is that of the new frames under the stored primitives.
+    pub fn progress(&self) -> TrainingProgress {
+        self.trainer.progress()
+    }
+
+    /// The couplings of the best bound so far [M x M].
+    pub fn alpha(&self) -> DMatrix<f64> {
+        self.trainer.best().alpha.swap_remove(0)
+    }
+
+    /// The combination with the best couplings so far, as a movement of that name that starts where the new frames do. It has no
+    /// sums: the primitives have learned nothing from these frames.
+    pub fn movement(&self, name: &str) -> LearnedMovement {
+        let (mut best, progress) = (self.trainer.best(), self.trainer.progress());
+        let ranges: Vec<_> = self.trainer.objective().sequences().ranges().collect();
+        let start = |range: std::ops::Range<usize>| {
+            let latents = best.parts.iter().map(|part| &part.latents.mean);
+            latents.map(|x| x.rows(range.start, range.len()).into_owned()).collect()
+        };
+        let starts = ranges.into_iter().map(start).collect();
+        LearnedMovement {
+            name: name.to_owned(),
+            uses: self.uses.clone(),
+            alpha: best.alpha.swap_remove(0),
+            sums: None,
+            starts,
+            couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
+        }
+    }
+}
+
+/// The inducing outputs of a combination, to be kept.
+fn stored(library: &Library, uses: &[usize]) -> Result<StoredMaps, NumericsError> {
+    let mut maps = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
+    for (i, (map, psi2)) in library.parts.iter().zip(&library.pose_sums).enumerate() {
+        let k = map.kernel().inducing_covariance(map.r(), library.jitter);
+        let a = &k + psi2 / map.beta();
+        maps.kinematics.push(StoredOutputs::new(&k, &a, map.coefficients(library.jitter)?)?);
+        maps.dynamics.push(library.kept(i, uses)?);
+    }
+    Ok(maps)
+}
+
+fn phases(max_iterations: usize) -> Vec<Phase> {
+    use Group::{Couplings, Latents};
+    let first = Phase { groups: &[Latents], iterations: max_iterations / LATENTS_FIRST };
+    vec![first, Phase { groups: &[Latents, Couplings], iterations: max_iterations }]
+}

@@ -1,0 +1,134 @@
+//! Where a combination starts, and under which couplings, when nobody says.
+
+use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
+use nalgebra::DMatrix;
+
+impl Library {
+    /// The couplings of the trained movement that shares most primitives with `uses`, the first of them where several share as many;
+    /// 1 each where none shares any.
+    pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
+        match self.nearest_movement(uses) {
+            Some(movement) => movement.alpha.clone(),
+            None => DMatrix::from_element(self.part_count(), self.part_count(), 1.0),
+        }
+    }
+
+    fn nearest_movement(&self, uses: &[usize]) -> Option<&LearnedMovement> {
+        let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
+        let most = self.movements.iter().map(shared).max().unwrap_or(0);
+        self.movements.iter().find(|movement| shared(movement) == most && most > 0)
+    }
+
+    /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of that name.
+    ///
+    /// # Errors
+    ///
+    /// When a part is not given one of its primitives.
+    pub fn nearest_combination(
+        &self,
+        name: &str,
+        uses: &[usize],
+    ) -> Result<LearnedMovement, CombinationError> {
+        self.check_uses(uses)?;
+        let nearest = self.nearest_movement(uses);
+        Ok(LearnedMovement {
+            name: name.to_owned(),
+            uses: uses.to_vec(),
+            alpha: self.nearest_couplings(uses),
+            sums: None,
+            starts: self.starts(uses),
+            couplings: nearest
+                .map_or(CouplingsFrom::Nothing, |movement| CouplingsFrom::Movement(movement.name.clone())),
+        })
+    }
+
+    /// The sequences that a combination can start from, (movement, sequence of it): those of the movements that share most
+    /// primitives with it.
+    pub fn start_sequences(&self, uses: &[usize]) -> Vec<(usize, usize)> {
+        let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
+        let most = self.movements.iter().filter(|m| !m.starts.is_empty()).map(shared).max().unwrap_or(0);
+        let chosen = self.movements.iter().enumerate().filter(|(_, movement)| shared(movement) == most);
+        chosen.flat_map(|(m, movement)| (0..movement.starts.len()).map(move |s| (m, s))).collect()
+    }
+
+    /// The latents that a combination starts with, in the order of [`start_sequences`](Self::start_sequences). A part that keeps its
+    /// primitive starts as in the sequence; one with another primitive starts where that is nearest to what the others do.
+    pub(super) fn starts(&self, uses: &[usize]) -> Vec<Vec<DMatrix<f64>>> {
+        let start = |(m, s): (usize, usize)| {
+            let movement = &self.movements[m];
+            if movement.uses == uses {
+                return movement.starts[s].clone();
+            }
+            let first = |x: &DMatrix<f64>| x.rows(0, self.order.min(x.nrows())).into_owned();
+            let mut window: Vec<DMatrix<f64>> = movement.starts[s].iter().map(first).collect();
+            let changed: Vec<bool> = movement.uses.iter().zip(uses).map(|(a, b)| a != b).collect();
+            let states: Vec<_> = (0..window.len())
+                .map(|part| if changed[part] { self.state_near(uses[part], &window, &changed) } else { None })
+                .collect();
+            for (own, state) in window.iter_mut().zip(states) {
+                if let Some(state) = state {
+                    *own = state;
+                }
+            }
+            window
+        };
+        self.start_sequences(uses).into_iter().map(start).collect()
+    }
+
+    /// The p latents of a primitive's part [p x Q] at the time of its movements when the other parts were nearest to `window` [p x Q_i
+    /// each]; parts in `ignored` do not count, unless all do. `None` where no movement uses the primitive.
+    pub fn state_near(
+        &self,
+        primitive: usize,
+        window: &[DMatrix<f64>],
+        ignored: &[bool],
+    ) -> Option<DMatrix<f64>> {
+        let part = self.primitives.get(primitive)?.part;
+        let counts = |k: usize| k != part && !ignored.get(k).copied().unwrap_or(false);
+        let others: Vec<usize> = (0..window.len()).filter(|k| counts(*k)).collect();
+        let compared = if others.is_empty() { (0..window.len()).collect() } else { others };
+        let mut best: Option<(f64, DMatrix<f64>)> = None;
+        for latents in self.movements.iter().filter(|m| m.uses.contains(&primitive)).flat_map(|m| &m.starts) {
+            let frames = latents.first().map_or(0, DMatrix::nrows);
+            for t in 0..(frames + 1).saturating_sub(self.order) {
+                let distance: f64 = compared
+                    .iter()
+                    .map(|k| (latents[*k].rows(t, self.order) - &window[*k]).norm_squared())
+                    .sum();
+                if best.as_ref().is_none_or(|(least, _)| distance < *least) {
+                    best = Some((distance, latents[part].rows(t, self.order).into_owned()));
+                }
+            }
+        }
+        best.map(|(_, state)| state)
+    }
+
+    /// Latents [T x Q_i of each part] at which the pose maps come nearest to centred columns `y` [T x D_i of each part], frame by
+    /// frame, among the latents of all movements.
+    pub(super) fn latents_near(&self, y: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let of_part = |(part, y): (usize, &DMatrix<f64>)| {
+            let known: Vec<&DMatrix<f64>> =
+                self.movements.iter().flat_map(|m| &m.starts).map(|latents| &latents[part]).collect();
+            let poses: Vec<DMatrix<f64>> = known.iter().map(|x| self.parts[part].observations(x)).collect();
+            let mut out = DMatrix::zeros(y.nrows(), self.parts[part].r().ncols());
+            for t in 0..y.nrows() {
+                let mut least = f64::INFINITY;
+                for (x, poses) in known.iter().zip(&poses) {
+                    for s in 0..poses.nrows() {
+                        let distance = (poses.row(s) - y.row(t)).norm_squared();
+                        if distance < least {
+                            least = distance;
+                            out.row_mut(t).copy_from(&x.row(s));
+                        }
+                    }
+                }
+            }
+            out
+        };
+        y.iter().enumerate().map(of_part).collect()
+    }
+}
+
+fn count_shared(a: &[usize], b: &[usize]) -> usize {
+    a.iter().zip(b).filter(|(a, b)| a == b).count()
+}

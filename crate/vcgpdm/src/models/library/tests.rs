@@ -1,0 +1,215 @@
+use super::*;
+use crate::models::couplings::Reading;
+use crate::models::settings::VariationalSettings;
+use approx::assert_relative_eq;
+
+/// Two parts that go round, the second with another wave in the second movement: [frames x 3] of each.
+fn rounds(frames: usize, speed: f64, waving: bool) -> Vec<DMatrix<f64>> {
+    let legs = DMatrix::from_fn(frames, 3, |t, d| (speed * t as f64 + d as f64).sin());
+    let arms = DMatrix::from_fn(frames, 3, |t, d| {
+        let phase = speed * t as f64 + 0.5;
+        if waving { (2.0 * phase + d as f64).sin() } else { (phase + 1.3 * d as f64).cos() }
+    });
+    vec![legs, arms]
+}
+
+fn stacked(sequences: &[Vec<DMatrix<f64>>]) -> Vec<DMatrix<f64>> {
+    (0..2)
+        .map(|part| {
+            let rows: Vec<_> =
+                sequences.iter().flat_map(|s| s[part].row_iter().map(|row| row.into_owned())).collect();
+            let y = DMatrix::from_rows(&rows);
+            let mean = y.row_mean();
+            DMatrix::from_fn(y.nrows(), y.ncols(), |t, d| y[(t, d)] - mean[d])
+        })
+        .collect()
+}
+
+fn settings() -> VariationalSettings {
+    VariationalSettings { latent: 2, order: 2, dynamics_ips: 8, pose_ips: 8, max_iterations: 120 }
+}
+
+fn trained(shared: [bool; 2]) -> Library {
+    let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
+    let movement = |name: &str, sequences| PlannedMovement { name: name.to_owned(), sequences };
+    let plan = LibraryPlan::new(vec![movement("walk", 2), movement("wave", 1)], shared.to_vec()).unwrap();
+    let mut trainer = LibraryTrainer::new(y, vec![40, 35, 45], plan, &settings(), 1).unwrap();
+    while !trainer.step().done {}
+    trainer.library().unwrap()
+}
+
+#[test]
+fn shared_primitives_serve_every_movement() {
+    let library = trained([true, false]);
+    let names: Vec<_> = library.primitives.iter().map(|p| (p.part, p.name.as_str())).collect();
+    assert_eq!(names, [(0, "walk+wave"), (1, "walk"), (1, "wave")]);
+    for (index, movement) in library.movements.iter().enumerate() {
+        let model = library.movement(index).unwrap();
+        let y = model.rollout(0, 60).unwrap();
+        for y in &y {
+            let moved = y.rows(40, 20).row_variance().sum();
+            assert!(moved > 0.3, "{} stands still: {moved}", movement.name);
+        }
+    }
+}
+
+/// The other movements and primitives are integrated out of what is known about a movement's own experts: inferring these again under
+/// the learned couplings must give what all rows together gave.
+#[test]
+fn a_movement_inferred_again_under_its_couplings_is_as_learned() {
+    let library = trained([true, false]);
+    for index in 0..2 {
+        let model = library.movement(index).unwrap();
+        for reading in [Reading::AsLearned, Reading::ReInferred] {
+            let path = model.dynamics(&model.alpha, reading).unwrap();
+            let path = path.path(&model.start(0, 0).unwrap(), 40).unwrap();
+            let learned = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+            let learned = learned.path(&model.start(0, 0).unwrap(), 40).unwrap();
+            for (a, b) in path.iter().zip(&learned) {
+                assert_relative_eq!(a, b, epsilon = 1e-6);
+            }
+        }
+        for (i, covariance) in model.dynamics_covariance.iter().enumerate() {
+            let mut at = 0;
+            for primitive in &library.movements[index].uses {
+                let expert = &library.primitives[*primitive].experts[i];
+                let points = expert.covariance.nrows();
+                let block = covariance.view((at, at), (points, points)).into_owned();
+                assert_relative_eq!(block, expert.covariance, epsilon = 1e-7);
+                at += points;
+            }
+        }
+        let mut other = model.alpha.clone();
+        other[(0, 1)] *= 5.0;
+        let predictive = model.predictive_dynamics(&other, Reading::ReInferred).unwrap();
+        assert!(predictive.predict(&model.starts[0], model.order).is_ok());
+    }
+}
+
+#[test]
+fn a_library_of_one_movement_is_the_plain_model() {
+    let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false)]);
+    let movement = PlannedMovement { name: "walk".to_owned(), sequences: 2 };
+    let plan = LibraryPlan::new(vec![movement], vec![false, true]).unwrap();
+    let mut library = LibraryTrainer::new(y.clone(), vec![40, 35], plan, &settings(), 1).unwrap();
+    let mut plain = crate::models::variational::Trainer::new(y, vec![40, 35], &settings(), 1).unwrap();
+    for _ in 0..10 {
+        assert_eq!(library.step(), plain.step());
+    }
+    let (library, plain) = (library.library().unwrap().movement(0).unwrap(), plain.model().unwrap());
+    assert!(library.elsewhere.is_empty());
+    assert_eq!(library.experts, plain.experts);
+    assert_eq!((library.sums, library.alpha, library.starts), (plain.sums, plain.alpha, plain.starts));
+}
+
+#[test]
+fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
+    let library = trained([false, false]);
+    let uses = [0, 3];
+    assert_eq!(library.movements[0].uses, [0, 2]);
+    assert_eq!(library.nearest_couplings(&uses), library.movements[0].alpha);
+    let model = library.combination(&uses, &library.nearest_couplings(&uses)).unwrap();
+    assert_eq!(model.starts.len(), 3);
+    // Legs of the walk, with arms as they were when the legs of the waving movement were nearest.
+    assert_eq!(model.starts[0][0], library.movements[0].starts[0][0].rows(0, 2).into_owned());
+    let waving = &library.movements[1].starts[0];
+    let found = (0..44).find(|t| waving[1].rows(*t, 2) == model.starts[0][1]);
+    let distance = |t: usize| (waving[0].rows(t, 2) - &model.starts[0][0]).norm();
+    let nearest = (0..44).min_by(|a, b| distance(*a).total_cmp(&distance(*b)));
+    assert_eq!(found, nearest);
+    let y = model.rollout(0, 60).unwrap();
+    assert!(y.iter().all(|y| y.iter().all(|v| v.is_finite())));
+    // There are no rows from which its experts could be inferred again: they stay as learned under any couplings.
+    let mut other = model.alpha.clone();
+    other[(0, 1)] *= 5.0;
+    let paths = [Reading::AsLearned, Reading::ReInferred].map(|reading| {
+        model.dynamics(&other, reading).unwrap().path(&model.start(0, 0).unwrap(), 30).unwrap()
+    });
+    assert_relative_eq!(paths[0][1], paths[1][1], epsilon = 1e-6);
+}
+
+#[test]
+fn couplings_are_learned_for_new_frames_while_primitives_stay() {
+    let library = trained([true, false]);
+    // The walk again at another tempo, its columns centred as in the training.
+    let all = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
+    let y: Vec<_> = all.iter().map(|y| y.rows(5, 30).into_owned()).collect();
+    let mut fit = CouplingTrainer::new(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
+    let begin = fit.progress().bound;
+    while !fit.step().done {}
+    assert!(fit.progress().best > begin);
+    let mut extended = library.clone();
+    extended.movements.push(fit.movement("walk again"));
+    let model = extended.movement(2).unwrap();
+    assert_eq!(model.experts[1], library.movement(0).unwrap().experts[1]);
+    let latents: Vec<_> = model.starts[0].clone();
+    for (found, y) in model.observations(&latents).iter().zip(&y) {
+        assert!((found - y).amax() < 0.3, "{}", (found - y).amax());
+    }
+    let words = |uses: &[usize], y: Vec<DMatrix<f64>>| {
+        CouplingTrainer::new(&library, uses, y, vec![30], 10).err().unwrap().to_string()
+    };
+    assert_eq!(words(&[0, 0], y.clone()), "expected a primitive of part 1, found primitive 0");
+    assert_eq!(words(&[0], y.clone()), "expected a primitive for each of 2 parts, found 1");
+    let narrow = vec![y[0].clone(), y[1].columns(0, 2).into_owned()];
+    assert_eq!(words(&[0, 1], narrow), "part 1 has 2 columns, expected 3");
+}
+
+#[test]
+fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
+    let library = trained([true, false]);
+    let model = library.movement(0).unwrap();
+    let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+    let path = dynamics.path(&model.start(0, 0).unwrap(), 42).unwrap();
+    let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+    let walked = walk.advance(&library, 40);
+    for (a, b) in walked.iter().zip(&path) {
+        assert_relative_eq!(*a, b.rows(2, 40).into_owned(), epsilon = 1e-9);
+    }
+    // The legs go on to the same bits as without the change in their next frame, for they listen to their own past first; the arms
+    // begin at a state that they had while waving.
+    let legs = walk.history(0);
+    walk.use_primitive(&library, 1, 2).unwrap();
+    assert_eq!((walk.uses(), walk.history(0)), (vec![0, 2], legs));
+    let arms = DMatrix::from_row_slice(2, 2, &walk.history(1));
+    let waving = &library.movements[1].starts[0][1];
+    assert!((0..44).any(|t| waving.rows(t, 2) == arms));
+    // Wholly mixed, the other primitive takes over.
+    let mut mixed = LatentWalk::new(&library, &[0, 1]).unwrap();
+    mixed.mix(&library, 1, 2, 1.0).unwrap();
+    let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
+    other.parts_for_tests(1, 2);
+    assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
+    let words = |result: Result<(), WalkError>| result.unwrap_err().to_string();
+    assert_eq!(words(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
+    assert_eq!(words(walk.mix(&library, 0, 1, 0.5)), "expected a primitive of part 0, found primitive 1");
+    assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN)), "expected a share from 0 to 1, found NaN");
+}
+
+/// A part alone goes through its own time at its tempo: half as fast, a turn takes twice as many frames.
+#[test]
+fn a_tempo_stretches_the_time_of_a_part() {
+    let library = trained([true, false]);
+    let alone = DMatrix::from_fn(2, 2, |j, i| if i == j { 0.1 } else { 1e6 });
+    let turns = |tempo: f64| {
+        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+        walk.set_alpha(alone.clone()).unwrap();
+        walk.set_tempo(0, tempo).unwrap();
+        walk.advance(&library, 200);
+        let path = &walk.advance(&library, 600)[0];
+        let mean = path.column(0).mean();
+        (1..600).filter(|t| path[(t - 1, 0)] < mean && path[(*t, 0)] >= mean).count()
+    };
+    let (whole, half) = (turns(1.0), turns(0.5));
+    assert!(whole >= 20 && (half as f64 / whole as f64 - 0.5).abs() < 0.1, "{whole} and {half} turns");
+}
+
+#[test]
+fn arms_lock_to_the_legs_where_they_are_driven() {
+    let library = trained([true, false]);
+    let map = library.locking(&[0, 1], (0, 1), &[1.0, 1.4], &[0.01, 100.0], 600).unwrap();
+    assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
+    assert!(map[(0, 1)] > 0.95 && map[(1, 1)] > 0.9, "{map}");
+    assert!(map[(1, 0)] < map[(1, 1)], "{map}");
+    assert!(library.locking(&[0, 1], (0, 7), &[1.0], &[1.0], 10).is_err());
+}

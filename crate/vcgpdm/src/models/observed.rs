@@ -1,0 +1,60 @@
+//! What the columns of a model are: the poses of a body, or the columns of tables.
+
+use crate::motion::pose::PoseMapping;
+use crate::motion::skeleton::MAX_PLACES;
+use crate::series::Columns;
+use std::fmt::Debug;
+
+/// What the columns of a model are.
+pub trait Observed: Clone + Debug {
+    /// How many columns there are, D.
+    fn column_count(&self) -> usize;
+
+    /// The name of a column.
+    fn column_name(&self, column: usize) -> String;
+
+    /// The unit in which a model counts a column: what it predicts is multiplied by that.
+    fn unit(&self, column: usize) -> f64;
+
+    /// The most frames that can be shown, written and held in memory.
+    fn most_frames(&self) -> usize;
+}
+
+impl Observed for PoseMapping {
+    fn column_count(&self) -> usize {
+        PoseMapping::column_count(self)
+    }
+
+    fn column_name(&self, column: usize) -> String {
+        let columns = self.columns();
+        let name = |joint: usize| self.skeleton().joints.get(joint).map_or("", |joint| joint.name.as_str());
+        columns.get(column).map_or_else(String::new, |at| format!("{}.{}", name(at.joint), at.kind.name()))
+    }
+
+    /// Angles and leg lengths have a size of their own.
+    fn unit(&self, _column: usize) -> f64 {
+        1.0
+    }
+
+    fn most_frames(&self) -> usize {
+        self.skeleton().max_frames()
+    }
+}
+
+impl Observed for Columns {
+    fn column_count(&self) -> usize {
+        self.names().len()
+    }
+
+    fn column_name(&self, column: usize) -> String {
+        self.names().get(column).cloned().unwrap_or_default()
+    }
+
+    fn unit(&self, column: usize) -> f64 {
+        self.units().get(column).copied().unwrap_or(1.0)
+    }
+
+    fn most_frames(&self) -> usize {
+        MAX_PLACES / self.names().len().max(1)
+    }
+}

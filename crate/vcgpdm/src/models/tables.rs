@@ -1,0 +1,56 @@
+//! From tables to what a model trains on.
+
+use crate::models::dataset::{Dataset, SequenceInfo};
+use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::series::{Columns, SeriesError, Table, check_parts};
+use nalgebra::DMatrix;
+
+impl Dataset<Columns> {
+    /// The tables as sequences, their columns in the order of the first, each without its mean and counted in its standard deviation.
+    /// `rate` is the rows a second where the tables have no column of times.
+    ///
+    /// # Errors
+    ///
+    /// When there is no table, they do not go together, or the parts do not fit the columns.
+    pub fn of_tables(tables: &[Table], parts: &[PartSpec], rate: f64) -> Result<Self, SeriesError> {
+        let first = tables.first().ok_or(SeriesError::Empty)?;
+        check_parts(parts, &first.columns)?;
+        let tables = tables.iter().map(|table| table.like(first)).collect::<Result<Vec<_>, _>>()?;
+        let (rows, d) = (tables.iter().map(|table| table.values.nrows()).sum(), first.columns.len());
+        let mut stacked = DMatrix::zeros(rows, d);
+        let mut at = 0;
+        for table in &tables {
+            stacked.rows_mut(at, table.values.nrows()).copy_from(&table.values);
+            at += table.values.nrows();
+        }
+        let column_means: Vec<f64> = stacked.row_mean().iter().copied().collect();
+        let mut units = Vec::with_capacity(d);
+        for (mut column, mean) in stacked.column_iter_mut().zip(&column_means) {
+            column.add_scalar_mut(-mean);
+            let deviation = (column.norm_squared() / rows as f64).sqrt();
+            // What does not change beyond rounding has no size of its own.
+            let unit = if deviation > 1e-9 * mean.abs().max(1e-3) { deviation } else { 1.0 };
+            column /= unit;
+            units.push(unit);
+        }
+        let layout = PartsLayout::of_columns(parts);
+        let info = |table: &Table| SequenceInfo {
+            name: table.name.clone(),
+            sha256: table.sha256.clone(),
+            frames: table.values.nrows(),
+            rests_from: None,
+            piece: None,
+            bones_of: None,
+            whole: true,
+        };
+        Ok(Self {
+            y: layout.split(&stacked),
+            layout,
+            mapping: Columns::new(first.columns.clone(), units),
+            column_means,
+            sequences: tables.iter().map(info).collect(),
+            frame_time: first.frame_time.unwrap_or(1.0 / rate),
+            warnings: Vec::new(),
+        })
+    }
+}

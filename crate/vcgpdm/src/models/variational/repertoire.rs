@@ -1,0 +1,217 @@
+//! Which movements there are, and which primitive each part uses in them (Velychko et al. 2018, section 5.5).
+//!
+//! A primitive belongs to one part and holds what that part predicts about every part. A movement is a set of sequences that
+//! uses one primitive of each part, under couplings of its own. The plain model is one movement of one primitive for each part.
+
+use crate::models::sequences::Sequences;
+use std::ops::Range;
+use thiserror::Error;
+
+/// Why primitives and movements do not fit each other.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum RepertoireError {
+    /// There is nothing to learn from.
+    #[error("expected at least one movement, found none")]
+    NoMovement,
+    /// The movements do not have all the sequences between them.
+    #[error("expected movements of {expected} sequences in all, one or more each, found {found}")]
+    Sequences {
+        /// Sequences there are.
+        expected: usize,
+        /// Sequences of the movements, as far as they were counted.
+        found: usize,
+    },
+    /// A primitive belongs to a part that is not there.
+    #[error("expected primitive {primitive} to belong to a part from 0 to {}, found {found}", parts.saturating_sub(1))]
+    Part {
+        /// Which primitive, counted from 0.
+        primitive: usize,
+        /// Parts there are.
+        parts: usize,
+        /// Its part, counted from 0.
+        found: usize,
+    },
+    /// A movement does not name one primitive for each part.
+    #[error("expected movement {movement} to name a primitive for each of {parts} parts, found {found}")]
+    Uses {
+        /// Which movement, counted from 0.
+        movement: usize,
+        /// Parts there are.
+        parts: usize,
+        /// How many it names.
+        found: usize,
+    },
+    /// A part uses a primitive that is not its own.
+    #[error(
+        "expected movement {movement} to give part {part} a primitive of that part, found primitive {found}"
+    )]
+    Primitive {
+        /// Which movement, counted from 0.
+        movement: usize,
+        /// Which part, counted from 0.
+        part: usize,
+        /// The primitive it names, counted from 0.
+        found: usize,
+    },
+}
+
+/// One movement: where its sequences lie, and which primitive each part uses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Movement {
+    sequences: Sequences,
+    which: Range<usize>,
+    uses: Vec<usize>,
+}
+
+impl Movement {
+    /// Its sequences, where they lie in the stack of all frames.
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// Which of all sequences they are.
+    pub fn which(&self) -> Range<usize> {
+        self.which.clone()
+    }
+
+    /// The primitive that each part uses `[M]`.
+    pub fn uses(&self) -> &[usize] {
+        &self.uses
+    }
+}
+
+/// All primitives, and the movements that are made of them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Repertoire {
+    sequences: Sequences,
+    primitives: Vec<usize>,
+    movements: Vec<Movement>,
+}
+
+impl Repertoire {
+    /// One movement, in which each of M = `parts` parts has its own primitive: the plain model.
+    pub fn plain(sequences: Sequences, parts: usize) -> Self {
+        let movement = Movement {
+            which: 0..sequences.lengths().len(),
+            sequences: sequences.clone(),
+            uses: (0..parts).collect(),
+        };
+        Self { sequences, primitives: (0..parts).collect(), movements: vec![movement] }
+    }
+
+    /// Primitives of M = `parts` parts, of which `primitives` says to which part each belongs, and movements: how many of the
+    /// `sequences` each has, one movement after the other, and which primitive each part uses in it.
+    ///
+    /// # Errors
+    ///
+    /// When there is no movement, the movements do not have all sequences between them, or a part uses a primitive that is not
+    /// its own.
+    pub fn new(
+        sequences: Sequences,
+        parts: usize,
+        primitives: Vec<usize>,
+        movements: Vec<(usize, Vec<usize>)>,
+    ) -> Result<Self, RepertoireError> {
+        if movements.is_empty() {
+            return Err(RepertoireError::NoMovement);
+        }
+        if let Some(primitive) = primitives.iter().position(|part| *part >= parts) {
+            return Err(RepertoireError::Part { primitive, parts, found: primitives[primitive] });
+        }
+        let expected = sequences.lengths().len();
+        let mut first = 0;
+        let mut out = Vec::with_capacity(movements.len());
+        for (movement, (count, uses)) in movements.into_iter().enumerate() {
+            if uses.len() != parts {
+                return Err(RepertoireError::Uses { movement, parts, found: uses.len() });
+            }
+            for (part, used) in uses.iter().enumerate() {
+                if primitives.get(*used) != Some(&part) {
+                    return Err(RepertoireError::Primitive { movement, part, found: *used });
+                }
+            }
+            let which = first..first + count;
+            let found = which.end;
+            let some = sequences.some(which.clone());
+            out.push(Movement {
+                sequences: some.map_err(|_| RepertoireError::Sequences { expected, found })?,
+                which,
+                uses,
+            });
+            first = found;
+        }
+        if first != expected {
+            return Err(RepertoireError::Sequences { expected, found: first });
+        }
+        Ok(Self { sequences, primitives, movements: out })
+    }
+
+    /// The sequences of all movements.
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// To which part each primitive belongs.
+    pub fn primitives(&self) -> &[usize] {
+        &self.primitives
+    }
+
+    /// The movements.
+    pub fn movements(&self) -> &[Movement] {
+        &self.movements
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sequences() -> Sequences {
+        Sequences::new(vec![5, 4, 6], 2).unwrap()
+    }
+
+    #[test]
+    fn movements_take_the_sequences_in_order() {
+        let movements = vec![(2, vec![0, 1]), (1, vec![0, 2])];
+        let repertoire = Repertoire::new(sequences(), 2, vec![0, 1, 1], movements).unwrap();
+        let lengths: Vec<_> = repertoire.movements().iter().map(|m| m.sequences().lengths()).collect();
+        assert_eq!(lengths, [&[5, 4][..], &[6][..]]);
+        assert_eq!(repertoire.movements()[1].which(), 2..3);
+        let plain = Repertoire::plain(sequences(), 2);
+        assert_eq!(plain, Repertoire::new(sequences(), 2, vec![0, 1], vec![(3, vec![0, 1])]).unwrap());
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_in_words() {
+        let words = |primitives: &[usize], movements: &[(usize, &[usize])]| {
+            let movements = movements.iter().map(|(count, uses)| (*count, uses.to_vec())).collect();
+            Repertoire::new(sequences(), 2, primitives.to_vec(), movements).unwrap_err().to_string()
+        };
+        assert_eq!(words(&[0, 1], &[]), "expected at least one movement, found none");
+        assert_eq!(
+            words(&[0, 2], &[(3, &[0, 1])]),
+            "expected primitive 1 to belong to a part from 0 to 1, found 2"
+        );
+        assert_eq!(
+            words(&[0, 1], &[(3, &[0])]),
+            "expected movement 0 to name a primitive for each of 2 parts, found 1"
+        );
+        for wrong in [0, 7] {
+            assert_eq!(
+                words(&[0, 1], &[(3, &[0, wrong])]),
+                format!(
+                    "expected movement 0 to give part 1 a primitive of that part, found primitive {wrong}"
+                )
+            );
+        }
+        for counts in [[2, 2], [3, 0], [1, 1]] {
+            let movements: &[(usize, &[usize])] = &[(counts[0], &[0, 1]), (counts[1], &[0, 1])];
+            let found = counts[0] + counts[1];
+            assert_eq!(
+                words(&[0, 1], movements),
+                format!("expected movements of 3 sequences in all, one or more each, found {found}")
+            );
+        }
+    }
+}

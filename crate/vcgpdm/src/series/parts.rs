@@ -1,0 +1,133 @@
+//! Which columns belong to which part.
+
+use crate::motion::parts::PartSpec;
+use crate::series::error::SeriesError;
+use serde::Deserialize;
+
+/// All columns as one part.
+pub fn whole(columns: usize) -> Vec<PartSpec> {
+    vec![PartSpec { name: "whole".to_owned(), joints: (0..columns).collect() }]
+}
+
+/// Reads a split from words: `arm=x,y;leg=z` names the columns of each part; a name that ends with `*` means all columns that begin so.
+///
+/// # Errors
+///
+/// When the words are no such list, or [`check_parts`] refuses the split.
+pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
+    let mut parts = Vec::new();
+    for word in words.split(';').filter(|word| !word.trim().is_empty()) {
+        let (name, list) = word.split_once('=').ok_or_else(|| {
+            SeriesError::Parts(format!("expected parts such as \"arm=x,y;leg=z\", found {word:?}"))
+        })?;
+        let named: Vec<&str> = list.split(',').map(str::trim).collect();
+        parts.push(PartSpec { name: name.trim().to_owned(), joints: places(name.trim(), &named, columns)? });
+    }
+    check_parts(&parts, columns)?;
+    Ok(parts)
+}
+
+/// Reads a split from JSON: `[{"name": "arm", "columns": ["x", "y"]}, ...]`.
+///
+/// # Errors
+///
+/// When the text is no such list, or [`check_parts`] refuses the split.
+pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Entry {
+        name: String,
+        columns: Vec<String>,
+    }
+    let entries: Vec<Entry> = serde_json::from_str(text).map_err(|problem| {
+        SeriesError::Parts(format!(
+            "expected a list like [{{\"name\": \"arm\", \"columns\": [\"x\", \"y\"]}}]: {problem}"
+        ))
+    })?;
+    let mut parts = Vec::with_capacity(entries.len());
+    for Entry { name, columns: list } in entries {
+        let named: Vec<&str> = list.iter().map(String::as_str).collect();
+        let joints = places(&name, &named, columns)?;
+        parts.push(PartSpec { name, joints });
+    }
+    check_parts(&parts, columns)?;
+    Ok(parts)
+}
+
+/// The places of the named columns.
+fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, SeriesError> {
+    let mut places = Vec::new();
+    for name in named {
+        let exact = columns.iter().position(|column| column == name);
+        let found: Vec<usize> = match (exact, name.strip_suffix('*')) {
+            (Some(place), _) => vec![place],
+            (None, Some(start)) => (0..columns.len()).filter(|&k| columns[k].starts_with(start)).collect(),
+            (None, None) => Vec::new(),
+        };
+        if found.is_empty() {
+            return Err(SeriesError::Parts(format!(
+                "part {part:?}: expected some of the columns {}, found {name:?}",
+                shortened(columns)
+            )));
+        }
+        places.extend(found);
+    }
+    Ok(places)
+}
+
+/// Checks that every column is in exactly one part, and that every part has columns and a name of its own. The places in a
+/// [`PartSpec`] are those of columns here.
+///
+/// # Errors
+///
+/// Which part or column is wrong.
+pub fn check_parts(parts: &[PartSpec], columns: &[String]) -> Result<(), SeriesError> {
+    let refuse = |problem: String| Err(SeriesError::Parts(problem));
+    if parts.is_empty() {
+        return refuse("expected at least one part, found none".to_owned());
+    }
+    let mut uses = vec![0_usize; columns.len()];
+    for (k, part) in parts.iter().enumerate() {
+        if part.name.trim().is_empty() || parts[..k].iter().any(|other| other.name == part.name) {
+            return refuse(format!("part {}: expected a name of its own, found {:?}", k + 1, part.name));
+        }
+        if part.joints.is_empty() {
+            return refuse(format!("part {:?}: expected at least one column, found none", part.name));
+        }
+        for &place in &part.joints {
+            match uses.get_mut(place) {
+                Some(count) => *count += 1,
+                None => {
+                    let last = columns.len().saturating_sub(1);
+                    return refuse(format!(
+                        "part {:?}: expected columns from 0 to {last}, found {place}",
+                        part.name
+                    ));
+                }
+            }
+        }
+    }
+    let of = |wrong: &dyn Fn(usize) -> bool| -> Vec<String> {
+        columns.iter().zip(&uses).filter(|(_, uses)| wrong(**uses)).map(|(name, _)| name.clone()).collect()
+    };
+    let (missing, doubled) = (of(&|uses| uses == 0), of(&|uses| uses > 1));
+    if !doubled.is_empty() {
+        return refuse(format!(
+            "expected each column in one part, found {} more than once",
+            shortened(&doubled)
+        ));
+    }
+    if !missing.is_empty() {
+        return refuse(format!(
+            "expected each column in one part, found no part for {}",
+            shortened(&missing)
+        ));
+    }
+    Ok(())
+}
+
+fn shortened(names: &[String]) -> String {
+    let shown: Vec<&str> = names.iter().take(8).map(String::as_str).collect();
+    let more = names.len().saturating_sub(8);
+    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+}

@@ -1,0 +1,58 @@
+//! A trial of a time series.
+
+use crate::series::error::SeriesError;
+use nalgebra::DMatrix;
+
+/// A trial: named columns, a row a moment, equally far apart in time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The name of its file.
+    pub name: String,
+    /// SHA-256 of the file, in hexadecimal.
+    pub sha256: String,
+    /// The names of the columns.
+    pub columns: Vec<String>,
+    /// The numbers [rows x columns].
+    pub values: DMatrix<f64>,
+    /// Seconds from one row to the next, where the file has a column of times.
+    pub frame_time: Option<f64>,
+}
+
+/// Times of two tables that differ by less than this share are one rate.
+const SAME_RATE: f64 = 0.02;
+
+impl Table {
+    /// The same trial with its columns in the order of `first`, with which it is to be trained.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::Differs`] when the columns are others, or the rows are otherwise far apart in time.
+    pub fn like(&self, first: &Table) -> Result<Table, SeriesError> {
+        let differs = |problem: String| {
+            Err(SeriesError::Differs { file: self.name.clone(), first: first.name.clone(), problem })
+        };
+        let mut places = Vec::with_capacity(first.columns.len());
+        for name in &first.columns {
+            match self.columns.iter().position(|column| column == name) {
+                Some(place) => places.push(place),
+                None => return differs(format!("expected a column {name:?}, found none")),
+            }
+        }
+        if let Some(more) = self.columns.iter().find(|name| !first.columns.contains(name)) {
+            return differs(format!("expected no column {more:?}"));
+        }
+        let times = (self.frame_time, first.frame_time);
+        let same = match times {
+            (Some(one), Some(other)) => (one / other - 1.0).abs() < SAME_RATE,
+            (one, other) => one == other,
+        };
+        if !same {
+            let word = |time: Option<f64>| {
+                time.map_or("no column of times".to_owned(), |time| format!("rows {time} s apart"))
+            };
+            return differs(format!("expected {}, found {}", word(times.1), word(times.0)));
+        }
+        let values = self.values.select_columns(&places);
+        Ok(Table { columns: first.columns.clone(), values, ..self.clone() })
+    }
+}

@@ -1,0 +1,89 @@
+use super::*;
+
+fn refusal(text: &str) -> String {
+    read("trial.csv", text.as_bytes()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_table_has_names_numbers_and_a_rate() {
+    let text = "\u{feff}frame,Time,\"left, knee\",hip\r\n0,1.0,2,-3e-1\r\n1,1.25,4,0\r\n2,1.5,6,.5\r\n\r\n";
+    let table = read("trial.csv", text.as_bytes()).unwrap();
+    assert_eq!(table.columns, ["left, knee", "hip"]);
+    assert_eq!(table.values.shape(), (3, 2));
+    assert_eq!((table.values[(1, 0)], table.values[(0, 1)], table.frame_time), (4.0, -0.3, Some(0.25)));
+    assert_eq!(table.sha256.len(), 64);
+    let german = read("trial.csv", b"x;y\n1;2\n3;4\n").unwrap();
+    assert_eq!((german.columns.join(" "), german.frame_time), ("x y".to_owned(), None));
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    let names = ["left, knee".to_owned(), "say \"x\"".to_owned()];
+    let values = nalgebra::DMatrix::from_fn(4, 2, |i, j| 0.1 * i as f64 - j as f64 / 3.0);
+    let table = read("again.csv", write(&names, &values, 0.25).as_bytes()).unwrap();
+    assert_eq!((&table.columns[..], table.values, table.frame_time), (&names[..], values, Some(0.25)));
+    assert!(write(&["=1+1".to_owned()], &nalgebra::DMatrix::zeros(1, 1), 0.1).contains(",'=1+1\n"));
+}
+
+#[test]
+fn errors_name_file_line_and_column() {
+    assert_eq!(
+        refusal("x,knee\n1,2\n3,n/a\n"),
+        "trial.csv, line 3, column 2 (knee): expected a number, found \"n/a\""
+    );
+    for (text, said) in [
+        ("", "line 1: expected a row with the names of the columns, found nothing"),
+        ("1,2\n3,4\n", "line 1: expected a row with the names of the columns, found numbers"),
+        ("x,x\n1,2\n3,4\n", "line 1: expected a name of its own for column 2, found \"x\", as column 1 has"),
+        ("x,\n1,2\n3,4\n", "line 1: expected a name for column 2, found none"),
+        ("x,y\n1,2\n3\n", "line 3: expected 2 fields, as in the first row, found 1"),
+        ("x,y\n1,2\n", "line 2: expected at least two rows of numbers, found 1"),
+        ("x,y\n1,\n3,4\n", "line 2, column 2 (y): expected a number (fill gaps before), found \"\""),
+        (
+            "x;y\n1,5;2\n3;4\n",
+            "line 2, column 1 (x): expected a number with a point, such as 1.5, found \"1,5\"",
+        ),
+        ("x,y\n1,inf\n3,4\n", "line 2, column 2 (y): expected a number from -1e9 to 1e9, found \"inf\""),
+        ("time,y\n0,1\n1,2\n3,3\n4,4\n", "line 3, column 1 (time): expected seconds that grow by as much"),
+        ("time,y\n3,1\n2,2\n1,3\n", "line 4, column 1 (time): expected seconds that grow by"),
+        ("time\n0\n1\n", "line 1: expected a column of numbers beside the times"),
+        ("x,\"y\n1,2\n", "line 1: expected a closing quote"),
+    ] {
+        assert!(refusal(text).starts_with(&format!("trial.csv, {said}")), "{}", refusal(text));
+    }
+    assert!(read("trial.csv", b"\xff\xfe").unwrap_err().to_string().contains("UTF-8"));
+}
+
+#[test]
+fn columns_come_in_the_order_of_the_first_table() {
+    let first = read("a.csv", b"x,y\n1,2\n3,4\n").unwrap();
+    let turned = read("b.csv", b"y,x\n2,1\n4,3\n").unwrap().like(&first).unwrap();
+    assert_eq!((turned.values, turned.columns), (first.values.clone(), first.columns.clone()));
+    let refusal = |text: &str| read("b.csv", text.as_bytes()).unwrap().like(&first).unwrap_err().to_string();
+    assert!(
+        refusal("x,z\n1,2\n3,4\n")
+            .contains("b.csv cannot be trained together with a.csv: expected a column \"y\"")
+    );
+    assert!(refusal("x,y,z\n1,2,3\n3,4,5\n").contains("expected no column \"z\""));
+    assert!(refusal("t,x,y\n0,2,3\n1,4,5\n").contains("expected no column of times, found rows 1 s apart"));
+}
+
+#[test]
+fn parts_are_named_by_their_columns() {
+    let columns = ["arm_x", "arm_y", "leg"].map(str::to_owned);
+    let parts = parts_from_words("arm=arm_*;leg=leg", &columns).unwrap();
+    assert_eq!((&parts[0].joints[..], &parts[1].joints[..]), (&[0, 1][..], &[2][..]));
+    let json = r#"[{"name": "arm", "columns": ["arm_x", "arm_y"]}, {"name": "leg", "columns": ["leg"]}]"#;
+    assert_eq!(parts_from_json(json, &columns).unwrap(), parts);
+    for (words, said) in [
+        ("arm", "expected parts such as"),
+        ("arm=hip;leg=leg", "part \"arm\": expected some of the columns arm_x, arm_y, leg, found \"hip\""),
+        ("arm=arm_x;leg=leg", "found no part for arm_y"),
+        ("arm=arm_*,leg;leg=leg", "found leg more than once"),
+        ("a=arm_*;a=leg", "part 2: expected a name of its own"),
+        ("", "expected at least one part"),
+    ] {
+        let error = parts_from_words(words, &columns).unwrap_err().to_string();
+        assert!(error.contains(said), "{words}: {error}");
+    }
+}
