@@ -9,6 +9,7 @@ import { fileButton } from "../ui/file-button";
 import { messageOf, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
+import "../terms/term";
 import { View } from "../ui/view";
 import type { AnalysisStore } from "./analysis-store";
 import { csvFile } from "./answer-files";
@@ -53,10 +54,10 @@ function countWords({ participants, all, options }: PerceptionResults): string {
   return `${all.trials} answers of ${people}: the model’s movement was taken for the natural one in ${percent(all.hits / all.trials)}.${excluded}`;
 }
 
-function catchWords({ catch: caught }: PerceptionResults): string {
-  if (!caught) return "";
+function catchWords({ catch: caught }: PerceptionResults) {
+  if (!caught) return nothing;
   const { confusion, isHalf } = caught;
-  return `Of ${confusion.trials} catch trials the movement not seen before won ${confusion.hits}: with probability ${plain(isHalf)} nobody knew the others by heart.`;
+  return html`Of ${confusion.trials} <pg-term of="catch-trial" text="catch trials"></pg-term> the movement not seen before won ${confusion.hits}: with probability ${plain(isHalf)} nobody knew the others by heart.`;
 }
 
 function neededWords({ needed: { toTell, forPrecision } }: PerceptionResults): string {

@@ -3,6 +3,7 @@ import { html, svg } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
+import "../terms/term";
 import { styled } from "../ui/styled";
 import { RATE_TITLES, rateFields } from "./answered-settings";
 
@@ -66,7 +67,7 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
         <table class="pairwise">
           <thead><tr>
-            <th scope="col">Model and its best settings</th><th scope="col">Confusion rate</th><th scope="col">P(rate &gt; ½)</th>
+            <th scope="col">Model and its best settings</th><th scope="col"><pg-term of="confusion-rate" text="Confusion rate"></pg-term></th><th scope="col">P(rate &gt; ½)</th>
             ${best.map(
               ({ model }) => html`
             <th scope="col" class="pair" style=${inColour(model)}><small>better than</small> <span class="name">${svgMark(model)} ${modelStyle(model).name}</span></th>`,

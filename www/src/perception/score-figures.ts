@@ -1,6 +1,7 @@
 // Confusion rate over each score with the fitted curve (figures 5 and 6 of Knopp et al. 2019), and of all models together (figure 7).
 import { html } from "lit";
 import type { ModelKind, Regression, PerceptionResults } from "../engine/whole-protocol";
+import "../terms/term";
 import { FigureElement } from "../figures/figure-element";
 import { modelMark, modelStyle, inColour } from "../figures/model-style";
 import {
@@ -85,7 +86,7 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
     );
     return html`
       ${panels(all, this.width, this.type, 4)}
-      <figcaption>Curves: logistic regression with a ceiling of one half. ln K compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about
+      <figcaption>Curves: logistic regression with a ceiling of one half. <pg-term of="ln-k" text="ln K"></pg-term> compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about
         what people see.</figcaption>`;
   }
 }

@@ -1,6 +1,7 @@
 // The study: what it is, its design, what participants read, and which movements check their attention.
 import { html } from "lit";
 import type { StudyInfo, StudyPreset, StudyTexts, StudyView } from "../engine/whole-protocol";
+import "../terms/term";
 import { modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { duration } from "../ui/format";
@@ -66,7 +67,7 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
   return html`
     <details class="advanced">
       <summary>Movements that check attention</summary>
-      <p class="hint">Tick those that have obviously failed. They are left out of the comparison, and who takes more than 15 % of them for natural is left out too.</p>
+      <p class="hint">Tick those that have obviously failed, for <pg-term of="attention-check" text="attention checks"></pg-term>. They are left out of the comparison, and who takes more than 15 % of them for natural is left out too.</p>
       <ul class="movement-marks">${generated.map(
         ({ id, model, scores, failed }) => html`
         <li><label class="check"><input type="checkbox" data-testid="failed-${id}" .checked=${failed} ?disabled=${store.busy} @change=${() => toggle(id)} />
