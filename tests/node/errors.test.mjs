@@ -92,7 +92,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["results", () => Results.fromJson("{}"), /^expected the results of an evaluation: missing field `format`/],
     ["results", () => results.merge(others), /^these results are of other trials/],
     ["study", () => Study.fromJson("{}"), /^expected a study with "format": "vcgpdm study", found no format/],
-    ["study", () => new StudyMaker(clip, 2, 30).study("none", "class", "figure", 1), /^at stimuli: expected from 2 to 5000, found 0/],
+    [
+      "study",
+      () => new StudyMaker(clip, 2, 30).study("none", "class", "figure", 1),
+      /^at stimuli: expected from 2 to 5000, found 0/,
+    ],
     ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
   ];
   // What is no text, and no whole number.

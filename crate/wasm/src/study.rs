@@ -4,6 +4,7 @@ use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
 use vcgpdm::models::{ModelKind, ModelSettings};
 use vcgpdm::perception::{
     Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, StudyTrial as Shown, Texts,
@@ -217,6 +218,8 @@ struct StudyTrial {
 #[wasm_bindgen]
 pub struct Study {
     study: MovementStudy,
+    /// What is shown never changes: large studies are read through for it once.
+    hash: OnceCell<String>,
 }
 
 #[wasm_bindgen]
@@ -224,7 +227,7 @@ impl Study {
     /// Reads a study's document. Throws what is wrong, with the path of the field.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Study, VcgpdmError> {
-        Ok(Study { study: MovementStudy::from_json(&text.get(ErrorCode::Study, "the document")?)? })
+        Ok(Study::of(MovementStudy::from_json(&text.get(ErrorCode::Study, "the document")?)?))
     }
 
     /// The document.
@@ -273,7 +276,7 @@ impl Study {
                 answer_during_movement: design.answer_during_movement,
                 seed: design.seed,
             },
-            hash: study.hash()?,
+            hash: self.hash()?,
         })
     }
 
@@ -310,7 +313,7 @@ impl Study {
         #[wasm_bindgen(unchecked_param_type = "StudyPreset")] preset: &Text,
     ) -> Result<Study, VcgpdmError> {
         let preset = self::preset(preset)?;
-        Ok(Study { study: self.study.clone().with_preset(preset) })
+        Ok(self.changed(self.study.clone().with_preset(preset)))
     }
 
     /// The same study with figures that are drawn like this.
@@ -322,7 +325,7 @@ impl Study {
         let look = self::look(look)?;
         let mut study = self.study.clone();
         study.look = look;
-        Ok(Study { study })
+        Ok(self.changed(study))
     }
 
     /// The same study with other texts to read.
@@ -335,7 +338,7 @@ impl Study {
             from_js(ErrorCode::Study, "texts", &texts)?;
         let mut study = self.study.clone();
         study.texts = Texts { consent, instructions, question, pause, end };
-        Ok(Study { study })
+        Ok(self.changed(study))
     }
 
     /// The same study of which the movements of these ids, and no others, are marked as obvious failures.
@@ -345,7 +348,7 @@ impl Study {
         #[wasm_bindgen(unchecked_param_type = "string[]")] ids: JsValue,
     ) -> Result<Study, VcgpdmError> {
         let ids: Vec<String> = from_js(ErrorCode::Study, "the ids", &ids)?;
-        Ok(Study { study: self.study.clone().with_failed(&ids)? })
+        Ok(self.changed(self.study.clone().with_failed(&ids)?))
     }
 }
 
@@ -369,7 +372,19 @@ pub fn look(name: &Text) -> Result<Look, VcgpdmError> {
 impl Study {
     /// A study of the library.
     pub fn of(study: MovementStudy) -> Study {
-        Study { study }
+        Study { study, hash: OnceCell::new() }
+    }
+
+    /// Another study of the same movements.
+    fn changed(&self, study: MovementStudy) -> Study {
+        Study { study, hash: self.hash.clone() }
+    }
+
+    fn hash(&self) -> Result<String, VcgpdmError> {
+        if self.hash.get().is_none() {
+            let _ = self.hash.set(self.study.hash()?);
+        }
+        Ok(self.hash.get().cloned().unwrap_or_default())
     }
 
     fn stimuli(&self) -> Vec<Stimulus<'_>> {

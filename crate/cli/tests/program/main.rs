@@ -6,6 +6,7 @@ mod columns;
 mod commands;
 mod evaluate;
 mod files;
+mod library;
 mod models;
 mod perception;
 mod reproduce;
