@@ -15,11 +15,13 @@ const VIEWS: [Settings["view"], string][] = [
   ["play", "Play"],
   ["compare", "Compare models"],
   ["synthetic", "Who drives whom?"],
+  ["perception", "Which is natural?"],
 ];
 
 const LEADS = {
   compare: "Which model foresees a walk best, and what does it cost?",
   synthetic: "Two made-up systems of which the truth is known: does training find it?",
+  perception: "The graphics Turing test: can people tell a model’s movement from a natural one?",
   method: "The model in equations, and where each symbol is to be seen.",
 };
 

@@ -44,6 +44,14 @@ const ON_DEMAND = {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
+  async perception({ perception, analysis, notices }: App) {
+    const [store, answers] = await Promise.all([
+      perception.get(),
+      analysis.get(),
+      import("../perception/perception-page"),
+    ]);
+    return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+  },
   async method() {
     await import("../method/method-page");
     return () => html`<pg-method></pg-method>`;
@@ -269,14 +277,14 @@ export class PageView extends View {
   private forgetButton() {
     const { session } = this;
     if (!session) return nothing;
-    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings and models of your visits, so that you find them again."
+    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings, models and answers of your visits, so that you find them again."
       @click=${() => void this.forget(session)}>Forget everything</button>`;
   }
 
   private async forget(session: SessionStore): Promise<void> {
     const { notices } = this.app;
     try {
-      await session.forgetAll();
+      await Promise.all([session.forgetAll(), this.app.forgetAnswers()]);
       const text = "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
       notices.add({ kind: "done", title: "Forgotten", text, at: null });
     } catch (problem) {
@@ -294,6 +302,7 @@ export class PageView extends View {
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
+        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}

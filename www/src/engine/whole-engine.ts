@@ -11,7 +11,19 @@ type Remote<Call> = Call extends (...given: infer Given) => infer Answer
   ? (...given: Given) => Promise<Awaited<Answer>>
   : never;
 
-type Questions = "planComparison" | "addOutcome" | "openResults" | "drawExperiment" | "moments";
+type Questions =
+  | "planComparison"
+  | "addOutcome"
+  | "openResults"
+  | "drawExperiment"
+  | "moments"
+  | "openStudy"
+  | "changeStudy"
+  | "drawTrials"
+  | "movements"
+  | "analysePerception"
+  | "perceptionJson"
+  | "makeStudy";
 
 /** What the page asks of a worker of the whole program. */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
@@ -53,6 +65,13 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
           () => remote.evaluate(job, Comlink.proxy(report)),
         ),
       moments: (text, request) => remote.moments(text, request),
+      openStudy: (text) => remote.openStudy(text),
+      changeStudy: (text, change) => remote.changeStudy(text, change),
+      drawTrials: (text, seed) => remote.drawTrials(text, seed),
+      movements: (text) => remote.movements(text),
+      analysePerception: (text, answers) => remote.analysePerception(text, answers),
+      perceptionJson: (text, answers) => remote.perceptionJson(text, answers),
+      makeStudy: (request) => remote.makeStudy(request),
       drawExperiment: (experiment) => remote.drawExperiment(experiment),
       trainExperiment: (experiment, report, signal) =>
         cancellable(

@@ -1,10 +1,11 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment and finds the uncertainty of a rollout. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, finds the uncertainty of a rollout and knows the graphics Turing test. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
 import { showLife } from "./life";
+import { perceptionWorker } from "./perception";
 import { trainee } from "./training";
 import { uncertaintyWorker } from "./uncertainty";
 
@@ -16,6 +17,7 @@ const worker: WholeWorker = {
   ...comparisonWorker,
   ...experimentWorker,
   ...uncertaintyWorker,
+  ...perceptionWorker,
 };
 
 Comlink.expose(worker);
