@@ -12,6 +12,8 @@ use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
+use vcgpdm::series::SeriesError;
+#[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
@@ -29,9 +31,11 @@ export type ErrorCode =
     | "rollout"
     | "comparison"
     | "results"
-    | "numerics";
+    | "table"
+    | "numerics"
+    | "freed";
 
-/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. */
+/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. The code "freed" is that of an object that is used after its `free()`. */
 export interface VcgpdmError extends Error {
     name: "VcgpdmError";
     code: ErrorCode;
@@ -63,6 +67,9 @@ pub enum ErrorCode {
     /// Results, or their file.
     #[cfg(feature = "training")]
     Results,
+    /// A table of numbers, or tables that do not go together.
+    #[cfg(feature = "training")]
+    Table,
     /// A number out of bounds, or a matrix that cannot be factorised.
     Numerics,
 }
@@ -82,6 +89,8 @@ impl ErrorCode {
             ErrorCode::Comparison => "comparison",
             #[cfg(feature = "training")]
             ErrorCode::Results => "results",
+            #[cfg(feature = "training")]
+            ErrorCode::Table => "table",
             ErrorCode::Numerics => "numerics",
         }
     }
@@ -178,6 +187,16 @@ impl LibraryError for RolloutError {
             // Only a rollout that is not finite cannot be turned into poses.
             RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for SeriesError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            SeriesError::Parts(_) => ErrorCode::Parts,
+            _ => ErrorCode::Table,
         }
     }
 }

@@ -4,6 +4,8 @@
 //! takes and gives is declared in TypeScript beside it.
 #![cfg(target_arch = "wasm32")]
 
+#[cfg(feature = "training")]
+mod any_model;
 mod body;
 #[cfg(feature = "speed")]
 mod case;
@@ -22,6 +24,8 @@ mod rollout;
 mod settings;
 #[cfg(feature = "training")]
 mod synthetic;
+#[cfg(feature = "training")]
+mod tables;
 #[cfg(feature = "training")]
 mod trainer;
 
