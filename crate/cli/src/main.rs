@@ -5,6 +5,7 @@
 
 mod bound;
 mod clip;
+mod couple;
 mod evaluate;
 mod files;
 mod interrupt;
@@ -46,6 +47,7 @@ enum Command {
     Bound(bound::Arguments),
     Clip(clip::Arguments),
     Train(train::Arguments),
+    Couple(couple::Arguments),
     Reproduce(reproduce::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
@@ -96,6 +98,7 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
+        Command::Couple(arguments) => couple::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),

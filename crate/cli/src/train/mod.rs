@@ -2,6 +2,7 @@
 
 mod columns;
 mod kind;
+mod library;
 
 use crate::progress::Progress;
 use crate::usage::usage;
@@ -15,8 +16,8 @@ use vcgpdm::document::DocumentError;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
-    Dataset, DatasetError, Learner, Model, ModelKind, ModelSettings, Movements, Observed, Provenance, Source,
-    TrainedModel, with_bones_of,
+    Dataset, DatasetError, Learner, LearningProgress, Model, ModelKind, ModelSettings, Movements, Observed,
+    Provenance, Source, TrainedModel, with_bones_of,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, Skeleton, parts};
@@ -25,8 +26,14 @@ use vcgpdm::motion::{Clip, Skeleton, parts};
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each becomes a sequence. With --columns: CSV files.
-    #[arg(value_name = "CLIP", required = true)]
+    #[arg(value_name = "CLIP", required_unless_present = "movements", conflicts_with = "movements")]
     clips: Vec<String>,
+    /// Train a library of primitives: clips of one movement, under its name; may be given several times.
+    #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
+    movements: Vec<String>,
+    /// Parts that use the same primitive in all movements; every other part has one of its own in each.
+    #[arg(long, value_name = "PART,PART", requires = "movements")]
+    share: Vec<String>,
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     model: Option<ModelKind>,
@@ -37,7 +44,7 @@ pub struct Arguments {
     parts: Option<String>,
     /// Train on columns of numbers that are no body: each CLIP is a CSV file, with the names of the columns in its first row and a row a
     /// moment. A column "time" holds seconds; a column "frame" is left out.
-    #[arg(long, conflicts_with_all = ["seed_frames", "first_bones"])]
+    #[arg(long, conflicts_with_all = ["seed_frames", "first_bones", "movements"])]
     columns: bool,
     /// Write the model to this file.
     #[arg(long, value_name = "MODEL.json")]
@@ -60,6 +67,9 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if !arguments.movements.is_empty() {
+        return library::run(arguments);
+    }
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;
@@ -193,10 +203,18 @@ fn objective(kind: ModelKind) -> &'static str {
 
 /// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
 fn train(learner: &mut dyn Learner, objective: &str) -> Result<String, Box<dyn Error>> {
+    train_steps(|| learner.step(), objective)
+}
+
+/// As `train`, one step after the other.
+pub fn train_steps(
+    mut step: impl FnMut() -> LearningProgress,
+    objective: &str,
+) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
     let mut shown = Progress::new("at most");
     loop {
-        let progress = learner.step();
+        let progress = step();
         // Not the iterations: a search for the number of primitives may end long before the most there can be.
         shown.show(progress.fraction, || {
             let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));

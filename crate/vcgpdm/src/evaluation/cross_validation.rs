@@ -3,6 +3,7 @@
 
 use crate::evaluation::dtw::{Score, ScoreError, score_and_columns};
 use crate::gp::NumericsError;
+use crate::models::library::{CombinationError, PlanError};
 use crate::models::variational::BoundTerms;
 use crate::models::{
     Body, Dataset, DatasetError, EndReason, Learner, LearningProgress, Model, ModelSettings, Movements,
@@ -55,6 +56,12 @@ pub enum EvaluationError {
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
+    /// Movements that cannot be planned as a library.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// A movement of a library could not be made.
+    #[error(transparent)]
+    Combination(#[from] CombinationError),
     /// A number that is not finite, though the predicted columns are.
     #[error("the prediction is not finite: {what} is {found}")]
     NotFinite {

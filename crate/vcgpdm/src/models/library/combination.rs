@@ -72,12 +72,13 @@ impl Library {
     pub fn combination(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Vcgpdm, CombinationError> {
         self.check_uses(uses)?;
         check_couplings(alpha, self.part_count())?;
-        self.model(uses, alpha, self.recorded(uses), self.starts(uses))
+        let own = self.recorded(uses).map(|index| &self.movements[index]);
+        self.model(uses, alpha, own, self.starts(uses))
     }
 
-    /// The movement of just these primitives that has rows of its own.
-    fn recorded(&self, uses: &[usize]) -> Option<&LearnedMovement> {
-        self.movements.iter().find(|movement| movement.uses == uses && movement.sums.is_some())
+    /// The movement of just these primitives that they learned from, if there is one.
+    pub fn recorded(&self, uses: &[usize]) -> Option<usize> {
+        self.movements.iter().position(|movement| movement.uses == uses && movement.sums.is_some())
     }
 
     /// Checks that `uses` gives each part one of its primitives.

@@ -12,6 +12,7 @@ mod nearest;
 mod plan;
 mod trained;
 mod trainer;
+mod walk;
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
@@ -25,6 +26,7 @@ pub use coupling::CouplingTrainer;
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
 pub use trained::{LibraryError, ObservedClip, TrainedLibrary};
 pub use trainer::LibraryTrainer;
+pub use walk::{LatentWalk, LibraryWalk, TEMPOS, WalkError, WalkFrames};
 
 /// What a primitive predicts about one part.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,6 +166,18 @@ impl Library {
     /// Latent dimensions Q of each part `[M]`.
     pub fn latent_dimensions(&self) -> Vec<usize> {
         self.parts.iter().map(|part| part.r().ncols()).collect()
+    }
+
+    /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and primitives once, couplings
+    /// and a start for each movement. Of each map its inducing inputs, their posterior mean and its kernel.
+    pub fn stored_numbers(&self) -> usize {
+        let pose = |map: &PoseMap| map.r().len() + map.mean().len() + map.kernel().lambda.len() + 1;
+        let expert = |e: &FittedExpert| e.z().len() + e.mean().len() + e.kernel().lambda.len();
+        let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
+        let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();
+        self.parts.iter().map(pose).sum::<usize>()
+            + experts.map(|known| expert(&known.fitted)).sum::<usize>()
+            + self.movements.len() * (self.part_count() * self.part_count() + start)
     }
 
     /// Where each primitive's expert about part `i` starts in the stack of all; last its height.

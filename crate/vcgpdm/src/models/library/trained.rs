@@ -133,13 +133,22 @@ impl TrainedLibrary {
         Ok(self.with_sequences(model, self.library.start_sequences(uses)))
     }
 
-    fn with_sequences(&self, model: Vcgpdm, chosen: Vec<(usize, usize)>) -> TrainedModel<Vcgpdm> {
+    /// Where the sequences come from that a combination can start from.
+    pub fn start_infos(&self, uses: &[usize]) -> Vec<SequenceInfo> {
+        self.infos(self.library.start_sequences(uses))
+    }
+
+    /// Of sequences by movement and place in it.
+    fn infos(&self, chosen: Vec<(usize, usize)>) -> Vec<SequenceInfo> {
         let place = |(movement, sequence): (usize, usize)| {
             let before = self.library.movements[..movement].iter().map(|m| m.starts.len());
             before.sum::<usize>() + sequence
         };
-        let infos = chosen.into_iter().filter_map(|at| self.body.sequences.get(place(at)).cloned());
-        let body = Body { sequences: infos.collect(), ..self.body.clone() };
+        chosen.into_iter().filter_map(|at| self.body.sequences.get(place(at)).cloned()).collect()
+    }
+
+    fn with_sequences(&self, model: Vcgpdm, chosen: Vec<(usize, usize)>) -> TrainedModel<Vcgpdm> {
+        let body = Body { sequences: self.infos(chosen), ..self.body.clone() };
         TrainedModel { model, body, provenance: self.provenance.clone() }
     }
 

@@ -1,0 +1,89 @@
+//! `vcgpdm couple`: primitives of a library in a new combination.
+
+use crate::files;
+use crate::train::train_steps;
+use crate::usage::usage;
+use serde_json::json;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use vcgpdm::models::library::{CouplingsFrom, TrainedLibrary};
+
+/// Combine primitives of a library into a model, and print its couplings as one JSON object.
+///
+/// The primitives stay as they were learned. With clips, the couplings are fitted to them; without, they are those of the trained
+/// movement that shares most primitives with the combination, or 1 where none does.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A library that `vcgpdm train --movement` wrote.
+    #[arg(value_name = "LIBRARY.json")]
+    library: PathBuf,
+    /// The primitive of each part, by its name or by that of a movement that uses it.
+    #[arg(long = "use", value_name = "PART=PRIMITIVE,...")]
+    uses: String,
+    /// Fit the couplings to this clip, a BVH file or sample:ID; may be given several times.
+    #[arg(long = "clip", value_name = "CLIP")]
+    clips: Vec<String>,
+    /// Most iterations of the fit.
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    max_iterations: usize,
+    /// Write the model of the combination to this file.
+    #[arg(long, value_name = "MODEL.json")]
+    out: PathBuf,
+    /// Write the library with the combination as a movement of this name.
+    #[arg(long, value_name = "NAME", requires = "library_out")]
+    name: Option<String>,
+    /// Where to write that library.
+    #[arg(long, value_name = "LIBRARY.json", requires = "name")]
+    library_out: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let text = files::read_text(&arguments.library)?;
+    let named = |error| files::about(&arguments.library, &error);
+    let mut trained = TrainedLibrary::from_json(&text).map_err(named)?;
+    let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
+    let read = arguments.clips.iter().map(Path::new).chain([arguments.library.as_path()]);
+    files::check_outs([Some(&arguments.out), arguments.library_out.as_ref()].into_iter().flatten(), read)?;
+    let name = arguments.name.as_deref().unwrap_or("combination");
+    let begin = Instant::now();
+    let mut reason = None;
+    // A combination that was recorded is there already, with the rows that it was learned from.
+    let recorded =
+        trained.library.recorded(&uses).filter(|_| arguments.clips.is_empty() && arguments.name.is_none());
+    if recorded.is_none() {
+        let (movement, sequences) = if arguments.clips.is_empty() {
+            (trained.library.nearest_combination(name, &uses)?, trained.start_infos(&uses))
+        } else {
+            let mut clips = Vec::new();
+            for place in &arguments.clips {
+                clips.push(trained.observed(&files::read_clip(place)?)?);
+            }
+            let mut trainer = trained.coupling_trainer(&uses, &clips, arguments.max_iterations)?;
+            reason = Some(train_steps(|| trainer.step().into(), "bound")?);
+            (trainer.movement(name), clips.into_iter().map(|clip| clip.info).collect())
+        };
+        trained.add(movement, sequences);
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    let index = recorded.unwrap_or(trained.library.movements.len() - 1);
+    let movement = &trained.library.movements[index];
+    let from = match &movement.couplings {
+        CouplingsFrom::Training => json!({ "from": "training" }),
+        CouplingsFrom::Clips { bound, iterations } => {
+            json!({ "from": "clips", "bound": bound, "iterations": iterations, "reason": reason })
+        }
+        CouplingsFrom::Movement(name) => json!({ "from": "movement", "movement": name }),
+        CouplingsFrom::Nothing => json!({ "from": "nothing" }),
+    };
+    let alpha: Vec<Vec<f64>> = movement.alpha.row_iter().map(|row| row.iter().copied().collect()).collect();
+    let model = trained.movement(index)?;
+    files::write_text(&arguments.out, &model.to_json()?)?;
+    let mut outs = vec![arguments.out.as_path()];
+    if let Some(path) = &arguments.library_out {
+        files::write_text(path, &trained.to_json()?)?;
+        outs.push(path);
+    }
+    let summary = json!({ "uses": arguments.uses, "alpha": alpha, "couplings": from, "seconds": seconds });
+    files::print_summary(&summary, &outs)
+}

@@ -1,0 +1,121 @@
+//! `vcgpdm train --movement`: clips of several movements to a library of primitives.
+
+use crate::files;
+use crate::train::{Arguments, parts, train_steps, with_hint};
+use crate::usage::usage;
+use serde_json::json;
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm::models::{Dataset, ModelKind, ModelSettings, Source, with_bones_of};
+use vcgpdm::motion::Clip;
+
+/// A movement as it is asked for: its name and the places of its clips.
+struct Asked<'a> {
+    name: &'a str,
+    clips: Vec<&'a str>,
+}
+
+/// `NAME=CLIP,CLIP`.
+fn asked(text: &str) -> Result<Asked<'_>, Box<dyn Error>> {
+    let parsed = text.split_once('=').map(|(name, clips)| Asked {
+        name: name.trim(),
+        clips: clips.split(',').map(str::trim).filter(|clip| !clip.is_empty()).collect(),
+    });
+    match parsed {
+        Some(asked) if !asked.clips.is_empty() => Ok(asked),
+        _ => Err(usage(format!("--movement {text}: expected NAME=CLIP,CLIP with at least one clip"))),
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let asked = arguments.movements.iter().map(|text| asked(text)).collect::<Result<Vec<_>, _>>()?;
+    let split = arguments
+        .parts
+        .as_deref()
+        .ok_or_else(|| usage("--parts: expected how to split the body of a library, such as lower,upper"))?;
+    if !matches!(arguments.model, None | Some(ModelKind::Vcgpdm)) {
+        return Err(usage("--movement: expected no other model than vcgpdm, which alone has primitives"));
+    }
+    let mut clips: Vec<Clip> = Vec::new();
+    for place in asked.iter().flat_map(|movement| &movement.clips) {
+        clips.push(files::read_clip(place)?);
+    }
+    if arguments.first_bones {
+        let first = clips[0].clone();
+        for clip in &mut clips {
+            *clip = with_bones_of(clip, &first)?;
+        }
+    }
+    let parts = parts(split, &clips[0].skeleton)?;
+    let mut shared = vec![false; parts.len()];
+    for name in arguments.share.iter().flat_map(|text| text.split(',')) {
+        let place = parts.iter().position(|part| part.name == name.trim()).ok_or_else(|| {
+            let known: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+            usage(format!("--share {name}: expected one of the parts {}", known.join(", ")))
+        })?;
+        shared[place] = true;
+    }
+    let movements = asked
+        .iter()
+        .map(|movement| PlannedMovement { name: movement.name.to_owned(), sequences: movement.clips.len() });
+    let plan = LibraryPlan::new(movements.collect(), shared).map_err(|error| usage(error.to_string()))?;
+    // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
+    let ModelSettings::Vcgpdm(settings) = arguments.options.settings(ModelKind::Vcgpdm)? else {
+        return Err("expected settings of a vcgpdm".into());
+    };
+    if arguments.options.write_start.is_some() {
+        return Err(usage("--write-start: expected a plain model, found movements"));
+    }
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
+    let read = asked.iter().flat_map(|movement| &movement.clips).map(Path::new);
+    files::check_outs([&arguments.out], read)?;
+    let begin = Instant::now();
+    let seed = arguments.options.seed;
+    let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
+        .map_err(|reason| dataset.refusal(reason))?;
+    let reason = train_steps(|| trainer.step().into(), "bound")?;
+    let seconds = begin.elapsed().as_secs_f64();
+    let mut trained = TrainedLibrary::trained(&dataset, &trainer, arguments.fps)?;
+    trained.provenance.note.clone_from(&arguments.note);
+    files::write_text(&arguments.out, &trained.to_json()?)?;
+    files::print_summary(&summary(&trained, seconds, &reason, &dataset.warnings), &[&arguments.out])
+}
+
+fn summary(trained: &TrainedLibrary, seconds: f64, reason: &str, warnings: &[String]) -> serde_json::Value {
+    let library = &trained.library;
+    let parts = trained.body.layout.parts();
+    let primitives: Vec<_> = library
+        .primitives
+        .iter()
+        .map(|primitive| json!({ "part": parts[primitive.part].name, "name": primitive.name }))
+        .collect();
+    let movements: Vec<_> = library
+        .movements
+        .iter()
+        .map(|movement| {
+            let uses: serde_json::Map<String, serde_json::Value> = parts
+                .iter()
+                .zip(&movement.uses)
+                .map(|(part, used)| (part.name.clone(), library.primitives[*used].name.clone().into()))
+                .collect();
+            let alpha: Vec<Vec<f64>> =
+                movement.alpha.row_iter().map(|row| row.iter().copied().collect()).collect();
+            json!({ "name": movement.name, "uses": uses, "alpha": alpha })
+        })
+        .collect();
+    json!({
+        "kind": "library",
+        "elbo": trained.provenance.objective,
+        "terms": library.terms,
+        "primitives": primitives,
+        "movements": movements,
+        "iterations": trained.provenance.iterations,
+        "evaluations": trained.provenance.evaluations,
+        "seconds": seconds,
+        "warnings": warnings,
+        "reason": reason,
+    })
+}
