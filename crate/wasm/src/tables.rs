@@ -32,10 +32,22 @@ export interface TablePart {
 }
 
 /** What a training on tables is asked to do. */
-export interface TableTrainingSettings extends Omit<TrainingSettings, "parts" | "framesPerSecond"> {
+export interface TableTrainingSettings {
     parts: TablePart[];
+    /** Latent dimensions Q of every part. */
+    latent: number;
+    /** Dynamics inducing points K of every expert. */
+    dynamicsIps: number;
+    /** Pose inducing points L of every part. */
+    poseIps: number;
+    /** Order p of the dynamics. */
+    order: number;
     /** Rows a second, where the tables have no column of times. */
     framesPerSecond: number;
+    /** The seed of everything random, a whole number from 0 to 4294967295. */
+    seed: number;
+    /** Most iterations of the optimiser. */
+    maxIterations: number;
 }
 "#;
 
