@@ -32,7 +32,8 @@ export function weigh() {
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
   const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
-  const first = files.filter((file) => !later.includes(file) && !asked.includes(file));
+  const study = inFolders("study/");
+  const first = files.filter((file) => ![...later, ...asked, ...study].includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
@@ -40,9 +41,10 @@ export function weigh() {
     ["first visit", sum(first), budget.firstVisit],
     ["when asked for", sum(asked), budget.whenAsked],
     ["on demand", sum(later), budget.onDemand],
+    ["study", sum(study), budget.study],
   ];
 
-  const rows = [...[...first, ...asked, ...later].map(({ name, size }) => [name, size, ""]), ...sums];
+  const rows = [...[...first, ...asked, ...later, ...study].map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);
   for (const [name, size, limit] of rows) {

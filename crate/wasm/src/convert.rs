@@ -284,7 +284,10 @@ mod tests {
         assert_eq!(refusal(r#"{"allScores":[]}"#), "it: missing field `dynamicsIps`");
         assert_eq!(refusal(r#"{"dynamicsIps":[],"allScores":[{}]}"#), "it: missing field `dtwMse`");
         let unknown = refusal(r#"{"dynamicsIps":[],"allScores":[],"allScore":1}"#);
-        assert_eq!(unknown, "it: unknown field `allScore`, expected some of `dynamicsIps`, `allScores`, `sha256`");
+        assert_eq!(
+            unknown,
+            "it: unknown field `allScore`, expected some of `dynamicsIps`, `allScores`, `sha256`"
+        );
         let kind = refusal(r#"{"dynamicsIps":[["a_b"]],"allScores":[]}"#);
         assert_eq!(kind, "it: invalid type: string \"a_b\", expected usize");
     }

@@ -6,11 +6,15 @@ use vcgpdm::document::DocumentError;
 #[cfg(feature = "training")]
 use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
+#[cfg(feature = "training")]
+use vcgpdm::models::library::{CombinationError, LibraryError as PrimitivesError, WalkError};
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
+#[cfg(feature = "training")]
+use vcgpdm::perception::{AnalysisError, AnswersError, MakerError, StudyError};
 #[cfg(feature = "training")]
 use vcgpdm::series::SeriesError;
 #[cfg(feature = "training")]
@@ -31,6 +35,7 @@ export type ErrorCode =
     | "rollout"
     | "comparison"
     | "results"
+    | "study"
     | "table"
     | "numerics"
     | "freed";
@@ -70,6 +75,9 @@ pub enum ErrorCode {
     /// A table of numbers, or tables that do not go together.
     #[cfg(feature = "training")]
     Table,
+    /// A study of perceived naturalness, or answers to one.
+    #[cfg(feature = "training")]
+    Study,
     /// A number out of bounds, or a matrix that cannot be factorised.
     Numerics,
 }
@@ -91,6 +99,8 @@ impl ErrorCode {
             ErrorCode::Results => "results",
             #[cfg(feature = "training")]
             ErrorCode::Table => "table",
+            #[cfg(feature = "training")]
+            ErrorCode::Study => "study",
             ErrorCode::Numerics => "numerics",
         }
     }
@@ -155,6 +165,10 @@ about! {
     PlanError => Comparison,
     ResultsError => Results,
     SettingError => Comparison,
+    AnalysisError => Study,
+    AnswersError => Study,
+    MakerError => Study,
+    StudyError => Study,
 }
 
 impl LibraryError for TrainingError {
@@ -197,6 +211,43 @@ impl LibraryError for SeriesError {
         match self {
             SeriesError::Parts(_) => ErrorCode::Parts,
             _ => ErrorCode::Table,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for CombinationError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            CombinationError::Numerics(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for WalkError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            WalkError::Combination(reason) => reason.code(),
+            WalkError::Rollout(reason) => reason.code(),
+            WalkError::Pose(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for PrimitivesError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            PrimitivesError::Body { reason, .. } if reason.is_of_bones() => ErrorCode::Bones,
+            PrimitivesError::Body { .. } => ErrorCode::Clips,
+            PrimitivesError::Clip(reason) => reason.code(),
+            PrimitivesError::Pose { reason, .. } => reason.code(),
+            PrimitivesError::Combination(reason) => reason.code(),
+            PrimitivesError::Training(reason) => reason.code(),
+            _ => ErrorCode::Model,
         }
     }
 }

@@ -27,6 +27,7 @@ pub mod bvh;
 mod clip;
 mod foreign;
 mod joint_names;
+pub mod landmarks;
 pub mod measures;
 pub mod parts;
 mod percentile;

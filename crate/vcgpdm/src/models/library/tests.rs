@@ -205,11 +205,10 @@ fn a_tempo_stretches_the_time_of_a_part() {
 }
 
 #[test]
-fn arms_lock_to_the_legs_where_they_are_driven() {
+fn arms_at_another_tempo_that_hardly_listen_are_not_locked() {
     let library = trained([true, false]);
-    let map = library.locking(&[0, 1], (0, 1), &[1.0, 1.4], &[0.01, 100.0], 600).unwrap();
+    let map = library.locking(&[0, 1], (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
     assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
-    assert!(map[(0, 1)] > 0.95 && map[(1, 1)] > 0.9, "{map}");
-    assert!(map[(1, 0)] < map[(1, 1)], "{map}");
+    assert!(map[(0, 1)] > 0.9 && map[(1, 0)] < 0.3, "{map}");
     assert!(library.locking(&[0, 1], (0, 7), &[1.0], &[1.0], 10).is_err());
 }

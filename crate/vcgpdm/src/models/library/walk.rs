@@ -14,6 +14,9 @@ use thiserror::Error;
 /// Tempos at which a step of the dynamics can still be divided or stretched.
 pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
 
+/// A map of locking that takes more frames in all would take minutes.
+const MOST_LOCKING_FRAMES: usize = 2_000_000;
+
 /// Why a walk cannot go on as asked.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -284,8 +287,12 @@ impl Library {
         strengths: &[f64],
         frames: usize,
     ) -> Result<DMatrix<f64>, WalkError> {
-        let walk = LatentWalk::new(self, uses)?;
-        let m = self.part_count();
+        let (walk, m) = (LatentWalk::new(self, uses)?, self.part_count());
+        let work = tempos.len().saturating_mul(strengths.len()).saturating_mul(frames);
+        if work > MOST_LOCKING_FRAMES {
+            let (highest, found) = (MOST_LOCKING_FRAMES as f64, work as f64);
+            return Err(WalkError::Range { what: "frames of the map in all", lowest: 0.0, highest, found });
+        }
         if source >= m || target >= m {
             return Err(CombinationError::Count { expected: m, found: source.max(target) + 1 }.into());
         }
@@ -343,6 +350,7 @@ impl LibraryWalk {
     ///
     /// When the poses are no longer finite.
     pub fn advance(&mut self, trained: &TrainedLibrary, frames: usize) -> Result<WalkFrames, WalkError> {
+        trained.body.check_frames(frames, self.latents.latent.iter().sum())?;
         let latents = self.latents.advance(&trained.library, frames);
         let parts = trained.library.parts.iter().zip(&latents);
         let observed: Vec<_> = parts.map(|(part, x)| part.observations(x)).collect();
