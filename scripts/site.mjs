@@ -31,7 +31,7 @@ export function weigh() {
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
-  const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
+  const later = inFolders("assets/on-demand/", "comparison/", "primitives/", "service.js", "licences.txt");
   const first = files.filter((file) => !later.includes(file) && !asked.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */

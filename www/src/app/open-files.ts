@@ -1,4 +1,4 @@
-// Files that a visitor drops or chooses: motion clips (.bvh), models and results of comparisons (.json).
+// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries and results of comparisons (.json).
 import { LARGEST_FILE } from "../clips/clips-store";
 import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
@@ -19,7 +19,7 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
       if (file.size > LARGEST_FILE)
         throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
       if (/\.json$/i.test(file.name)) {
-        await openJson(app, await file.text());
+        await openJson(app, file.name, await file.text());
       } else if (/\.bvh$/i.test(file.name)) {
         opened += 1;
         await clips.open(file, opened === 1);
@@ -33,13 +33,24 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
   if (opened > 0) await clips.checkClash();
 }
 
-/** The results of a comparison say so themselves; anything else is to be a model. */
-async function openJson(app: App, text: string): Promise<void> {
+/** Results of a comparison and libraries say so themselves; anything else is to be a model. */
+async function openJson(app: App, name: string, text: string): Promise<void> {
   if (/"format"\s*:\s*"vcgpdm-evaluation"/.test(text.slice(0, 200))) {
     await (await app.comparison.get()).open(text);
     app.settings.change({ view: "compare" });
     return;
   }
+  if (/"kind"\s*:\s*"library"/.test(text.slice(0, 200))) {
+    const { library } = await app.primitives.get();
+    await library.open(text, name);
+    app.settings.change({ view: "primitives" });
+    return;
+  }
+  await openModel(app, text);
+}
+
+/** Puts a model on the stage. */
+export async function openModel(app: App, text: string): Promise<void> {
   if (app.training.busy) throw new Error("A training is running: cancel it before opening a model.");
   await app.model.open(text);
   app.training.unchoose();

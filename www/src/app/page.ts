@@ -18,7 +18,7 @@ import { clipOnStage } from "./caption";
 import "./header";
 import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import type { HelpView } from "./help";
-import { openFiles } from "./open-files";
+import { openFiles, openModel } from "./open-files";
 
 const TABS = [
   ["latents", "Latents"],
@@ -43,6 +43,11 @@ const ON_DEMAND = {
   async synthetic({ experiment, settings }: App) {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
+  },
+  async primitives({ primitives, clips, notices }: App) {
+    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
+    return () =>
+      html`<pg-primitives .library=${stores.library} .fitting=${stores.fitting} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async method() {
     await import("../method/method-page");
@@ -135,7 +140,9 @@ export class PageView extends View {
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    return this.app.isPlayView
+      ? this.app.playback
+      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk");
   }
 
   /** The first time it is loaded. */
@@ -172,6 +179,17 @@ export class PageView extends View {
       await openDetails(what, { engine: engine.engine, model, playback, clip: clipOnStage(this.app) }, this);
     } catch (problem) {
       notices.addError("This could not be shown", messageOf(problem));
+    }
+  }
+
+  /** Puts a model of another view on the stage. */
+  private async stageModel(text: string): Promise<void> {
+    const { notices, settings } = this.app;
+    try {
+      await openModel(this.app, text);
+      settings.change({ view: "play" });
+    } catch (problem) {
+      notices.addError("This model was not taken up", messageOf(problem));
     }
   }
 
@@ -295,6 +313,7 @@ export class PageView extends View {
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
+        @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}

@@ -11,6 +11,7 @@ import type {
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
+import type { LibraryWorker } from "./library-protocol";
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
@@ -127,4 +128,4 @@ export interface UncertaintyWorker {
 }
 
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker {}
+export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker, LibraryWorker {}

@@ -1,9 +1,10 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment and finds the uncertainty of a rollout. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives and finds the uncertainty of a rollout. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
+import { libraryWorker } from "./library";
 import { showLife } from "./life";
 import { trainee } from "./training";
 import { uncertaintyWorker } from "./uncertainty";
@@ -15,6 +16,7 @@ const worker: WholeWorker = {
   ...trainee,
   ...comparisonWorker,
   ...experimentWorker,
+  ...libraryWorker,
   ...uncertaintyWorker,
 };
 

@@ -1,0 +1,107 @@
+// The view of a library of primitives: what each part has learned to do, put together in new ways.
+import { html, nothing } from "lit";
+import { duration, sentence } from "../ui/format";
+import { download } from "../ui/download";
+import { fileButton } from "../ui/file-button";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { View } from "../ui/view";
+import type { ClipsStore } from "../clips/clips-store";
+import "./combination-view";
+import "./drawer-view";
+import type { FittingStore } from "./fitting-store";
+import "./gallery-view";
+import type { LibraryStore } from "./library-store";
+import "./primitives.css";
+import "./walk-view";
+
+export class PrimitivesPage extends View {
+  declare library: LibraryStore;
+  declare fitting: FittingStore;
+  declare clips: ClipsStore;
+  declare notices: NoticesStore;
+
+  protected override stores() {
+    return [this.library, this.library.walk];
+  }
+
+  protected override arrived(): void {
+    this.library.walk.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    void this.library.openFirst();
+    this.listen(this, "put-on-stage", (event) => {
+      // Its own, with the document in it, goes on to the page.
+      if (event instanceof CustomEvent && event.detail === null) void this.#putOnStage(event);
+    });
+  }
+
+  async #putOnStage(event: Event): Promise<void> {
+    event.stopPropagation();
+    try {
+      const detail = await this.library.combinationText();
+      this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    } catch (problem) {
+      this.notices.addError("This combination was not taken up", messageOf(problem));
+    }
+  }
+
+  async #open(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      await this.library.open(await file.text(), file.name);
+    } catch (problem) {
+      this.notices.addError(file.name, messageOf(problem));
+    }
+  }
+
+  #save(): void {
+    download("library.json", new Blob([this.library.save()], { type: "application/json" }));
+  }
+
+  /** What library this is, and what can be done with it as a whole. */
+  #head() {
+    const { known, before } = this.library;
+    if (!known) return nothing;
+    const { movements, frameTime } = known.info;
+    const learned = movements.filter(({ learned }) => learned);
+    const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
+    const names = learned.map(({ name }) => name).join(", ");
+    return html`
+      <div class="library-head">
+        <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>
+          <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
+          ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}</span></p>
+        <div class="button-row">
+          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.library.undo()}>Back to the library before</button>` : nothing}
+          <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
+          ${fileButton({
+            label: "Open a library",
+            meaning: "Open a library of primitives (.json)",
+            testId: "open-library",
+            accept: ".json,application/json",
+            multiple: false,
+            disabled: false,
+            chosen: ([file]) => void this.#open(file),
+          })}
+        </div>
+      </div>`;
+  }
+
+  protected override render() {
+    const { library, fitting, clips } = this;
+    const { playing } = library.walk.player;
+    if (!library.known) {
+      return library.problem
+        ? html`<p class="empty" role="alert">The library could not be opened: ${sentence(library.problem)}
+          <button class="small" @click=${() => void library.openFirst()}>Try again</button></p>`
+        : html`<p class="empty" role="status">Loading</p>`;
+    }
+    return html`
+      <div class="primitives">
+        <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing}></pg-drawer></section>
+        <section class="panel walk-panel" aria-label="The figure">${this.#head()}<pg-walk .library=${library}></pg-walk></section>
+        <section class="panel combination-panel" aria-label="Couplings"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination></section>
+        <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+      </div>`;
+  }
+}
+customElements.define("pg-primitives", PrimitivesPage);
