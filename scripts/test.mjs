@@ -36,6 +36,7 @@ const STEPS = [
   { name: "docs", what: "the documentation", work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
   { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", ...NATIVE, "--all-features") },
+  { name: "files", what: "model files read with numpy", work: files },
   { name: "golden", what: "golden numbers, made again", work: checkGolden },
   {
     name: "rust-wasm",
@@ -81,6 +82,11 @@ async function msrv() {
     }
   }
   await run("cargo", `+${version}`, "check", ...NATIVE);
+}
+
+async function files() {
+  await run("cargo", "build", "--package", "vcgpdm-cli");
+  await nodeTests("files");
 }
 
 async function types() {

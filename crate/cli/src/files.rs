@@ -21,8 +21,12 @@ pub fn read_clip(place: &str) -> Result<Clip> {
     }
     let path = Path::new(place);
     let bytes = read_bytes(path)?;
-    let name = if is_standard(path) { "stdin".to_owned() } else { name_of(path) };
-    Ok(bvh::read(&name, &bytes)?.into_clip())
+    Ok(bvh::read(&read_name(path), &bytes)?.into_clip())
+}
+
+/// What a file that is read is called in what is made of it.
+pub fn read_name(path: &Path) -> String {
+    if is_standard(path) { "stdin".to_owned() } else { name_of(path) }
 }
 
 /// A file's name without its folder, as the clip in it is called.
@@ -36,7 +40,7 @@ pub fn is_standard(path: &Path) -> bool {
 }
 
 /// Reads a file, or stdin.
-fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     if !is_standard(path) {
         return fs::read(path).map_err(|error| about(path, &error));
     }

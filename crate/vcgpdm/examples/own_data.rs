@@ -1,73 +1,75 @@
-//! Trains a model on a plain matrix of numbers, without a body and without BVH:
+//! Trains a model on tables of numbers, without a body and without BVH, saves it, opens it again and rolls it out:
 //!
 //! ```sh
-//! cargo run --example own_data -- FOLDER
+//! cargo run --release --example own_data -- FOLDER
 //! ```
 //!
-//! What the model needs: rows that follow each other in time, columns that are divided into parts, and columns whose mean
-//! is zero. Here two made-up machines are measured; the second follows the first a little later.
+//! What the model needs: rows that follow each other in equal steps of time, and columns that are divided into parts. Here two made-up
+//! machines are measured; the second follows the first a little later. With files: `series::read("trial.csv", &bytes)`, or from a
+//! terminal `vcgpdm train trial-1.csv trial-2.csv --columns --parts "leader=a,b,c;follower=d,e" --out model.json`.
 
 #![allow(clippy::disallowed_methods)]
 
-use nalgebra::DMatrix;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{VariationalSettings, coupling_weight_matrix};
+use vcgpdm::document::Document;
+use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::{Dataset, SeriesModel, VariationalSettings, coupling_weight_matrix};
+use vcgpdm::nalgebra::DMatrix;
+use vcgpdm::series::{Table, parts_from_words, write};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
 }
 
-/// Trains and writes FOLDER/predicted.csv.
+/// Trains and writes FOLDER/own-data.json and FOLDER/predicted.csv.
 pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
-    // Two recordings of 100 rows, one below the other: [200 x 5]. Read yours from a file of numbers.
-    let lengths = vec![100, 100];
-    let data = DMatrix::from_fn(200, 5, |row, column| measured(row / 100, row % 100, column));
+    // Two recordings of 100 rows, a fiftieth of a second from row to row.
+    let names = ["a", "b", "c", "d", "e"].map(str::to_owned);
+    let recording = |number: usize| {
+        let values = DMatrix::from_fn(100, 5, |row, column| measured(number, row, column));
+        Table::new(&format!("recording {number}"), names.to_vec(), values, 0.02)
+    };
+    let recordings = [recording(0), recording(1)];
 
-    // Columns 0 to 2 are the first part, columns 3 and 4 the second; each column without its mean.
-    let means = data.row_mean();
-    let mut centred = data.clone();
-    for (mut column, mean) in centred.column_iter_mut().zip(means.iter()) {
-        column.add_scalar_mut(-mean);
-    }
-    let y = vec![centred.columns(0, 3).into_owned(), centred.columns(3, 2).into_owned()];
+    // Which columns belong together; each then counts without its mean, in its standard deviation.
+    let parts = parts_from_words("leader=a,b,c;follower=d,e", &names)?;
+    let dataset = Dataset::of_tables(&recordings, &parts, 50.0)?;
 
     // Two latent dimensions for each part; the last two states predict the next one (order 2).
     let settings =
         VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 200 };
-    let mut trainer = Trainer::new(y, lengths, &settings, 1)?;
+    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 1)?;
     while !trainer.step().done {}
-    let model = trainer.model()?;
+    let model = SeriesModel::<Vcgpdm>::trained(&dataset, &trainer, 50.0)?;
     // Two parts in step can explain each other equally well, so such weights say what the model uses, not what the cause is.
-    let weights = coupling_weight_matrix(&model.alpha);
-    println!(
-        "part 1 drives part 2 with weight {:.2}, itself with weight {:.2}",
-        weights[(0, 1)],
-        weights[(0, 0)]
-    );
-    println!(
-        "part 2 drives part 1 with weight {:.2}, itself with weight {:.2}",
-        weights[(1, 0)],
-        weights[(1, 1)]
-    );
-
-    // The mean rollout from the start of the second recording: centred columns of each part, to which the means belong.
-    let parts = model.rollout(1, 100)?;
-    let predicted = DMatrix::from_fn(100, 5, |row, column| {
-        means[column] + if column < 3 { parts[0][(row, column)] } else { parts[1][(row, column - 3)] }
-    });
-    let error = (&predicted - data.rows(100, 100)).norm_squared() / centred.rows(100, 100).norm_squared();
-    println!("error of the rollout, as a share of the variance of the recording: {error:.3}");
-
-    let mut csv = String::from("a,b,c,d,e\n");
-    for row in predicted.row_iter() {
-        let numbers: Vec<String> = row.iter().map(|value| format!("{value:.4}")).collect();
-        csv += &(numbers.join(",") + "\n");
+    let weights = coupling_weight_matrix(&model.model.alpha);
+    for (i, part) in parts.iter().enumerate() {
+        let (own, other) = (weights[(i, i)], weights[(i, 1 - i)]);
+        println!(
+            "{} drives {} with weight {other:.2}, itself with weight {own:.2}",
+            part.name,
+            parts[1 - i].name
+        );
     }
+
+    // A model is a document like any other; it holds what a rollout needs, and none of the recordings.
+    let saved = folder.join("own-data.json");
+    std::fs::write(&saved, SeriesModel::from(model).to_json()?)?;
+    let Document::Series(model) = Document::from_json(&std::fs::read_to_string(&saved)?)? else {
+        return Err("expected a model of tables".into());
+    };
+
+    // The mean rollout from the start of the second recording, in the units of the recordings.
+    let predicted = model.rollout(1, 100)?;
+    let actual = &recordings[1].values;
+    let error = (&predicted - actual).column_iter().map(|column| column.norm_squared()).sum::<f64>();
+    let means = actual.row_mean();
+    let spread: f64 = actual.row_iter().map(|row| (row - &means).norm_squared()).sum();
+    println!("error of the rollout, as a share of the variance of the recording: {:.3}", error / spread);
     let path = folder.join("predicted.csv");
-    std::fs::write(&path, csv)?;
-    println!("the rollout is in {}", path.display());
+    std::fs::write(&path, write(&names, &predicted, model.body.frame_time))?;
+    println!("the model is in {}, the rollout in {}", saved.display(), path.display());
     Ok(())
 }
 

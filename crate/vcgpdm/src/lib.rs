@@ -40,7 +40,9 @@
 //! - [`golden`]: problems and their numbers, to hold other implementations against this one.
 //!
 //! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames x columns].
-//! Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in the repository sets
+//! ([`nalgebra`] is exported, so that a program need not name it and cannot name another version.) Training without optimisation takes a
+//! hundred times as long: build with `--release`, or give the development profile of your program `opt-level = 1` and its packages
+//! `[profile.dev.package."*"] opt-level = 3`. Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in the repository sets
 //! them beside the names in the code, and gives the meaning of every word that the project uses in a sense of its own.
 //!
 //! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short program.
@@ -61,3 +63,6 @@ pub mod series;
 pub mod speed;
 pub mod synthetic;
 mod words;
+
+/// Matrices go in and out as this version of nalgebra has them.
+pub use nalgebra;

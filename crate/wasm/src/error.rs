@@ -6,6 +6,8 @@ use vcgpdm::document::DocumentError;
 #[cfg(feature = "training")]
 use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
+#[cfg(feature = "training")]
+use vcgpdm::models::library::{CombinationError, LibraryError as PrimitivesError, WalkError};
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
@@ -178,6 +180,43 @@ impl LibraryError for RolloutError {
             // Only a rollout that is not finite cannot be turned into poses.
             RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for CombinationError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            CombinationError::Numerics(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for WalkError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            WalkError::Combination(reason) => reason.code(),
+            WalkError::Rollout(reason) => reason.code(),
+            WalkError::Pose(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for PrimitivesError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            PrimitivesError::Body { reason, .. } if reason.is_of_bones() => ErrorCode::Bones,
+            PrimitivesError::Body { .. } => ErrorCode::Clips,
+            PrimitivesError::Clip(reason) => reason.code(),
+            PrimitivesError::Pose { reason, .. } => reason.code(),
+            PrimitivesError::Combination(reason) => reason.code(),
+            PrimitivesError::Training(reason) => reason.code(),
+            _ => ErrorCode::Model,
         }
     }
 }

@@ -13,6 +13,8 @@ mod error;
 #[cfg(feature = "training")]
 mod evaluation;
 mod given;
+#[cfg(feature = "training")]
+mod library;
 mod live;
 mod model;
 mod predictions;

@@ -10,8 +10,9 @@ use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::variational::{BoundTerms, Vcgpdm};
-use vcgpdm::models::{SequenceInfo, TrainedModel};
+use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
+use vcgpdm::models::{SequenceInfo, TrainedModel, VariationalSettings};
+use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -75,7 +76,7 @@ export interface ModelInfo {
 "#;
 
 #[derive(Serialize)]
-struct PartInfo<'a> {
+pub(crate) struct PartInfo<'a> {
     name: &'a str,
     joints: &'a [usize],
     latent: usize,
@@ -83,7 +84,7 @@ struct PartInfo<'a> {
 }
 
 #[derive(Serialize)]
-struct Provenance<'a> {
+pub(crate) struct Provenance<'a> {
     engine: &'a str,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     settings: JsValue,
@@ -109,32 +110,45 @@ struct ModelInfo<'a> {
 impl<'a> ModelInfo<'a> {
     fn new(model: &'a TrainedModel<Vcgpdm>, settings: JsValue) -> Self {
         let (fitted, body, made) = (&model.model, &model.body, &model.provenance);
-        let specs = body.layout.parts();
-        let parts = specs.iter().zip(&fitted.parts).map(|(spec, map)| PartInfo {
-            name: &spec.name,
-            joints: &spec.joints,
-            latent: map.r().ncols(),
-            pose_ips: map.r().nrows(),
-        });
         let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z().nrows()).collect());
         ModelInfo {
-            parts: parts.collect(),
+            parts: part_infos(body.layout.parts(), &fitted.parts),
             order: fitted.order,
             frame_time: body.frame_time,
             alpha: rows(&fitted.alpha),
             start_frames: (0..body.sequences.len()).map(|k| fitted.start_frames(k)).collect(),
             dynamics_ips: counts.collect(),
             sequences: &body.sequences,
-            provenance: Provenance {
-                engine: &made.engine,
-                settings,
-                bound: made.objective,
-                terms: &fitted.terms,
-                iterations: made.iterations,
-                evaluations: made.evaluations,
-                note: made.note.as_deref(),
-            },
+            provenance: provenance_info(made, &fitted.terms, settings),
         }
+    }
+}
+
+/// The parts with their pose maps.
+pub(crate) fn part_infos<'a>(specs: &'a [PartSpec], maps: &[PoseMap]) -> Vec<PartInfo<'a>> {
+    let info = |(spec, map): (&'a PartSpec, &PoseMap)| PartInfo {
+        name: &spec.name,
+        joints: &spec.joints,
+        latent: map.r().ncols(),
+        pose_ips: map.r().nrows(),
+    };
+    specs.iter().zip(maps).map(info).collect()
+}
+
+/// How a model or a library was made.
+pub(crate) fn provenance_info<'a>(
+    made: &'a vcgpdm::models::Provenance<VariationalSettings>,
+    terms: &'a BoundTerms,
+    settings: JsValue,
+) -> Provenance<'a> {
+    Provenance {
+        engine: &made.engine,
+        settings,
+        bound: made.objective,
+        terms,
+        iterations: made.iterations,
+        evaluations: made.evaluations,
+        note: made.note.as_deref(),
     }
 }
 

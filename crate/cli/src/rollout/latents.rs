@@ -1,8 +1,8 @@
 //! Latents as tables: CSV with a header, a row a frame.
 
 use nalgebra::DMatrix;
-use std::fmt::Write;
 use vcgpdm::models::variational::LatentMoments;
+use vcgpdm::series;
 
 /// One row a frame: frame, time in seconds, and the latents of all parts.
 pub fn csv(parts: &[String], latents: &[DMatrix<f64>], frame_time: f64) -> String {
@@ -33,32 +33,13 @@ pub fn moments_csv(parts: &[String], moments: &LatentMoments, frame_time: f64) -
 }
 
 fn table(columns: &[(String, Vec<f64>)], frame_time: f64) -> String {
-    let mut text = "frame,time".to_owned();
-    for (name, _) in columns {
-        // Writing to a String cannot fail.
-        let _ = write!(text, ",{}", quoted(name));
-    }
-    text.push('\n');
-    for frame in 0..columns.first().map_or(0, |(_, values)| values.len()) {
-        let _ = write!(text, "{frame},{}", frame as f64 * frame_time);
-        for (_, values) in columns {
-            let _ = write!(text, ",{}", values[frame]);
-        }
-        text.push('\n');
-    }
-    text
-}
-
-/// A CSV field (RFC 4180). What a spreadsheet would compute begins with an apostrophe, which makes it a text: names come from
-/// strangers' files.
-fn quoted(field: &str) -> String {
-    let field =
-        &if field.starts_with(['=', '+', '-', '@', '\t']) { format!("'{field}") } else { field.to_owned() };
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.clone()
-    }
+    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+    let frames = columns.first().map_or(0, |(_, values)| values.len());
+    series::write(
+        &names,
+        &DMatrix::from_fn(frames, columns.len(), |frame, k| columns[k].1[frame]),
+        frame_time,
+    )
 }
 
 #[cfg(test)]

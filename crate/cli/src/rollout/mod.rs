@@ -8,11 +8,13 @@ use crate::usage::{Usage, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use vcgpdm::document::Document;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Model, Reading, Rollout, RolloutRequest, TrainedModel};
-use vcgpdm::motion::{Clip, bvh};
+use vcgpdm::models::{Body, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel};
+use vcgpdm::motion::bvh;
+use vcgpdm::series;
 
-/// Roll a model out and write the motion as BVH.
+/// Roll a model out and write the motion as BVH, or its columns as CSV.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A trained model of any kind.
@@ -49,9 +51,13 @@ pub struct Arguments {
     /// Write means and variances of the latents in every frame, by moment matching, to this file.
     #[arg(long, value_name = "OUT.csv")]
     variance: Option<PathBuf>,
-    /// Write the motion to this file.
-    #[arg(long, value_name = "OUT.bvh")]
-    out: PathBuf,
+    /// Write the motion to this file. A model of tables has no motion, only columns.
+    #[arg(long, value_name = "OUT.bvh", required_unless_present = "columns")]
+    out: Option<PathBuf>,
+    /// Write what the model predicts, all columns with a header row, to this file: of a body the root's rates and the joints' rotation
+    /// vectors.
+    #[arg(long, value_name = "OUT.csv")]
+    columns: Option<PathBuf>,
     /// Write the latent path to this file, with a header row.
     #[arg(long, value_name = "OUT.csv")]
     latents: Option<PathBuf>,
@@ -74,15 +80,40 @@ impl From<ReadingOption> for Reading {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let model = read_model(&arguments.model)?;
-    let outs = [Some(&arguments.out), arguments.latents.as_ref(), arguments.variance.as_ref()];
+    let document = Document::from_json(&files::read_text(&arguments.model)?);
+    let document = document.map_err(|error| files::about(&arguments.model, &error))?;
+    let outs = [&arguments.out, &arguments.columns, &arguments.latents, &arguments.variance];
     let outs = outs.into_iter().flatten();
     if arguments.samples.is_some() && outs.clone().any(|out| files::is_standard(out)) {
         return Err(usage("--samples: expected files to be numbered, found stdout"));
     }
     files::check_outs(outs, [arguments.model.as_path()])?;
+    match document {
+        Document::Body(model) => {
+            let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
+                files::write_text(out, &bvh::write(&body.clip(y, &files::name_of(out))?))
+            };
+            roll_out(arguments, *model, &motion)
+        }
+        Document::Series(model) => {
+            if arguments.out.is_some() {
+                return Err(usage("--out: expected --columns for a model of tables, which has no motion"));
+            }
+            roll_out(arguments, *model, &|_, _, _| Ok(()))
+        }
+    }
+}
+
+/// Writes columns [frames x D] as the motion of a body to a file.
+type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(), Box<dyn Error>>;
+
+fn roll_out<S: Observed>(
+    arguments: &Arguments,
+    model: TrainedModel<Model, S>,
+    motion: WriteMotion<S>,
+) -> Result<(), Box<dyn Error>> {
     match model.into_vcgpdm() {
-        Ok(model) => coupled(arguments, &model),
+        Ok(model) => coupled(arguments, &model, motion),
         Err(model) => {
             if let Some(option) = arguments.about_couplings() {
                 let kind = model.kind().id();
@@ -91,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 )));
             }
             let y = model.rollout(arguments.from, arguments.frames)?;
-            write_motion(&model.body.clip(&y, &files::name_of(&arguments.out))?, &arguments.out)
+            arguments.write(&model.body, &y, None, motion)
         }
     }
 }
@@ -110,6 +141,24 @@ impl Arguments {
             ("--variance", self.variance.is_some()),
         ];
         options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    /// Writes what was rolled out, as motion and as columns, as far as they are asked for.
+    fn write<S: Observed>(
+        &self,
+        body: &Body<S>,
+        y: &DMatrix<f64>,
+        number: Option<usize>,
+        motion: WriteMotion<S>,
+    ) -> Result<(), Box<dyn Error>> {
+        if let Some(out) = &self.out {
+            motion(body, y, &numbered(out, number))?;
+        }
+        if let Some(path) = &self.columns {
+            let names: Vec<String> = (0..y.ncols()).map(|column| body.mapping.column_name(column)).collect();
+            files::write_text(&numbered(path, number), &series::write(&names, y, body.frame_time))?;
+        }
+        Ok(())
     }
 
     fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, Usage> {
@@ -141,13 +190,16 @@ impl Arguments {
 }
 
 /// The rollouts of a model whose couplings may be changed, and its latents into files of their own.
-fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Box<dyn Error>> {
+fn coupled<S: Observed>(
+    arguments: &Arguments,
+    model: &TrainedModel<Vcgpdm, S>,
+    motion: WriteMotion<S>,
+) -> Result<(), Box<dyn Error>> {
     let parts: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
     let request = arguments.request(&parts, &model.model.alpha)?;
     let rollout = model.rollout(&request)?;
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
-        let out = numbered(&arguments.out, number);
-        write_motion(&model.clip(rollout, &files::name_of(&out))?, &out)?;
+        arguments.write(&model.body, &rollout.y, number, motion)?;
         if let Some(path) = &arguments.latents {
             let text = latents::csv(&parts, &rollout.latents, model.body.frame_time);
             files::write_text(&numbered(path, number), &text)?;
@@ -166,10 +218,6 @@ fn coupled(arguments: &Arguments, model: &TrainedModel<Vcgpdm>) -> Result<(), Bo
         files::write_text(path, &latents::moments_csv(&parts, &moments, model.body.frame_time))?;
     }
     Ok(())
-}
-
-fn write_motion(clip: &Clip, path: &Path) -> Result<(), Box<dyn Error>> {
-    files::write_text(path, &bvh::write(clip))
 }
 
 /// `walk.bvh` as `walk-3.bvh`.

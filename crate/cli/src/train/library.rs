@@ -1,7 +1,9 @@
 //! `vcgpdm train --movement`: clips of several movements to a library of primitives.
 
 use crate::files;
-use crate::train::{Arguments, parts, train_steps, with_hint};
+use crate::train::arguments::Arguments;
+use crate::train::body::{parts, with_hint};
+use crate::train::steps::train_steps;
 use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;

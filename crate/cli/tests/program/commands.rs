@@ -325,9 +325,15 @@ fn the_readmes_commands_run_as_they_stand() {
     let folder = folder("readme");
     let commands: Vec<&str> = readme.lines().filter(|line| line.starts_with("vcgpdm ")).collect();
     assert!(commands.len() >= 5, "the README's commands: {commands:?}");
+    for trial in ["trial-1.csv", "trial-2.csv"] {
+        let row = |k: i32| format!("{},{},{}\n", f64::from(k).sin(), k % 7, f64::from(k).cos());
+        let table = "shoulder,elbow,hip_left\n".to_owned() + &(0..20).map(row).collect::<String>();
+        fs::write(folder.join(trial), table).unwrap();
+    }
     for command in commands {
+        // Nothing between quotes has a space.
         let output = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
-            .args(command.split(' ').skip(1))
+            .args(command.split(' ').skip(1).map(|word| word.trim_matches('"')))
             .current_dir(&folder)
             .output()
             .unwrap();

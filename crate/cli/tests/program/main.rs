@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 mod call;
+mod columns;
 mod commands;
 mod evaluate;
 mod files;
+mod library;
 mod models;
 mod reproduce;
 mod rollout;

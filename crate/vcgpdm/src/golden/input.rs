@@ -1,6 +1,6 @@
 //! The inputs of golden cases: of the plain model, and of movements that share primitives.
 
-use crate::golden::CaseError;
+use crate::golden::error::CaseError;
 use crate::golden::shapes::{ExpertJson, PartJson, RolloutJson, matrices};
 use crate::json::rows;
 use crate::models::Sequences;

@@ -8,6 +8,7 @@
 //! `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and `input.params.alpha[m][j][i]`; the frames of all movements
 //! are stacked.
 
+mod error;
 mod input;
 mod shapes;
 
@@ -18,46 +19,10 @@ use crate::golden::shapes::{
 use crate::gp::NumericsError;
 use crate::json::rows::rows_of;
 use crate::models::sequences::MOST_FRAMES;
-use crate::models::variational::{BoundTerms, Objective, Params, RepertoireError, Vcgpdm};
-use crate::models::{Parameters, Reading, RolloutError, SequencesError};
+use crate::models::variational::{BoundTerms, Objective, Params, Vcgpdm};
+use crate::models::{Parameters, Reading};
+pub use error::CaseError;
 pub use shapes::CaseResult;
-use thiserror::Error;
-
-/// Why a case could not be read or evaluated.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum CaseError {
-    /// Not JSON of the expected form.
-    #[error("at {path}: {message}")]
-    Form {
-        /// The field's path.
-        path: String,
-        /// What was expected and found.
-        message: String,
-    },
-    /// Shapes that do not fit each other.
-    #[error("at {path}: expected {expected}, found {found}")]
-    Shape {
-        /// The field's path.
-        path: String,
-        /// What would fit.
-        expected: String,
-        /// What stands there.
-        found: String,
-    },
-    /// Lengths that cannot be used.
-    #[error(transparent)]
-    Sequences(#[from] SequencesError),
-    /// Movements and primitives that do not fit each other.
-    #[error(transparent)]
-    Repertoire(#[from] RepertoireError),
-    /// The bound could not be computed.
-    #[error(transparent)]
-    Numerics(#[from] NumericsError),
-    /// A rollout could not be made.
-    #[error(transparent)]
-    Rollout(#[from] RolloutError),
-}
 
 /// A problem, a point in its parameter space, and the rollouts asked for.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The shapes of the JSON of golden cases, and the way from them to parameters and back.
 
-use crate::golden::CaseError;
+use crate::golden::error::CaseError;
 use crate::gp::bound::InducingPosterior;
 use crate::gp::{Gaussians, Kernel};
 use crate::json::rows;

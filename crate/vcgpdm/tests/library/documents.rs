@@ -1,22 +1,37 @@
 //! Documents that an earlier program wrote are read, and written again to the letter: tests/documents/*.json.
 
+use vcgpdm::document::Document;
+use vcgpdm::models::TrainedModel;
+use vcgpdm::models::library::TrainedLibrary;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Model, TrainedModel};
 
-const DOCUMENTS: [(&str, &str); 5] = [
+/// Of each kind, with what tells them apart.
+pub const DOCUMENTS: [(&str, &str); 8] = [
     ("vcgpdm", include_str!("documents/vcgpdm.json")),
     ("map-cgpdm", include_str!("documents/map-cgpdm.json")),
     ("tmp", include_str!("documents/tmp.json")),
     ("dmp-discrete", include_str!("documents/dmp-discrete.json")),
     ("dmp-rhythmic", include_str!("documents/dmp-rhythmic.json")),
+    ("combination of primitives", include_str!("documents/combination.json")),
+    ("tables", include_str!("documents/series.json")),
+    ("library", include_str!("documents/library.json")),
 ];
 
 #[test]
 fn earlier_documents_are_written_again_to_the_letter() {
-    for (kind, text) in DOCUMENTS {
-        let trained = TrainedModel::<Model>::from_json(text).unwrap();
-        assert_eq!((trained.kind().id(), trained.to_json().unwrap().as_str()), (kind, text));
-        assert!(trained.rollout(0, 20).unwrap().iter().all(|value| value.is_finite()), "{kind}");
+    for (name, text) in DOCUMENTS {
+        if name == "library" {
+            let library = TrainedLibrary::from_json(text).unwrap();
+            assert_eq!(library.to_json().unwrap(), text);
+            continue;
+        }
+        let (kind, again, rolled) = match Document::from_json(text).unwrap() {
+            Document::Body(trained) => (trained.kind(), trained.to_json(), trained.rollout(0, 20)),
+            Document::Series(trained) => (trained.kind(), trained.to_json(), trained.rollout(0, 20)),
+        };
+        assert_eq!(again.unwrap(), text, "{name}");
+        assert!(["combination of primitives", "tables", kind.id()].contains(&name), "{name}");
+        assert!(rolled.unwrap().iter().all(|value| value.is_finite()), "{name}");
     }
     let (_, text) = DOCUMENTS[0];
     assert_eq!(TrainedModel::<Vcgpdm>::from_json(text).unwrap().to_json().unwrap(), text);

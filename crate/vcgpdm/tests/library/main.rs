@@ -7,6 +7,7 @@ mod golden;
 mod live;
 mod primitives;
 mod real_clips;
+mod schema;
 mod series;
 #[path = "../shared/start_model.rs"]
 mod start_model;

@@ -12,6 +12,7 @@ mod nearest;
 mod plan;
 mod trained;
 mod trainer;
+mod walk;
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
@@ -25,6 +26,7 @@ pub use coupling::CouplingTrainer;
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
 pub use trained::{LibraryError, ObservedClip, TrainedLibrary};
 pub use trainer::LibraryTrainer;
+pub use walk::{LatentWalk, LibraryWalk, TEMPOS, WalkError, WalkFrames};
 
 /// What a primitive predicts about one part.
 #[derive(Clone, Debug, PartialEq)]

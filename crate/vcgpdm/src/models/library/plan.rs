@@ -1,6 +1,5 @@
 //! Which movements a library learns, and which parts use the same primitive in all of them.
 
-use crate::models::training_error::TrainingError;
 use thiserror::Error;
 
 /// Why a plan cannot be followed.
@@ -83,11 +82,11 @@ impl LibraryPlan {
     }
 
     /// Checks that the plan is about so many parts.
-    pub(super) fn check(&self, parts: usize) -> Result<(), TrainingError> {
+    pub(super) fn check(&self, parts: usize) -> Result<(), PlanError> {
         if self.shared.len() == parts {
             return Ok(());
         }
-        Err(PlanError::Parts { expected: parts, found: self.shared.len() }.into())
+        Err(PlanError::Parts { expected: parts, found: self.shared.len() })
     }
 
     /// The primitives, part by part: one for all movements, named after them all, or one for each, named after it.

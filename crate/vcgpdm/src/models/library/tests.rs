@@ -154,3 +154,61 @@ fn couplings_are_learned_for_new_frames_while_primitives_stay() {
     let narrow = vec![y[0].clone(), y[1].columns(0, 2).into_owned()];
     assert_eq!(words(&[0, 1], narrow), "part 1 has 2 columns, expected 3");
 }
+
+#[test]
+fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
+    let library = trained([true, false]);
+    let model = library.movement(0).unwrap();
+    let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+    let path = dynamics.path(&model.start(0, 0).unwrap(), 42).unwrap();
+    let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+    let walked = walk.advance(&library, 40);
+    for (a, b) in walked.iter().zip(&path) {
+        assert_relative_eq!(*a, b.rows(2, 40).into_owned(), epsilon = 1e-9);
+    }
+    // The legs go on to the same bits as without the change in their next frame, for they listen to their own past first; the arms
+    // begin at a state that they had while waving.
+    let legs = walk.history(0);
+    walk.use_primitive(&library, 1, 2).unwrap();
+    assert_eq!((walk.uses(), walk.history(0)), (vec![0, 2], legs));
+    let arms = DMatrix::from_row_slice(2, 2, &walk.history(1));
+    let waving = &library.movements[1].starts[0][1];
+    assert!((0..44).any(|t| waving.rows(t, 2) == arms));
+    // Wholly mixed, the other primitive takes over.
+    let mut mixed = LatentWalk::new(&library, &[0, 1]).unwrap();
+    mixed.mix(&library, 1, 2, 1.0).unwrap();
+    let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
+    other.parts_for_tests(1, 2);
+    assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
+    let words = |result: Result<(), WalkError>| result.unwrap_err().to_string();
+    assert_eq!(words(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
+    assert_eq!(words(walk.mix(&library, 0, 1, 0.5)), "expected a primitive of part 0, found primitive 1");
+    assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN)), "expected a share from 0 to 1, found NaN");
+}
+
+/// A part alone goes through its own time at its tempo: half as fast, a turn takes twice as many frames.
+#[test]
+fn a_tempo_stretches_the_time_of_a_part() {
+    let library = trained([true, false]);
+    let alone = DMatrix::from_fn(2, 2, |j, i| if i == j { 0.1 } else { 1e6 });
+    let turns = |tempo: f64| {
+        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+        walk.set_alpha(alone.clone()).unwrap();
+        walk.set_tempo(0, tempo).unwrap();
+        walk.advance(&library, 200);
+        let path = &walk.advance(&library, 600)[0];
+        let mean = path.column(0).mean();
+        (1..600).filter(|t| path[(t - 1, 0)] < mean && path[(*t, 0)] >= mean).count()
+    };
+    let (whole, half) = (turns(1.0), turns(0.5));
+    assert!(whole >= 20 && (half as f64 / whole as f64 - 0.5).abs() < 0.1, "{whole} and {half} turns");
+}
+
+#[test]
+fn arms_at_another_tempo_that_hardly_listen_are_not_locked() {
+    let library = trained([true, false]);
+    let map = library.locking(&[0, 1], (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
+    assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
+    assert!(map[(0, 1)] > 0.9 && map[(1, 0)] < 0.3, "{map}");
+    assert!(library.locking(&[0, 1], (0, 7), &[1.0], &[1.0], 10).is_err());
+}

@@ -131,6 +131,11 @@ impl FittedExpert {
         &self.mean
     }
 
+    /// f(x) = `k(x, z) K_zz^-1 E[u]`.
+    pub(in crate::models) fn sum(&self) -> &KernelSum {
+        &self.sum
+    }
+
     /// K_zz [K x K].
     pub(in crate::models) fn k(&self) -> &DMatrix<f64> {
         &self.k

@@ -9,24 +9,15 @@
 
 use crate::elementary::Elementary;
 use crate::gp::bound::{InducingPosterior, SparseGp};
-use crate::gp::kernel::KernelAdjoint;
 use crate::gp::outputs::{Outputs, StoredOutputs};
 use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
+use crate::models::variational::elbo::expert_room::ExpertRoom;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::rows::MovementRows;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
-
-/// What belongs to the expert of one primitive.
-pub struct ExpertRoom {
-    k: DMatrix<f64>,
-    /// dF/dK [K x K].
-    k_adjoint: DMatrix<f64>,
-    /// With respect to its inducing inputs and kernel.
-    pub kernel_adjoint: KernelAdjoint,
-}
 
 /// What the bound of the dynamics into one target is made of, with the room for it and its adjoints.
 pub struct Dynamics {
@@ -47,11 +38,7 @@ impl Dynamics {
     pub fn new(objective: &Objective, params: &Params, target: usize) -> Self {
         let latent = params.parts[target].latents.mean.ncols();
         let shapes = || params.experts.iter().map(|row| row[target].z.shape());
-        let experts = shapes().map(|(ips, dims)| ExpertRoom {
-            k: DMatrix::zeros(ips, ips),
-            k_adjoint: DMatrix::zeros(ips, ips),
-            kernel_adjoint: KernelAdjoint::zeros(ips, dims),
-        });
+        let experts = shapes().map(|(ips, dims)| ExpertRoom::new(ips, dims));
         let offsets = stack_offsets(shapes().map(|(ips, _)| ips));
         let total = offsets[offsets.len() - 1];
         let movements = 0..objective.repertoire.movements().len();

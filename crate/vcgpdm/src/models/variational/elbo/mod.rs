@@ -4,6 +4,7 @@
 //! fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked backwards.
 
 mod dynamics;
+mod expert_room;
 mod kinematics;
 mod objective;
 mod rows;

@@ -5,7 +5,7 @@ use crate::gp::bound::BoundAdjoint;
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::models::couplings::coupling_weights_into;
-use crate::models::variational::elbo::dynamics::ExpertRoom;
+use crate::models::variational::elbo::expert_room::ExpertRoom;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::Params;

@@ -1,0 +1,51 @@
+//! The parts of a body, and what helps where bodies differ.
+
+use crate::files;
+use crate::usage::usage;
+use std::error::Error;
+use std::path::Path;
+use vcgpdm::models::DatasetError;
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::motion::{Skeleton, parts};
+
+/// The reason, and what helps where only the bones differ.
+pub fn with_hint(reason: DatasetError) -> Box<dyn Error> {
+    match &reason {
+        DatasetError::Body { reason: body, .. } if body.is_of_bones() => {
+            format!("{reason}; --first-bones gives all clips the bones of the first").into()
+        }
+        _ => reason.into(),
+    }
+}
+
+/// The parts that `--parts` asks for.
+pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
+    let presets = parts::presets(skeleton);
+    if let Some(preset) = presets.iter().find(|preset| preset.id == asked) {
+        return Ok(preset.parts.clone());
+    }
+    // The parts' names, in the order in which the model is to have them.
+    let names: Vec<&str> = asked.split(',').map(str::trim).collect();
+    for preset in presets.iter().filter(|preset| preset.parts.len() == names.len()) {
+        let chosen: Option<Vec<PartSpec>> =
+            names.iter().map(|name| preset.parts.iter().find(|part| part.name == *name).cloned()).collect();
+        if let Some(chosen) =
+            chosen.filter(|_| names.iter().all(|a| names.iter().filter(|b| a == *b).count() == 1))
+        {
+            return Ok(chosen);
+        }
+    }
+    let path = Path::new(asked);
+    if path.exists() {
+        return parts::from_json(&files::read_text(path)?, skeleton)
+            .map_err(|error| files::about(path, &error));
+    }
+    let known: Vec<String> = presets
+        .iter()
+        .map(|preset| preset.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>().join(","))
+        .collect();
+    Err(usage(format!(
+        "--parts {asked}: expected whole, a file, or what this body can be split into ({})",
+        known.join("; ")
+    )))
+}

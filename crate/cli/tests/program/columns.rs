@@ -1,0 +1,91 @@
+//! Time series that are no body: `vcgpdm train --columns`, `rollout --columns`.
+
+use crate::call::{fails, folder, json, prints, text};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Two trials of two machines, the second of which follows the first.
+fn trials(folder: &Path) -> [PathBuf; 2] {
+    [0, 1].map(|trial| {
+        let path = folder.join(format!("trial-{trial}.csv"));
+        let rows = (0..60).map(|row| {
+            let phase = 0.25 * f64::from(row) + f64::from(trial);
+            let (x, y, z) = (10.0 + phase.sin(), 200.0 * phase.cos(), 5.0 + 0.8 * (phase - 0.7).sin());
+            format!("{},{x},{y},{z}\n", 0.02 * f64::from(row))
+        });
+        fs::write(&path, format!("time,arm_x,arm_y,leg\n{}", rows.collect::<String>())).unwrap();
+        path
+    })
+}
+
+const PARTS: &str = "arm=arm_*;leg=leg";
+const SMALL: [&str; 8] =
+    ["--latent", "2", "--dynamics-ips", "6", "--pose-ips", "6", "--max-iterations", "60"];
+
+#[test]
+fn columns_are_trained_on_and_rolled_out() {
+    let folder = folder("columns");
+    let [one, other] = trials(&folder);
+    let (model, out, latents) = (folder.join("m.json"), folder.join("out.csv"), folder.join("latents.csv"));
+    let train = ["train", text(&one), text(&other), "--columns", "--parts", PARTS, "--out", text(&model)];
+    let said = json(&[&train[..], &SMALL].concat());
+    assert_eq!((said["kind"].as_str(), said["alpha"].as_array().map(Vec::len)), (Some("vcgpdm"), Some(2)));
+    let roll =
+        ["rollout", text(&model), "--frames", "80", "--columns", text(&out), "--latents", text(&latents)];
+    assert_eq!(prints(&roll), "");
+    let written = fs::read_to_string(&out).unwrap();
+    assert_eq!(written.lines().next(), Some("frame,time,arm_x,arm_y,leg"));
+    assert_eq!(written.lines().count(), 81);
+    let row = |k: usize| -> Vec<f64> {
+        written.lines().nth(k + 1).unwrap().split(',').map(|word| word.parse().unwrap()).collect()
+    };
+    assert_eq!(row(5)[1], 0.1, "seconds as the trials have them");
+    // It begins as the first trial does, in the trial's units.
+    assert!((row(0)[2] - 10.0).abs() < 0.3 && (row(0)[3] - 200.0).abs() < 40.0, "{:?}", row(0));
+    assert!(fs::read_to_string(&latents).unwrap().starts_with("frame,time,arm_0,arm_1,leg_0,leg_1"));
+    // What was written can be trained on, and the other kinds know columns too.
+    let dmp =
+        ["train", text(&out), "--columns", "--model", "dmp-rhythmic", "--bases", "5", "--out", text(&model)];
+    json(&dmp);
+    prints(&["rollout", text(&model), "--frames", "9", "--columns", text(&out)]);
+    assert_eq!(fs::read_to_string(&out).unwrap().lines().count(), 10);
+}
+
+#[test]
+fn a_bodys_columns_are_written_too() {
+    let folder = folder("columns-of-a-body");
+    let (model, out) = (folder.join("m.json"), folder.join("out.csv"));
+    json(&["train", "sample:walk-1", "--model", "dmp-rhythmic", "--fps", "15", "--out", text(&model)]);
+    prints(&["rollout", text(&model), "--frames", "9", "--columns", text(&out)]);
+    let written = fs::read_to_string(&out).unwrap();
+    let header: Vec<&str> = written.lines().next().unwrap().split(',').collect();
+    assert_eq!((header[2], header[8], header.len()), ("Hips.yaw_rate", "LeftUpLeg.x", 2 + 6 + 20 * 3));
+}
+
+#[test]
+fn what_cannot_be_read_or_asked_for_says_why() {
+    let folder = folder("bad-columns");
+    let [one, other] = trials(&folder);
+    let (model, parts) = (folder.join("m.json"), folder.join("parts.json"));
+    let train = |clips: &[&Path], split: &str| {
+        let clips: Vec<&str> = clips.iter().map(|path| text(path)).collect();
+        fails(&[&["train"], &clips[..], &["--columns", "--parts", split, "--out", text(&model)]].concat())
+    };
+    let broken = folder.join("broken.csv");
+    fs::write(&broken, fs::read_to_string(&other).unwrap().replace("0.1,", "0.1,gap")).unwrap();
+    let said = train(&[&one, &broken], PARTS);
+    assert!(said.contains("broken.csv, line 7, column 2 (arm_x): expected a number, found \"gap"), "{said}");
+    fs::write(&broken, "arm_x,leg\n1,2\n3,4\n").unwrap();
+    assert!(train(&[&one, &broken], PARTS).contains("expected a column \"arm_y\", found none"));
+    assert!(train(&[&one], "arm=arm_*").contains("found no part for leg"));
+    fs::write(&parts, r#"[{"name": "arm", "columns": ["arm_x", "knee"]}]"#).unwrap();
+    let said = train(&[&one], text(&parts));
+    assert!(said.contains("parts.json: ") && said.contains("found \"knee\""), "{said}");
+    json(&["train", text(&one), "--columns", "--model", "dmp-discrete", "--out", text(&model)]);
+    let bvh = folder.join("out.bvh");
+    let said = fails(&["rollout", text(&model), "--frames", "9", "--out", text(&bvh)]);
+    assert!(said.contains("expected --columns for a model of tables"), "{said}");
+    let said = fails(&["score", text(&model), "sample:walk-1"]);
+    assert!(said.contains("expected a model of a body, found a model of tables"), "{said}");
+    assert!(fails(&["rollout", text(&model), "--frames", "9"]).contains("--out"));
+}

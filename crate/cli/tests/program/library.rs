@@ -1,0 +1,84 @@
+//! Libraries of primitives from the terminal: trained, combined anew, and coupled to a clip.
+
+use crate::call::{fails, folder, prints, text};
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+use vcgpdm::models::TrainedModel;
+use vcgpdm::models::library::{CouplingsFrom, TrainedLibrary};
+use vcgpdm::models::variational::Vcgpdm;
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&prints(arguments)).unwrap()
+}
+
+/// A small library of two movements with the lower body in common.
+fn library(name: &str) -> PathBuf {
+    let out = folder(name).join("library.json");
+    let line = "train --movement walk=sample:walk-1,sample:walk-2 --movement wave=sample:walk-wave-1 --share lower \
+                --parts lower,upper --fps 12 --latent 2 --dynamics-ips 6 --pose-ips 6 --max-iterations 20";
+    let mut arguments: Vec<&str> = line.split_whitespace().collect();
+    arguments.extend(["--out", text(&out)]);
+    let printed = json(&arguments);
+    let names: Vec<&str> =
+        printed["primitives"].as_array().unwrap().iter().map(|p| p["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["walk+wave", "walk", "wave"]);
+    assert_eq!(printed["movements"][1]["uses"]["upper"], "wave");
+    out
+}
+
+#[test]
+fn primitives_of_a_library_are_coupled_anew() {
+    let library = library("couple");
+    let (out, again) = (library.with_file_name("model.json"), library.with_file_name("again.json"));
+    // As it was learned.
+    let uses = ["couple", text(&library), "--use", "lower=walk,upper=wave"];
+    let printed = json(&[&uses[..], &["--out", text(&out)]].concat());
+    assert_eq!(printed["couplings"]["from"], "training");
+    let model = TrainedModel::<Vcgpdm>::from_json(&fs::read_to_string(&out).unwrap()).unwrap();
+    assert_eq!(model.body.sequences[0].name, "walk-wave-1 (made by this project).bvh");
+    prints(&["rollout", text(&out), "--frames", "30", "--out", text(&library.with_file_name("motion.bvh"))]);
+    // To a clip; the library keeps the combination.
+    let fit = [
+        "--clip",
+        "sample:walk-wave-2",
+        "--max-iterations",
+        "12",
+        "--name",
+        "again",
+        "--library-out",
+        text(&again),
+    ];
+    let printed = json(&[&uses[..], &["--out", text(&out)], &fit].concat());
+    assert_eq!(printed["couplings"]["from"], "clips");
+    let kept = TrainedLibrary::from_json(&fs::read_to_string(&again).unwrap()).unwrap();
+    let movement = kept.library.movements.last().unwrap();
+    assert_eq!((movement.name.as_str(), &movement.uses), ("again", &vec![0, 2]));
+    assert!(matches!(movement.couplings, CouplingsFrom::Clips { iterations: 1..=12, .. }));
+    let alpha: Vec<Vec<f64>> = serde_json::from_value(printed["alpha"].clone()).unwrap();
+    assert_eq!(movement.alpha[(0, 1)], alpha[0][1]);
+}
+
+#[test]
+fn what_cannot_be_combined_is_refused_in_words() {
+    let library = library("refuse");
+    let out = library.with_file_name("model.json");
+    let couple = |uses: &str| fails(&["couple", text(&library), "--use", uses, "--out", text(&out)]);
+    assert!(
+        couple("lower=walk").contains("expected PART=PRIMITIVE for each part"),
+        "{}",
+        couple("lower=walk")
+    );
+    assert!(couple("lower=walk,upper=jump").contains("to be one of walk, wave, found \"jump\""));
+    let words = fails(&["rollout", text(&library), "--frames", "9", "--out", text(&out)]);
+    assert!(words.contains("found a library of primitives"), "{words}");
+    let train = |movement: &str| {
+        fails(&["train", "--movement", movement, "--parts", "lower,upper", "--out", text(&out)])
+    };
+    assert!(train("walk").contains("--movement walk: expected NAME=CLIP,CLIP"), "{}", train("walk"));
+    assert!(train("a+b=sample:walk-1").contains("expected a name for each movement"));
+    let share =
+        ["--movement", "a=sample:walk-1", "--share", "tail", "--parts", "lower,upper", "--out", text(&out)];
+    let words = fails(&[&["train"], &share[..]].concat());
+    assert!(words.contains("--share tail: expected one of the parts lower, upper"), "{words}");
+}

@@ -1,0 +1,159 @@
+//! docs/model.schema.json against the reader: what the library writes is valid, and both refuse the same shapes.
+
+use crate::documents::DOCUMENTS;
+use boon::{Compiler, SchemaIndex, Schemas};
+use serde_json::{Map, Value, json};
+use vcgpdm::document::Document;
+use vcgpdm::models::library::TrainedLibrary;
+use vcgpdm::models::{
+    Dataset, DmpSettings, MapSettings, Model, ModelSettings, Movements, Source, TmpSettings, TrainedModel,
+    VariationalSettings,
+};
+use vcgpdm::motion::{parts, samples};
+
+/// The schema, ready to hold documents against.
+struct Checked {
+    schemas: Schemas,
+    index: SchemaIndex,
+}
+
+impl Checked {
+    fn new() -> Self {
+        let text = include_str!("../../../../docs/model.schema.json");
+        let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
+        compiler.add_resource("model.schema.json", serde_json::from_str(text).unwrap()).unwrap();
+        let index = compiler.compile("model.schema.json", &mut schemas).unwrap();
+        Self { schemas, index }
+    }
+
+    fn refusal(&self, document: &Value) -> Option<String> {
+        self.schemas.validate(document, self.index).err().map(|error| format!("{error:#}"))
+    }
+}
+
+fn readers_refusal(document: &Value) -> Option<String> {
+    let text = document.to_string();
+    match document["kind"] == "library" {
+        true => TrainedLibrary::from_json(&text).err().map(|error| error.to_string()),
+        false => Document::from_json(&text).err().map(|error| error.to_string()),
+    }
+}
+
+/// Every place of a document, as a JSON pointer; of long lists the first two items.
+fn places(value: &Value, at: &str, found: &mut Vec<String>) {
+    found.push(at.to_owned());
+    match value {
+        Value::Object(fields) => {
+            for (name, field) in fields {
+                places(field, &format!("{at}/{name}"), found);
+            }
+        }
+        Value::Array(items) => {
+            for (k, item) in items.iter().enumerate().take(2) {
+                places(item, &format!("{at}/{k}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn same_type(a: &Value, b: &Value) -> bool {
+    std::mem::discriminant(a) == std::mem::discriminant(b)
+}
+
+/// Changes at one place, and whether the shape is another one: otherwise it is only the number or the length that is.
+fn changes(value: &Value) -> Vec<(Value, bool)> {
+    let others =
+        [Value::Null, json!(true), json!("x"), json!(3), json!([]), json!({}), json!(-1), json!(0.5)];
+    let mut changed: Vec<(Value, bool)> = others
+        .into_iter()
+        .filter(|other| other != value)
+        .map(|other| {
+            let shape = !same_type(&other, value);
+            (other, shape)
+        })
+        .collect();
+    if let Value::Object(fields) = value {
+        let mut more = fields.clone();
+        more.insert("unknown".to_owned(), json!(1));
+        changed.push((Value::Object(more), true));
+        for name in fields.keys() {
+            let left: Map<String, Value> = fields
+                .iter()
+                .filter(|(other, _)| *other != name)
+                .map(|(n, v)| (n.clone(), v.clone()))
+                .collect();
+            changed.push((Value::Object(left), true));
+        }
+    }
+    changed
+}
+
+#[test]
+fn the_schema_and_the_reader_accept_and_refuse_the_same() {
+    let schema = Checked::new();
+    let (mut refused_both, mut numbers) = (0, 0);
+    for (kind, text) in DOCUMENTS {
+        let document: Value = serde_json::from_str(text).unwrap();
+        assert_eq!(schema.refusal(&document), None, "{kind}");
+        assert_eq!(readers_refusal(&document), None, "{kind}");
+        let mut found = Vec::new();
+        places(&document, "", &mut found);
+        for place in found {
+            for (other, shape) in changes(document.pointer(&place).unwrap()) {
+                let mut changed = document.clone();
+                *changed.pointer_mut(&place).unwrap() = other.clone();
+                let (by_schema, by_reader) = (schema.refusal(&changed), readers_refusal(&changed));
+                let about = || format!("{kind} at {place} with {other}: {by_schema:?}, {by_reader:?}");
+                // Nothing that can be read is refused by the schema.
+                assert!(by_schema.is_none() || by_reader.is_some(), "{}", about());
+                // Which joint is the root is not a matter of shape.
+                if shape && !place.ends_with("/parent") {
+                    assert!(by_schema.is_some() == by_reader.is_some(), "{}", about());
+                    refused_both += usize::from(by_schema.is_some());
+                }
+                numbers += usize::from(!shape && by_schema.is_some());
+            }
+        }
+    }
+    assert!(refused_both > 5000 && numbers > 300, "{refused_both} shapes and {numbers} numbers were refused");
+}
+
+/// The models that the page opens with, and what a training writes today.
+#[test]
+fn what_is_written_now_is_valid() {
+    let schema = Checked::new();
+    let first = include_str!("../../../../www/first/model.json");
+    assert_eq!(schema.refusal(&serde_json::from_str(first).unwrap()), None);
+    let clips = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap().cut(0, 60).unwrap());
+    let source = |k: usize, first_frames| Source { clip: &clips[k], first_frames };
+    let sources = [source(0, None), source(1, Some(20))];
+    let preset = |k: usize| parts::presets(&clips[0].skeleton)[k].parts.clone();
+    let variational = VariationalSettings {
+        latent: 2,
+        dynamics_ips: 4,
+        pose_ips: 4,
+        max_iterations: 3,
+        ..Default::default()
+    };
+    let point =
+        MapSettings { latent: 2, max_iterations: 3, balanced: true, linear: true, ..Default::default() };
+    for (k, settings) in [
+        (0, ModelSettings::Vgpdm(variational.clone())),
+        (1, ModelSettings::Vcgpdm(variational)),
+        (1, ModelSettings::MapCgpdm(point.clone())),
+        (0, ModelSettings::MapGpdm(point)),
+        (1, ModelSettings::Tmp(TmpSettings { primitives: Some(2), normalised_time: true })),
+        (1, ModelSettings::DmpDiscrete(DmpSettings { bases: 4 })),
+        (1, ModelSettings::DmpRhythmic(DmpSettings { bases: 4 })),
+    ] {
+        let dataset = Dataset::new(&sources, &preset(k), 30.0).unwrap();
+        let mut learner = settings.learner(&Movements::of(&dataset), 0).unwrap();
+        while !learner.step().done {}
+        let mut trained = TrainedModel::<Model>::trained(&dataset, &*learner, settings, 0, 30.0).unwrap();
+        trained.provenance.note = Some("a note".to_owned());
+        trained.body.sequences[1].rests_from = Some(0.5);
+        let document = serde_json::from_str(&trained.to_json().unwrap()).unwrap();
+        assert_eq!(schema.refusal(&document), None, "{}", trained.kind().id());
+    }
+}
