@@ -58,7 +58,7 @@ export class App {
 
   readonly primitives = new Lazy(async () => {
     const { openPrimitives } = await import("../primitives/primitives");
-    return openPrimitives(await this.#whole.get(), this.clips, this.notices);
+    return openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
   });
 
   readonly experiment = new Lazy(async () => {

@@ -22,14 +22,13 @@ export class DrawerView extends View {
     const info = library.known?.info;
     if (!info) return html``;
     const { name } = info.primitives[primitive] ?? { name: "" };
-    const body = { ...info, joints: info.joints.map((joint) => joint.name) };
     const on = library.uses[part] === primitive;
     return html`
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
         aria-label="${info.parts[part]?.name}: ${name}"
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAGGED, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
-        <pg-small-figure .body=${body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
+        <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
       </button>`;
   }

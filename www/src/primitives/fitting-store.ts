@@ -9,10 +9,10 @@ const MOST_ITERATIONS = 100;
 
 export class FittingStore extends ProgressStore<Couplings> {
   readonly #whole: WholeProgram;
-  readonly #clips: ClipsStore;
+  readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
 
-  constructor(whole: WholeProgram, clips: ClipsStore, library: LibraryStore) {
+  constructor(whole: WholeProgram, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
     super();
     this.#whole = whole;
     this.#clips = clips;

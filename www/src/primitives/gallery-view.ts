@@ -18,13 +18,12 @@ export class GalleryView extends View {
     const { library } = this;
     const info = library.known?.info;
     if (!info) return html``;
-    const body = { ...info, joints: info.joints.map(({ name }) => name) };
     const card = (uses: number[]) => {
       const recorded = recordedAs(info, uses);
       return html`
         <button class="combination" data-testid="combination" aria-pressed=${isSame(uses, library.uses) ? "true" : "false"}
           @click=${() => library.take(uses)}>
-          <pg-small-figure .body=${body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
+          <pg-small-figure .body=${library.body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
           <span>${titleOf(info, uses)}</span>
           <small>${recorded === null ? "never recorded" : `recorded as ${recorded}`}</small>
         </button>`;

@@ -3,6 +3,7 @@ import type { LibraryInfo } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, Motion } from "../engine/protocol";
 import type { WholeProgram } from "../engine/whole-engine";
+import type { Body } from "../scene/columns";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
@@ -48,7 +49,9 @@ export class LibraryStore extends Store {
   #nearest: Couplings = [];
   #tempos: readonly number[] = [];
   #mixes: readonly (Mix | null)[] = [];
-  readonly #motions = new Map<string, Motion>();
+  /** Of the small figures; another library has others. */
+  #motions = new Map<string, Motion>();
+  #body: Body | null = null;
   readonly #couplings: Latest<readonly number[], Couplings>;
 
   /** `fetchFirst`: the document of the library that comes with the page. */
@@ -59,7 +62,7 @@ export class LibraryStore extends Store {
     this.#notices = notices;
     this.#fetchFirst = fetchFirst;
     this.#couplings = new Latest(
-      (uses) => this.#held.ask((worker) => worker.nearestCouplings([...uses])),
+      (uses) => this.nearestTo(uses),
       (alpha, uses) => {
         if (isSame(uses, this.#uses)) this.#takeNearest(alpha);
       },
@@ -124,6 +127,11 @@ export class LibraryStore extends Store {
     return this.#known ? Math.max(0, countOf(this.#known.info) - MOST_SHOWN) : 0;
   }
 
+  /** The body of the library; null before there is one. */
+  get body(): Body | null {
+    return this.#body;
+  }
+
   /** The first frames of a combination; null until they are there. */
   motionOf(uses: readonly number[]): Motion | null {
     return this.#motions.get(uses.join()) ?? null;
@@ -171,14 +179,16 @@ export class LibraryStore extends Store {
     this.#before = this.#known;
     this.#known = library;
     this.#problem = "";
-    this.#motions.clear();
+    this.#motions = new Map();
+    const { figure, parts, joints } = library.info;
+    this.#body = { figure, parts, joints: joints.map(({ name }) => name) };
     this.#mixes = library.info.parts.map(() => null);
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
-    this.#takeNearest(await this.#held.ask((worker) => worker.nearestCouplings([...this.#uses])));
+    this.#takeNearest(await this.nearestTo(this.#uses));
     await this.walk.start(library.info, this.#uses);
     this.changed();
-    void this.#rollOutSmall(library);
+    void this.#rollOutSmall(library.info);
   }
 
   /** Another of its primitives for one part; the others go on. */
@@ -236,6 +246,11 @@ export class LibraryStore extends Store {
     this.changed();
   }
 
+  /** The couplings of the movement that is nearest to a combination. */
+  nearestTo(uses: readonly number[]): Promise<Couplings> {
+    return this.#held.ask((worker) => worker.nearestCouplings([...uses]));
+  }
+
   /** The document of the combination as a model of its own. */
   combinationText(): Promise<string> {
     return this.#held.ask((worker) => worker.combinationText([...this.#uses], this.#alpha));
@@ -264,16 +279,15 @@ export class LibraryStore extends Store {
   }
 
   /** The motions of the small figures, one after the other. */
-  async #rollOutSmall(library: KnownLibrary): Promise<void> {
-    const { info } = library;
+  async #rollOutSmall(info: LibraryInfo): Promise<void> {
+    const motions = this.#motions;
     const examples = info.primitives.map((_, primitive) => exampleOf(info, primitive));
     for (const uses of [...examples, ...this.combinations]) {
-      if (this.#known?.info !== info) return;
-      if (this.#motions.has(uses.join())) continue;
+      if (this.#motions !== motions) return;
+      if (motions.has(uses.join())) continue;
       try {
         const motion = await this.#held.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
-        if (this.#known?.info !== info) return;
-        this.#motions.set(uses.join(), motion);
+        motions.set(uses.join(), motion);
       } catch (problem) {
         this.#notices.addError(`${titleOf(info, uses)} does not move`, messageOf(problem));
       }

@@ -7,26 +7,30 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import type { ClipsStore } from "../clips/clips-store";
+import "./chimera-view";
 import "./combination-view";
 import "./drawer-view";
-import type { FittingStore } from "./fitting-store";
 import "./gallery-view";
-import type { LibraryStore } from "./library-store";
+import "./learning-view";
+import "./morph-view";
+import type { Primitives } from "./primitives";
 import "./primitives.css";
 import "./walk-view";
 
 export class PrimitivesPage extends View {
-  declare library: LibraryStore;
-  declare fitting: FittingStore;
+  declare primitives: Primitives;
   declare clips: ClipsStore;
   declare notices: NoticesStore;
+
+  private get library() {
+    return this.primitives.library;
+  }
 
   protected override stores() {
     return [this.library, this.library.walk];
   }
 
   protected override arrived(): void {
-    this.library.walk.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     void this.library.openFirst();
     this.listen(this, "put-on-stage", (event) => {
       // Its own, with the document in it, goes on to the page.
@@ -69,7 +73,8 @@ export class PrimitivesPage extends View {
       <div class="library-head">
         <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>
           <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
-          ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}</span></p>
+          ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}
+          ${known.unsaved ? "It is not saved yet." : nothing}</span></p>
         <div class="button-row">
           ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.library.undo()}>Back to the library before</button>` : nothing}
           <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
@@ -87,7 +92,8 @@ export class PrimitivesPage extends View {
   }
 
   protected override render() {
-    const { library, fitting, clips } = this;
+    const { clips } = this;
+    const { library, fitting, locking, learning } = this.primitives;
     const { playing } = library.walk.player;
     if (!library.known) {
       return library.problem
@@ -101,6 +107,9 @@ export class PrimitivesPage extends View {
         <section class="panel walk-panel" aria-label="The figure">${this.#head()}<pg-walk .library=${library}></pg-walk></section>
         <section class="panel combination-panel" aria-label="Couplings"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination></section>
         <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+        <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+        <section class="panel morph-panel" aria-label="Morph"><pg-morph .library=${library}></pg-morph></section>
+        <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
       </div>`;
   }
 }

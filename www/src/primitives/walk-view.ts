@@ -1,6 +1,7 @@
 // The large figure, with a slot on the body for each part's primitive.
 import { html, nothing, svg } from "lit";
 import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "../couplings/body-layout";
+import type { Motion } from "../engine/protocol";
 import { Columns } from "../scene/columns";
 import type { LiveTrack } from "../scene/live-track";
 import { icon } from "../ui/icons";
@@ -76,14 +77,17 @@ export class WalkView extends View {
   }
 
   #show(track: LiveTrack): void {
-    const info = this.library.known?.info;
-    // The ground lies where the small figures stand on it.
-    const ground = info && this.library.motionOf(exampleOf(info, this.library.uses[0] ?? 0));
-    if (!info || !ground) return;
+    const { body } = this.library;
+    const ground = this.#example();
+    if (!body || !ground) return;
     this.#shown = track;
-    const { figure, parts } = info;
-    const body = { figure, parts, joints: info.joints.map(({ name }) => name) };
     this.#columns?.show(body, [{ motion: track.motion, ghost: null, ground }]);
+  }
+
+  /** A motion of this body from its beginning: it says where the ground lies. */
+  #example(): Motion | null {
+    const { known, uses } = this.library;
+    return known && this.library.motionOf(exampleOf(known.info, uses[0] ?? 0));
   }
 
   /** The primitive that is dragged over a slot falls into it where it is of that part. */
@@ -98,7 +102,7 @@ export class WalkView extends View {
   #slots() {
     const { library } = this;
     const info = library.known?.info;
-    const motion = info && library.motionOf(exampleOf(info, library.uses[0] ?? 0));
+    const motion = this.#example();
     if (!info || !motion) return nothing;
     if (this.#map?.key !== motion) this.#map = { key: motion, body: bodyOf(info, motion) };
     const { spots, bones } = this.#map.body;

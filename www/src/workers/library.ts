@@ -1,5 +1,6 @@
 // What a worker does for libraries of primitives: holds one with its endless walk, learns libraries, fits couplings. No DOM.
 import { Clip, CouplingTrainer, Library, LibraryTrainer, type LibraryWalk, TrainingSet } from "vcgpdm";
+import { MAX_PARTS } from "../engine/limits";
 import type { FittingJob, LearningJob, LibraryReport, LibraryWorker, WalkChange } from "../engine/library-protocol";
 import type { Couplings, Motion, TrainingOutcome, TrainingProgress } from "../engine/protocol";
 import { ClipReader } from "./clip-reader";
@@ -104,6 +105,10 @@ export const libraryWorker: LibraryWorker = {
   openLibrary(text) {
     const library = Library.fromJson(text);
     const info = library.info();
+    if (info.parts.length > MAX_PARTS) {
+      library.free();
+      throw new Error(`expected a library of ${MAX_PARTS} parts at most, found ${info.parts.length}`);
+    }
     endWalk();
     held?.library.free();
     held = { library, nodes: info.figure.nodes.length, frameTime: info.frameTime };
@@ -136,7 +141,9 @@ export const libraryWorker: LibraryWorker = {
   fitCouplings: (job, report) => training.run((task) => fitCouplings(job, report, task)),
   cancelLibrary: () => training.cancel(),
   lockingRow({ library, uses, source, target, tempo, strengths }) {
-    const row = using(Library.fromJson(library), (known) => known.lockingMap(uses, source, target, [tempo], strengths));
+    const row = using(Library.fromJson(library), (known) =>
+      known.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths)),
+    );
     return handOver(row, row);
   },
 };
