@@ -1,11 +1,11 @@
-// `npm run fuzz -- bvh|model|results [MINUTES]`: feeds the library's readers with what no program has written, guided by what they do with it
+// `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds the library's readers with what no program has written, guided by what they do with it
 // (libFuzzer; needs a nightly Rust). What breaks them is left in fuzz/artifacts.
 import { createRequire } from "node:module";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { at, env, Failure, main, output, run } from "./run.mjs";
 import { buildWasm } from "./wasm.mjs";
 
-const TARGETS = ["bvh", "model", "results"];
+const TARGETS = ["bvh", "model", "results", "study", "answers"];
 const DICTIONARIES = ["bvh", "json"];
 // What `cargo fuzz` passes on: every branch counts, and comparisons tell what they were waiting for.
 const COVERAGE = [
@@ -16,8 +16,11 @@ const COVERAGE = [
   ),
 ].join(" ");
 
-/** Small inputs to begin with: a made clip, a model, results of nothing. */
+/** Small inputs to begin with: a made clip, a model, results of nothing, a study of a node that moves, a participant's answers. */
 function seeds(/** @type {string} */ target) {
+  if (target === "answers")
+    return ["p1.csv", "p2.csv"].map((file) => readFileSync(at("tests/perception", file), "utf8"));
+  if (target === "study") return [smallStudy()];
   const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
   const set = new TrainingSet();
   const clips = ["walk-1", "walk-2"].map((id) => Clip.sample(id).cut(0, 20));
@@ -28,6 +31,17 @@ function seeds(/** @type {string} */ target) {
   if (target === "results") return [Results.empty(set, common).toJson()];
   const few = { latent: 1, order: 1, dynamicsIps: 2, poseIps: 2, maxIterations: 2, seed: 1 };
   return [new Trainer(set, { ...common, ...few }).model().toJson()];
+}
+
+/** The page's study, of which only a node and three movements are left. */
+function smallStudy() {
+  const study = JSON.parse(readFileSync(at("www/public/study/walks.study.json"), "utf8"));
+  const still = (/** @type {{ kind: string }} */ stimulus) => ({ ...stimulus, frames: 6, places: "A".repeat(18) });
+  study.seconds = 0.2;
+  study.figure = { ...study.figure, names: ["Hips"], parents: [null], joints: 1, dots: [0] };
+  for (const name of ["head", "feet"]) delete study.figure[name];
+  study.stimuli = [0, 4, 6].map((k) => still(study.stimuli[k]));
+  return JSON.stringify(study);
 }
 
 await main(async () => {

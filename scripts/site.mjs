@@ -31,8 +31,10 @@ export function weigh() {
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
-  const later = inFolders("assets/on-demand/", "comparison/", "primitives/", "service.js", "licences.txt");
-  const first = files.filter((file) => !later.includes(file) && !asked.includes(file));
+  const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
+  const study = inFolders("study/");
+  const primitives = inFolders("assets/primitives/", "primitives/");
+  const first = files.filter((file) => ![...later, ...asked, ...study, ...primitives].includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
@@ -40,9 +42,14 @@ export function weigh() {
     ["first visit", sum(first), budget.firstVisit],
     ["when asked for", sum(asked), budget.whenAsked],
     ["on demand", sum(later), budget.onDemand],
+    ["study", sum(study), budget.study],
+    ["primitives", sum(primitives), budget.primitives],
   ];
 
-  const rows = [...[...first, ...asked, ...later].map(({ name, size }) => [name, size, ""]), ...sums];
+  const rows = [
+    ...[...first, ...asked, ...later, ...study, ...primitives].map(({ name, size }) => [name, size, ""]),
+    ...sums,
+  ];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);
   for (const [name, size, limit] of rows) {

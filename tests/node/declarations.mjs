@@ -8,7 +8,7 @@
 
 const PRIMITIVES = ["string", "number", "boolean", "null", "void", "undefined"];
 
-/** The types of a declaration file, and what the functions of its classes answer with. */
+/** The types of a declaration file, and what its functions and the functions and fields of its classes answer with. */
 export function readDeclarations(/** @type {string} */ text) {
   const source = text.replace(/\/\*[\s\S]*?\*\//g, "");
   /** @type {Map<string, Type>} */
@@ -22,6 +22,11 @@ export function readDeclarations(/** @type {string} */ text) {
   for (const [, name = "", body = ""] of source.matchAll(/^export class (\w+) \{([\s\S]*?)^\}/gm))
     for (const [, method = "", type = ""] of body.matchAll(/^ +(?:static )?(\w+)\([^)]*\): (.+);$/gm))
       answers.set(`${name}.${method}`, readType(type));
+  for (const [, name = "", body = ""] of source.matchAll(/^export class (\w+) \{([\s\S]*?)^\}/gm))
+    for (const [, field = "", type = ""] of body.matchAll(/^ +readonly (\w+): (.+);$/gm))
+      answers.set(`${name}.${field}`, readType(type));
+  for (const [, name = "", type = ""] of source.matchAll(/^export function (\w+)\(.*\): (.+);$/gm))
+    answers.set(name, readType(type));
   return { types, answers };
 }
 

@@ -14,7 +14,8 @@ before(async () => {
 after(() => installed?.remove());
 
 it("errors have a name, a code of the declared ones, and words", () => {
-  const { Clip, Evaluation, Fold, Model, Results, SyntheticExperiment, Trainer, TrainingSet } = installed.vcgpdm;
+  const { Clip, Evaluation, Fold, Model, Results, Study, StudyMaker, SyntheticExperiment, Trainer, TrainingSet } =
+    installed.vcgpdm;
   const clip = Clip.sample("walk-1").cut(0, 60);
   const set = (/** @type {import("vcgpdm").Clip[]} */ ...clips) => {
     const set = new TrainingSet();
@@ -90,6 +91,12 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["comparison", () => Results.empty(set(clip), common), /expected at least two trials, found 1/],
     ["results", () => Results.fromJson("{}"), /^expected the results of an evaluation: missing field `format`/],
     ["results", () => results.merge(others), /^these results are of other trials/],
+    ["study", () => Study.fromJson("{}"), /^expected a study with "format": "vcgpdm study", found no format/],
+    [
+      "study",
+      () => new StudyMaker(clip, 2, 30).study("none", "class", "figure", 1),
+      /^at stimuli: expected from 2 to 5000, found 0/,
+    ],
     ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
   ];
   // What is no text, and no whole number.

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
+import { simulatedAnswers } from "../perception/simulated.mjs";
 import { differences, readDeclarations } from "./declarations.mjs";
 import { installPackage } from "./package.mjs";
 
@@ -121,7 +122,17 @@ describe("the declared types", () => {
     hold("SyntheticExperiment.truth", experiment.truth());
     hold("SyntheticExperiment.findings", experiment.findings());
 
-    const inputs = ["ComparisonSettings", "ErrorCode", "Plan", "Reading", "RolloutOptions", "VcgpdmError"];
+    const { Study, analysePerception, perceptionFigures } = installed.vcgpdm;
+    const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
+    const study = Study.fromJson(text);
+    hold("Study.info", study.info);
+    hold("Study.trials", study.trials(1));
+    const given = [{ name: "a.csv", text: simulatedAnswers(study, "a", 1).csv }];
+    hold("analysePerception", analysePerception(text, given, { draws: 100 }));
+    hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
+
+    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "MadeMovement", "PerceptionOptions", "Plan"];
+    inputs.push("Reading", "RolloutOptions", "StudyPreset", "VcgpdmError");
     const unseen = [...types.keys()].filter((name) => !seen.has(name));
     assert.deepEqual(unseen.sort(), inputs, "every other type was held against a value");
   });

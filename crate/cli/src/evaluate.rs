@@ -247,7 +247,7 @@ fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>
 }
 
 /// The trials held out, counted from 1; none named: each in turn.
-fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
+pub fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     if asked == "all" {
         return Ok(Vec::new());
     }
@@ -257,7 +257,7 @@ fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     })
 }
 
-fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
+pub fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
     if asked == "all" {
         return Ok(ModelKind::ALL.to_vec());
     }

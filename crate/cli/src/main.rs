@@ -10,6 +10,7 @@ mod evaluate;
 mod files;
 mod interrupt;
 mod merge;
+mod perception;
 mod progress;
 mod report;
 mod reproduce;
@@ -17,6 +18,7 @@ mod results;
 mod rollout;
 mod score;
 mod shell;
+mod study;
 mod train;
 mod usage;
 
@@ -53,6 +55,8 @@ enum Command {
     Score(score::Arguments),
     Evaluate(evaluate::Arguments),
     Report(report::Arguments),
+    Study(study::Arguments),
+    Perception(perception::Arguments),
     Results(merge::Arguments),
     Completions(shell::Completions),
     Man(shell::Man),
@@ -104,6 +108,8 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
         Command::Score(arguments) => score::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
+        Command::Perception(arguments) => perception::run(&arguments),
         Command::Results(arguments) => merge::run(&arguments),
         Command::Completions(arguments) => shell::completions(&arguments, command()),
         Command::Man(arguments) => shell::man(&arguments, command()),

@@ -214,7 +214,7 @@ fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
 }
 
 /// Text that somebody else wrote, as part of a line or a cell of Markdown: without line breaks and bars.
-fn one_line(text: &str) -> String {
+pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
 }
 

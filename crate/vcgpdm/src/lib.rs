@@ -36,6 +36,7 @@
 //!   [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
 //! - [`document`]: trained models as versioned JSON documents.
 //! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
+//! - [`perception`]: the graphics Turing test: studies of movements, and what people's answers say.
 //! - [`synthetic`]: the synthetic experiment: data with a known truth about who drives whom.
 //! - [`golden`]: problems and their numbers, to hold other implementations against this one.
 //!
@@ -58,6 +59,7 @@ pub mod gp;
 mod json;
 pub mod models;
 pub mod motion;
+pub mod perception;
 pub mod series;
 #[cfg(feature = "speed")]
 pub mod speed;

@@ -146,6 +146,14 @@ impl Clip {
     }
 }
 
+#[cfg(feature = "training")]
+impl Clip {
+    /// The body that moves.
+    pub fn skeleton(&self) -> &vcgpdm::motion::Skeleton {
+        &self.clip.skeleton
+    }
+}
+
 /// The clips that a model is trained on, one sequence each.
 #[wasm_bindgen]
 #[derive(Default)]

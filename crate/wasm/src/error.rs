@@ -14,6 +14,8 @@ use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
+use vcgpdm::perception::{AnalysisError, AnswersError, MakerError, StudyError};
+#[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
@@ -31,6 +33,7 @@ export type ErrorCode =
     | "rollout"
     | "comparison"
     | "results"
+    | "study"
     | "numerics";
 
 /** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. */
@@ -65,6 +68,9 @@ pub enum ErrorCode {
     /// Results, or their file.
     #[cfg(feature = "training")]
     Results,
+    /// A study of perceived naturalness, or answers to one.
+    #[cfg(feature = "training")]
+    Study,
     /// A number out of bounds, or a matrix that cannot be factorised.
     Numerics,
 }
@@ -84,6 +90,8 @@ impl ErrorCode {
             ErrorCode::Comparison => "comparison",
             #[cfg(feature = "training")]
             ErrorCode::Results => "results",
+            #[cfg(feature = "training")]
+            ErrorCode::Study => "study",
             ErrorCode::Numerics => "numerics",
         }
     }
@@ -148,6 +156,10 @@ about! {
     PlanError => Comparison,
     ResultsError => Results,
     SettingError => Comparison,
+    AnalysisError => Study,
+    AnswersError => Study,
+    MakerError => Study,
+    StudyError => Study,
 }
 
 impl LibraryError for TrainingError {

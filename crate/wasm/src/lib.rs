@@ -16,12 +16,18 @@ mod given;
 #[cfg(feature = "training")]
 mod library;
 mod live;
+#[cfg(feature = "training")]
+mod maker;
 mod model;
+#[cfg(feature = "training")]
+mod perception;
 mod predictions;
 #[cfg(feature = "training")]
 mod results;
 mod rollout;
 mod settings;
+#[cfg(feature = "training")]
+mod study;
 #[cfg(feature = "training")]
 mod synthetic;
 #[cfg(feature = "training")]

@@ -131,25 +131,41 @@ class Gaussian(NamedTuple):
     covariance: Array  # [K x K]
 
 
-def best_gaussian(regression: Regression) -> Gaussian:
-    """The q(e) at which `regression_bound` is largest: Bayesian linear regression. P2 (A36), P1 (S36) in whitened form."""
-    phi, target, noise = regression.phi, regression.target, regression.noise
-    covariance = jnp.linalg.inv(jnp.eye(phi.first.shape[1]) + jnp.sum(phi.second, axis=0) / noise)
-    return Gaussian(covariance @ (phi.first.T @ target) / noise, covariance)
+def best_gaussian(*regressions: Regression) -> Gaussian:
+    """The q(e) that explains all these regressions on the same features best: Bayesian linear regression, each with its own noise.
+
+    Of one regression P2 (A36), P1 (S36) in whitened form.
+    """
+    precision = jnp.eye(regressions[0].phi.first.shape[1])
+    weighted = 0.0
+    for phi, target, _, noise in regressions:
+        precision += jnp.sum(phi.second, axis=0) / noise
+        weighted += phi.first.T @ target / noise
+    covariance = jnp.linalg.inv(precision)
+    return Gaussian(covariance @ weighted, covariance)
 
 
-def regression_bound(q: Gaussian, regression: Regression) -> Array:
-    """Expected log likelihood of the target under q(x) q(e), minus KL(q(e) || N(0, I)): P2 (A22) with (A23) and (A28)."""
+def expected_log_likelihood(q: Gaussian, regression: Regression) -> Array:
+    """Of the target under q(x) q(e): P2 (A22) with (A23) and (A28)."""
     phi, target, noise = regression.phi, regression.target, regression.noise
     rows, columns = target.shape
     # E[(target - e^T phi)^2] plus the rest, summed over rows and columns.
     error = jnp.sum(target**2 + regression.target_variance - 2 * target * (phi.first @ q.mean))
     error += jnp.einsum("tab,ac,bc->", phi.second, q.mean, q.mean)
     error += columns * (jnp.einsum("tab,ab->", phi.second, q.covariance) + jnp.sum(phi.rest))
-    log_likelihood = -0.5 * rows * columns * jnp.log(2 * jnp.pi * noise) - error / (2 * noise)
+    return -0.5 * rows * columns * jnp.log(2 * jnp.pi * noise) - error / (2 * noise)
+
+
+def divergence(q: Gaussian) -> Array:
+    """KL(q(e) || N(0, I))."""
+    columns = q.mean.shape[1]
     log_determinant = jnp.linalg.slogdet(q.covariance)[1]
-    divergence = 0.5 * (jnp.sum(q.mean**2) + columns * (jnp.trace(q.covariance) - len(q.covariance) - log_determinant))
-    return log_likelihood - divergence
+    return 0.5 * (jnp.sum(q.mean**2) + columns * (jnp.trace(q.covariance) - len(q.covariance) - log_determinant))
+
+
+def regression_bound(q: Gaussian, *regressions: Regression) -> Array:
+    """Expected log likelihood of all targets under q(x) q(e), minus KL(q(e) || N(0, I))."""
+    return sum(expected_log_likelihood(q, regression) for regression in regressions) - divergence(q)
 
 
 # --- The model -----------------------------------------------------------------------------------------------------------
@@ -232,15 +248,19 @@ def bound_and_terms(params: Params, problem: Problem) -> tuple[Array, dict[str, 
         return regression_bound(jax.lax.stop_gradient(best_gaussian(regression)), regression)
 
     terms = {name: [term(regression) for regression in group] for name, group in regressions(params, problem).items()}
-    # E[log N(x; 0, I)] and the entropy of q(x), the last two integrals of P2 (16).
+    terms = {**terms, **latent_terms(params, problem)}
+    return sum(jax.tree.leaves(terms)), terms
+
+
+def latent_terms(params: Params, problem: Problem) -> dict[str, Array]:
+    """E[log N(x; 0, I)] of the first frames and the entropy of q(x), the last two integrals of P2 (16)."""
     start = initial_rows(problem)
     initial, entropy = jnp.array(0.0), jnp.array(0.0)
     for part in params["parts"]:
         mean, variance = part["mu"][start], part["s"][start]
         initial += jnp.sum(log_normal(mean, 0.0, jnp.ones_like(mean))) - 0.5 * jnp.sum(variance)
         entropy += 0.5 * jnp.sum(jnp.log(2 * jnp.pi * jnp.e * part["s"]))
-    terms = {**terms, "initial": initial, "entropy": entropy}
-    return sum(jax.tree.leaves(terms)), terms
+    return {"initial": initial, "entropy": entropy}
 
 
 # --- What follows from the bound -----------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ import jax
 import jax.numpy as jnp
 
 import bound
+import movements
 
 Json = Any
 
@@ -34,6 +35,48 @@ def problem_of(given: Json) -> bound.Problem:
 
 def evaluate(given: Json, rollouts: list[Json]) -> Json:
     """What is expected of a case: `given` is its input; of `rollouts` only alpha, x0 and steps are read."""
+    return evaluate_movements(given) if "movements" in given else evaluate_plain(given, rollouts)
+
+
+def evaluate_movements(given: Json) -> Json:
+    """What is expected of movements that share primitives."""
+    lengths = [length for movement in given["movements"] for length in movement["lengths"]]
+    problem = problem_of({**given, "lengths": lengths})
+    owners = [primitive["part"] for primitive in given["params"]["primitives"]]
+    shared = movements.Shared(problem, given["movements"], owners)
+    # The part of a primitive is a place, not a number to differentiate by.
+    experts = [{"dyn": primitive["dyn"]} for primitive in given["params"]["primitives"]]
+    params = arrays({**given["params"], "primitives": experts})
+
+    differentiated = jax.value_and_grad(lambda params: movements.bound_and_terms(params, shared), has_aux=True)
+    (value, terms), gradient = jax.jit(differentiated)(params)
+    kept = jax.jit(lambda params: movements.best_gaussians(params, shared))(params)
+    alone = jax.value_and_grad(lambda params: movements.bound_given(params, kept, shared))
+    value_given, gradient_given = jax.jit(alone)(params)
+    posteriors = jax.jit(lambda params: movements.posteriors(params, shared))(params)
+
+    def gaussians(group: list[bound.Gaussian]) -> Json:
+        return [{"mean": plain(q.mean), "cov": plain(q.covariance)} for q in group]
+
+    return {
+        "elbo": plain(value),
+        "terms": plain(terms),
+        "gradient": {
+            "parts": plain(gradient["parts"]),
+            "alpha": plain(gradient["alpha"]),
+            "dyn": [plain(primitive["dyn"]) for primitive in gradient["primitives"]],
+        },
+        "posterior": {"kin": gaussians(posteriors["kinematics"]), "dyn": gaussians(posteriors["dynamics"])},
+        "elbo_given": plain(value_given),
+        "gradient_given": {
+            "parts": [{name: plain(part[name]) for name in ("mu", "s")} for part in gradient_given["parts"]],
+            "alpha": plain(gradient_given["alpha"]),
+        },
+    }
+
+
+def evaluate_plain(given: Json, rollouts: list[Json]) -> Json:
+    """What is expected of the plain model."""
     params, problem = arrays(given["params"]), problem_of(given)
     differentiated = jax.value_and_grad(lambda params: bound.bound_and_terms(params, problem), has_aux=True)
     (value, terms), gradient = jax.jit(differentiated)(params)

@@ -46,8 +46,7 @@ const ON_DEMAND = {
   },
   async primitives({ primitives, clips, notices }: App) {
     const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
-    return () =>
-      html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
+    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async method() {
     await import("../method/method-page");

@@ -105,10 +105,10 @@ export class PrimitivesPage extends View {
       <div class="primitives">
         <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing}></pg-drawer></section>
         <section class="panel walk-panel" aria-label="The figure">${this.#head()}<pg-walk .library=${library}></pg-walk></section>
-        <section class="panel combination-panel" aria-label="Couplings"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination></section>
+        <section class="panel combination-panel" aria-label="Couplings and morph"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination>
+          <pg-morph .library=${library}></pg-morph></section>
         <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
         <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
-        <section class="panel morph-panel" aria-label="Morph"><pg-morph .library=${library}></pg-morph></section>
         <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
       </div>`;
   }

@@ -8,6 +8,7 @@ mod evaluate;
 mod files;
 mod library;
 mod models;
+mod perception;
 mod reproduce;
 mod rollout;
 mod streams;

@@ -14,10 +14,10 @@ mod write;
 
 pub use error::DocumentError;
 
-use crate::json::{NotFinite, Value};
+use crate::json::{Field, FieldError, NotFinite, Value};
 use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
-use crate::models::{SeriesModel, TrainedModel};
+use crate::models::{ModelKind, ModelSettings, SeriesModel, TrainedModel};
 use error::MOST_BYTES;
 
 impl TrainedModel<Vcgpdm> {
@@ -122,6 +122,16 @@ impl TrainedLibrary {
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::library_document(&parsed(text)?)
     }
+}
+
+/// Names and values of what a training was asked for, as documents hold them.
+pub(crate) fn settings_value(settings: &ModelSettings, seed: u32) -> Value {
+    write::settings(settings, seed)
+}
+
+/// The same, read again: settings of that kind of model, and the seed.
+pub(crate) fn settings_of(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+    read::settings(field, kind)
 }
 
 fn parsed(text: &str) -> Result<Value, DocumentError> {

@@ -178,7 +178,7 @@ fn expert(expert: &FittedExpert) -> Value {
 }
 
 /// Names and values of what training was asked for: yes is 1, and what was left to the training is left out.
-fn settings(settings: &ModelSettings, seed: u32) -> Value {
+pub(super) fn settings(settings: &ModelSettings, seed: u32) -> Value {
     match settings {
         ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
             variational_settings(settings, seed)

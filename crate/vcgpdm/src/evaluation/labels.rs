@@ -27,10 +27,15 @@ impl Labels {
 
     /// For all candidates of several comparisons.
     pub(super) fn of_all(several: &[&Results]) -> Self {
+        let finished = several.iter().flat_map(|results| results.finished());
+        Self::of_candidates(finished.map(|finished| &finished.job.candidate))
+    }
+
+    /// For these candidates.
+    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a ModelSettings>) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
-        let finished = several.iter().flat_map(|results| results.finished());
-        for candidate in finished.map(|finished| &finished.job.candidate) {
+        for candidate in candidates {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
             let differ = varying.entry(candidate.kind()).or_default();

@@ -25,6 +25,7 @@ mod bones;
 pub mod bvh;
 mod clip;
 mod joint_names;
+pub mod landmarks;
 pub mod measures;
 pub mod parts;
 mod percentile;

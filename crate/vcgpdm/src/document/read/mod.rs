@@ -9,10 +9,10 @@ mod vcgpdm;
 use crate::document::error::DocumentError;
 use crate::document::read::head::Wanted;
 use crate::document::subject::Subject;
-use crate::json::Value;
+use crate::json::{Field, FieldError, Value};
 use crate::models::library::TrainedLibrary;
 use crate::models::variational::Vcgpdm;
-use crate::models::{Model, ModelKind, TrainedModel};
+use crate::models::{Model, ModelKind, ModelSettings, TrainedModel};
 
 /// Whether the document is about tables.
 pub(super) fn is_of_columns(value: &Value) -> bool {
@@ -38,6 +38,17 @@ pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, Doc
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
         other => Err(DocumentError::Kind { found: other.id() }),
+    }
+}
+
+/// What a training of a model of any kind was asked for, and the seed.
+pub(super) fn settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+    match kind {
+        ModelKind::Vcgpdm => settings::variational_settings(field)
+            .map(|(settings, seed)| (ModelSettings::Vcgpdm(settings), seed)),
+        ModelKind::Vgpdm => settings::variational_settings(field)
+            .map(|(settings, seed)| (ModelSettings::Vgpdm(settings), seed)),
+        _ => settings::baseline_settings(field, kind),
     }
 }
 

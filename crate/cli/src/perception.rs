@@ -1,0 +1,262 @@
+//! `vcgpdm perception`: what answers to a study say.
+
+use crate::report::one_line;
+use crate::{files, study};
+use serde_json::json;
+use std::error::Error;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use vcgpdm::perception::{
+    AnalysisOptions, AnswerFile, Confusion, PaperCheck, PerceptionResults, paper_checks, read_answers,
+};
+
+/// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what predicts it.
+///
+/// Prints tables as Markdown; with --out the results go to a file as one JSON document. With --paper, and without files, it computes the results of
+/// Knopp et al. (2019) from the counts that their printed numbers imply.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The study that was shown.
+    #[arg(value_name = "STUDY.json", required_unless_present = "paper")]
+    study: Option<PathBuf>,
+    /// What participants answered: files of the page, of jsPsych or of JATOS, CSV or JSON.
+    #[arg(value_name = "ANSWERS.csv", required_unless_present = "paper")]
+    answers: Vec<PathBuf>,
+    /// Write the results to this file.
+    #[arg(long, value_name = "RESULTS.json")]
+    out: Option<PathBuf>,
+    /// Write the data of the papers' figures into this folder, a CSV each.
+    #[arg(long, value_name = "DIR")]
+    figures: Option<PathBuf>,
+    /// The ceiling c of the logistic regression p = c / (1 + exp(w0 + w1 S)).
+    #[arg(long, value_name = "C", default_value_t = AnalysisOptions::default().ceiling)]
+    ceiling: f64,
+    /// Blocks of the cross-validation.
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().folds)]
+    folds: usize,
+    /// Draws from the posteriors for the order of the models.
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().draws)]
+    draws: usize,
+    /// The seed of blocks and draws.
+    #[arg(long, value_name = "S", default_value_t = AnalysisOptions::default().seed)]
+    seed: u32,
+    /// Leave out who sees through less than this share of the attention checks.
+    #[arg(long, value_name = "SHARE", default_value_t = AnalysisOptions::default().attention)]
+    attention: f64,
+    /// The results of Knopp et al. (2019), computed again.
+    #[arg(long, conflicts_with_all = ["study", "answers", "out", "figures"])]
+    paper: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Some(place) = &arguments.study else {
+        return files::print(&paper(&paper_checks(arguments.draws.clamp(1, 10_000_000), arguments.seed))?);
+    };
+    let read = || [place].into_iter().chain(&arguments.answers).map(PathBuf::as_path);
+    if let Some(out) = &arguments.out {
+        files::check_writable(out, read())?;
+    }
+    let study = study::read(place)?;
+    let texts = arguments.answers.iter().map(|path| files::read_text(path));
+    let texts = texts.collect::<Result<Vec<String>, _>>()?;
+    let names: Vec<String> = arguments.answers.iter().map(|path| path.display().to_string()).collect();
+    let given = names.iter().zip(&texts).map(|(name, text)| AnswerFile { name, text });
+    let answers = read_answers(&study, &given.collect::<Vec<_>>())?;
+    let options = AnalysisOptions {
+        ceiling: arguments.ceiling,
+        folds: arguments.folds,
+        draws: arguments.draws,
+        seed: arguments.seed,
+        attention: arguments.attention,
+    };
+    let results = PerceptionResults::of(&study, &answers, options)?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(&results, folder)?;
+    }
+    if let Some(out) = &arguments.out {
+        files::write_text(out, &(serde_json::to_string(&results)? + "\n"))?;
+        if files::is_standard(out) {
+            return Ok(());
+        }
+    }
+    files::print(&files::shown(&tables(&results)?))
+}
+
+fn write_figures(results: &PerceptionResults, folder: &Path) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(folder).map_err(|error| files::about(folder, &error))?;
+    let figures = results.figures();
+    for figure in &figures {
+        files::write_text(&folder.join(figure.name), &figure.csv)?;
+    }
+    let list: Vec<_> =
+        figures.iter().map(|figure| json!({ "file": figure.name, "holds": figure.title })).collect();
+    files::write_text(&folder.join("figures.json"), &(serde_json::to_string_pretty(&list)? + "\n"))
+}
+
+/// What the paper prints, and what follows from its counts.
+fn paper(checks: &[PaperCheck]) -> Result<String, std::fmt::Error> {
+    let mut text =
+        "| from the counts of Knopp et al. (2019) | the paper prints | computed |\n|---|---|---|\n"
+            .to_owned();
+    for PaperCheck { what, printed, computed, digits } in checks {
+        writeln!(text, "| {what} | {printed} | {computed:.digits$} |")?;
+    }
+    Ok(text)
+}
+
+fn tables(results: &PerceptionResults) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    writeln!(text, "{}: {}\n", one_line(&results.title), results.study)?;
+    participants(&mut text, results)?;
+    settings(&mut text, results)?;
+    regressions(&mut text, results)?;
+    best(&mut text, results)?;
+    Ok(text)
+}
+
+fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
+    writeln!(
+        text,
+        "| participant | comparisons | unanswered | attention checks | left answers | median time, ms | |\n|---|---|---|---|---|---|---|"
+    )?;
+    for p in &results.participants {
+        writeln!(
+            text,
+            "| {} | {} | {} | {} of {} | {} | {} | {} |",
+            one_line(&p.name),
+            p.comparisons,
+            p.unanswered,
+            p.attention_hits,
+            p.attention_checks,
+            p.left.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share)),
+            p.median_rt.map_or(String::new(), |time| format!("{time:.0}")),
+            if p.excluded { "left out" } else { "" }
+        )?;
+    }
+    let excluded = results.participants.iter().filter(|p| p.excluded).count();
+    writeln!(
+        text,
+        "\n{} participants, {excluded} left out for seeing through less than {:.0} % of the attention checks. Generated movements were taken for the natural one in {}.",
+        results.participants.len(),
+        100.0 * results.options.attention,
+        rate(&results.all)
+    )?;
+    if let Some(catch) = &results.catch {
+        writeln!(
+            text,
+            "Catch trials: the movement not seen before was taken for the more natural one in {}; the probability that this is chance is {:.2}.",
+            rate(&catch.confusion),
+            catch.is_half
+        )?;
+    }
+    if let (Some(tell), Some(precise)) = (results.needed.to_tell, results.needed.for_precision) {
+        writeln!(
+            text,
+            "A setting needs {tell} trials to tell 0.6 from 0.5 with power 0.8, and {precise} for a rate of 0.5 to lie in [0.45, 0.55] with probability 0.8.",
+        )?;
+    }
+    writeln!(text)
+}
+
+/// Hits of trials, mean and standard deviation of the posterior.
+fn rate(confusion: &Confusion) -> String {
+    let Confusion { hits, trials, mean, deviation, .. } = confusion;
+    format!("{hits} of {trials} ({mean:.3} ± {deviation:.3})")
+}
+
+fn settings(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
+    writeln!(
+        text,
+        "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | bound | of it pose | of it dynamics |\n|---|---|---|---|---|---|---|---|---|---|---|"
+    )?;
+    for s in &results.settings {
+        let nats = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.0}"));
+        let error = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.5}"));
+        let scores = s.scores.as_ref();
+        let (count, mean, above) = match &s.confusion {
+            Some(c) => (
+                format!("{} of {}", c.hits, c.trials),
+                format!("{:.3} ± {:.3}", c.mean, c.deviation),
+                format!("{:.2}", c.above_half),
+            ),
+            None if s.movements == 0 => ("attention checks".to_owned(), String::new(), String::new()),
+            None => (String::new(), String::new(), String::new()),
+        };
+        writeln!(
+            text,
+            "| {} | {} | {} | {count} | {mean} | {above} | {} | {} | {} | {} | {} |",
+            s.model.id(),
+            s.label,
+            s.movements,
+            error(scores.map(|scores| scores.mse)),
+            error(scores.map(|scores| scores.dtw_mse)),
+            nats(scores.and_then(|scores| scores.bound)),
+            nats(scores.and_then(|scores| scores.pose)),
+            nats(scores.and_then(|scores| scores.dynamics)),
+        )?;
+    }
+    writeln!(text)
+}
+
+fn regressions(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
+    if results.regressions.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        text,
+        "| model | score S | settings | answers | w0 | w1 (of the standardised S) | ln K |\n|---|---|---|---|---|---|---|"
+    )?;
+    for r in &results.regressions {
+        let weight = |k: usize| match r.errors {
+            Some(errors) => format!("{:.2} ± {:.2}", r.weights[k], errors[k]),
+            None => format!("{:.2}", r.weights[k]),
+        };
+        let factor = match (r.log_bayes_factor, r.log_bayes_factor_error) {
+            (Some(factor), Some(error)) => format!("{factor:+.2} ± {error:.2}"),
+            _ => String::new(),
+        };
+        writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {factor} |",
+            r.model.map_or("all", |model| model.id()),
+            r.score.title(),
+            r.settings,
+            r.trials,
+            weight(0),
+            weight(1)
+        )?;
+    }
+    writeln!(
+        text,
+        "\np = {} / (1 + exp(w0 + w1 S)). ln K: how much better the curve expects the answers of a block that was left out than the best constant does, on average over {} blocks, in nats.\n",
+        results.options.ceiling, results.options.folds
+    )
+}
+
+fn best(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
+    if results.best.is_empty() {
+        return Ok(());
+    }
+    let names: String = results.best.iter().map(|best| format!(" > {} |", best.model.id())).collect();
+    writeln!(text, "| best setting of each kind | rate | P(rate > 0.5) |{names}")?;
+    writeln!(text, "{}|", "|---".repeat(3 + results.best.len()))?;
+    for (a, best) in results.best.iter().enumerate() {
+        let pairs: String = (0..results.best.len())
+            .map(|b| if a == b { " |".to_owned() } else { format!(" {:.2} |", results.pairs[a][b]) })
+            .collect();
+        let comma = if best.label.is_empty() { "" } else { ", " };
+        writeln!(
+            text,
+            "| {}{comma}{} | {} | {:.3} |{pairs}",
+            best.model.id(),
+            best.label,
+            rate(&best.confusion),
+            best.confusion.above_half
+        )?;
+    }
+    for order in results.orders.iter().take(3) {
+        let names: Vec<&str> = order.models.iter().map(|model| model.id()).collect();
+        writeln!(text, "\n{}: probability {:.2}", names.join(" > "), order.probability)?;
+    }
+    Ok(())
+}

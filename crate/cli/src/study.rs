@@ -1,0 +1,272 @@
+//! `vcgpdm study`: a study of perceived naturalness, from an evaluation and its clips.
+
+use crate::evaluate::models;
+use crate::progress::Progress;
+use crate::usage::usage;
+use crate::{files, interrupt, results};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use vcgpdm::evaluation::{Fold, Job, Outcome, Results, Trial};
+use vcgpdm::models::{Body, with_bones_of};
+use vcgpdm::motion::Clip;
+use vcgpdm::motion::pose::RootStart;
+use vcgpdm::perception::{Look, Maker, Preset, Scores, Shown, Study, TrialKind};
+
+/// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more natural?
+///
+/// From the results of an evaluation and its clips it takes every model with all its settings, of several seeds the one of the highest
+/// objective, trains it again as it was trained (results hold no movements) and takes its prediction of each trial held out. That takes as
+/// long as the trainings took: the number of seconds is said before. From a study, without clips, it makes one with another design or look, or
+/// with other movements marked as failures.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Results that `evaluate` wrote, or a study that is to be changed.
+    #[arg(value_name = "RESULTS.json")]
+    source: PathBuf,
+    /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are known by their content.
+    #[arg(value_name = "CLIP")]
+    clips: Vec<String>,
+    /// Natural movements that no model has seen, for catch trials.
+    #[arg(long, value_name = "CLIP", num_args = 1.., value_delimiter = ',')]
+    unseen: Vec<String>,
+    /// Only these models: all, or ids.
+    #[arg(long, value_name = "all|ID,ID", default_value = "all")]
+    models: String,
+    /// Only predictions of these trials: all, or numbers from 1.
+    #[arg(long, value_name = "all|N,N", default_value = "all")]
+    folds: String,
+    /// The trials and times: class, p3-part-1, p3-part-2 or p2.
+    #[arg(long, value_name = "DESIGN")]
+    preset: Option<String>,
+    /// How the figures are drawn: figure, or points (point lights).
+    #[arg(long, value_name = "figure|points")]
+    look: Option<String>,
+    /// What the study is called.
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// Which generated movements are marked as obvious failures, by their ids: they check attention. No others are.
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    failed: Option<Vec<String>>,
+    /// Seconds of every movement.
+    #[arg(long, value_name = "S", default_value_t = 3.5)]
+    seconds: f64,
+    /// The seed of everything random in the design.
+    #[arg(long, value_name = "S")]
+    seed: Option<u32>,
+    /// Trainings at a time; absent: as many as there are cores.
+    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Write the study to this file.
+    #[arg(long, value_name = "STUDY.json")]
+    out: PathBuf,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let clips = arguments.clips.iter().chain(&arguments.unseen).map(Path::new);
+    files::check_writable(&arguments.out, clips.chain([arguments.source.as_path()]))?;
+    let preset = arguments.preset.as_deref().map(preset).transpose()?;
+    let look = arguments.look.as_deref().map(look).transpose()?;
+    let mut made = if arguments.clips.is_empty() {
+        let study = read(&arguments.source)?;
+        if let Some(preset) = preset { study.with_preset(preset) } else { study }
+    } else {
+        make(arguments, preset.unwrap_or(Preset::Class))?
+    };
+    if let Some(look) = look {
+        made.look = look;
+    }
+    if let Some(title) = &arguments.title {
+        made.title.clone_from(title);
+    }
+    if let Some(seed) = arguments.seed {
+        made.design.seed = seed;
+    }
+    if let Some(ids) = &arguments.failed {
+        made = made.with_failed(ids)?;
+    }
+    let text = made.to_json()? + "\n";
+    // What cannot be read would be found out in front of participants.
+    let made = Study::from_json(&text)?;
+    files::write_text(&arguments.out, &text)?;
+    let trials = made.trials(0);
+    let count = |kind: TrialKind| trials.iter().filter(|trial| trial.kind == kind).count();
+    let failed = made.stimuli.iter().filter(|stimulus| stimulus.failed()).count();
+    let summary = json!({
+        "hash": made.hash()?,
+        "natural": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(true)).count(),
+        "unseen": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(false)).count(),
+        "generated": made.stimuli.iter().filter(|stimulus| stimulus.generated().is_some()).count(),
+        "failed": failed,
+        "blocks": made.design.blocks,
+        "comparisons": count(TrialKind::Comparison),
+        "attention_checks": count(TrialKind::Attention),
+        "catch_trials": count(TrialKind::Catch),
+        "bytes": text.len(),
+    });
+    files::print_summary(&summary, &[&arguments.out])
+}
+
+/// Reads a study.
+pub fn read(path: &Path) -> Result<Study, Box<dyn Error>> {
+    Study::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+}
+
+fn preset(id: &str) -> Result<Preset, Box<dyn Error>> {
+    Preset::from_id(id).ok_or_else(|| {
+        let known = Preset::ALL.map(Preset::id).join(", ");
+        usage(format!("--preset {id}: expected one of {known}"))
+    })
+}
+
+fn look(id: &str) -> Result<Look, Box<dyn Error>> {
+    Look::from_id(id).ok_or_else(|| usage(format!("--look {id}: expected figure or points")))
+}
+
+fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> {
+    let results = results::read(&arguments.source)?;
+    let setting = results.setting();
+    let given = arguments.clips.iter().map(|place| files::read_clip(place));
+    let given = given.collect::<Result<Vec<Clip>, _>>()?;
+    let clips = setting.trials.iter().map(|trial| clip_of(trial, &given)).collect::<Result<Vec<_>, _>>()?;
+    let unseen = arguments.unseen.iter().map(|place| files::read_clip(place));
+    let unseen = unseen.collect::<Result<Vec<Clip>, _>>()?;
+    let best = best(arguments, &results)?;
+    let (rate, start) = (setting.frames_per_second, setting.start_frames);
+
+    let mut folds: BTreeMap<usize, Fold> = BTreeMap::new();
+    for number in 1..=clips.len() {
+        let fold = Fold::new(&clips, number, clips.len() - 1, &setting.parts, rate, start)?;
+        folds.insert(number, fold);
+    }
+    let Some(body) = folds.get(&1).map(Fold::body) else { return Err("expected trials, found none".into()) };
+    let skeleton = body.mapping.skeleton().clone();
+    let mut maker = Maker::new(&skeleton, arguments.seconds, 1.0 / body.frame_time, start);
+    for (number, fold) in &folds {
+        let trial = &setting.trials[number - 1].name;
+        let body = fold.body();
+        let positions = body.positions(fold.actual())?;
+        let shown = Shown { number: *number, trial, positions: &positions, frame_time: body.frame_time };
+        maker.natural(&shown, true)?;
+    }
+    for (k, clip) in unseen.iter().enumerate() {
+        let positions = natural(body, clip, &clips[0])?;
+        let shown =
+            Shown { number: k + 1, trial: &clip.name, positions: &positions, frame_time: body.frame_time };
+        maker.natural(&shown, false)?;
+    }
+    for (job, prediction) in predictions(&best, &folds, arguments)? {
+        let Some(fold) = folds.get(&job.held_out) else { continue };
+        let body = fold.body();
+        let (positions, outcome) = prediction;
+        let trial = &setting.trials[job.held_out - 1].name;
+        let shown = Shown { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
+        maker.generated(&shown, &job.candidate, job.seed, Scores::of(&outcome))?;
+    }
+    let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
+    let look = Look::Figure;
+    Ok(maker.study(&title, preset, look, arguments.seed.unwrap_or(0))?)
+}
+
+/// The clip of a trial, cut as it was.
+fn clip_of(trial: &Trial, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
+    let clip = given.iter().find(|clip| clip.sha256 == trial.sha256).ok_or_else(|| {
+        let start: String = trial.sha256.chars().take(8).collect();
+        format!("expected the clip {} (SHA-256 {start}...) among those given, found none", trial.name)
+    })?;
+    Ok(match trial.piece {
+        Some((first, end)) => clip.cut(first, end)?,
+        None => clip.clone(),
+    })
+}
+
+/// The places of a clip that is no trial, through the same columns as those of the others.
+fn natural(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, Box<dyn Error>> {
+    let clip = with_bones_of(clip, first)?;
+    let columns = body.mapping.encode(&clip.resample(1.0 / body.frame_time)?)?;
+    Ok(body.mapping.decode_positions(&columns.y, &RootStart::default())?)
+}
+
+/// Of each candidate that was trained on all other trials, in each fold, the seed of the highest objective, and how long its training took.
+fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box<dyn Error>> {
+    let trials = results.setting().trials.len();
+    let kinds = models(&arguments.models)?;
+    let folds = crate::evaluate::folds(&arguments.folds, trials)?;
+    let mut best: Vec<(Job, &Outcome)> = Vec::new();
+    for finished in results.in_order() {
+        let (job, Some(outcome)) = (&finished.job, &finished.outcome) else { continue };
+        let asked =
+            kinds.contains(&job.candidate.kind()) && (folds.is_empty() || folds.contains(&job.held_out));
+        if !asked || job.training_trials + 1 != trials {
+            continue;
+        }
+        let same = |other: &&mut (Job, &Outcome)| {
+            (&other.0.candidate, other.0.held_out) == (&job.candidate, job.held_out)
+        };
+        match best.iter_mut().find(same) {
+            Some(known) if known.1.objective < outcome.objective => *known = (job.clone(), outcome),
+            Some(_) => {}
+            None => best.push((job.clone(), outcome)),
+        }
+    }
+    Ok(best.into_iter().map(|(job, outcome)| (job, outcome.seconds)).collect())
+}
+
+type Prediction = (Vec<f32>, Outcome);
+
+/// Trains every candidate again and predicts the trial held out: places, and how good the prediction is.
+fn predictions(
+    jobs: &[(Job, f64)],
+    folds: &BTreeMap<usize, Fold>,
+    arguments: &Arguments,
+) -> Result<Vec<(Job, Prediction)>, Box<dyn Error>> {
+    let stopped = interrupt::flag()?;
+    let seconds: f64 = jobs.iter().map(|(_, seconds)| seconds).sum();
+    let words = |done: usize| format!("{done} of {} trainings, which took {seconds:.0} s", jobs.len());
+    let mut shown = Progress::new("about");
+    shown.show(0.0, || words(0));
+    let shown = Mutex::new(shown);
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = arguments.threads.map_or(cores, usize::from).min(jobs.len());
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let place = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((job, _)) = jobs.get(place) else { return };
+                    let Some(fold) = folds.get(&job.held_out) else { return };
+                    let made = predict(fold, job, &|| stopped.load(Ordering::Relaxed));
+                    let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+                    done.insert(place, made);
+                    let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+                    shown.show(done.len() as f64 / jobs.len() as f64, || words(done.len()));
+                }
+            });
+        }
+    });
+    shown.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
+    let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let named = done.into_iter().map(|(place, made)| {
+        let job = &jobs[place].0;
+        made.map(|made| (job.clone(), made)).map_err(|reason| format!("{job}: {reason}").into())
+    });
+    named.collect()
+}
+
+fn predict(fold: &Fold, job: &Job, stopped: &dyn Fn() -> bool) -> Result<Prediction, String> {
+    let words = |error: &dyn Error| error.to_string();
+    let mut learner = fold.learner(&job.candidate, job.seed).map_err(|error| words(&error))?;
+    while !learner.step().done {
+        if stopped() {
+            return Err("stopped".to_owned());
+        }
+    }
+    let model = learner.model().map_err(|error| words(&error))?;
+    let outcome = fold.outcome(&model, &learner.progress(), 0.0).map_err(|error| words(&error))?;
+    let columns = fold.predict(&model).map_err(|error| words(&error))?;
+    Ok((fold.body().positions(&columns).map_err(|error| words(&error))?, outcome))
+}

@@ -1,0 +1,123 @@
+//! Nodes of a figure that a picture of it needs by name: head, feet, and the dots of a point-light walker.
+
+use crate::motion::Clip;
+use crate::motion::anatomy::{Anatomy, Region};
+use crate::motion::joint_names::Side;
+use crate::motion::skeleton::Skeleton;
+use nalgebra::Vector3;
+
+/// Nodes of [`Skeleton::figure`], by their places in it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Landmarks {
+    /// The top of the head; absent where it is not known.
+    pub head: Option<usize>,
+    /// The tips of the left and the right foot; absent where these are not known.
+    pub feet: Option<[usize; 2]>,
+    /// What a point-light walker (Johansson 1973) shows: the head, and shoulders, elbows, wrists, hips, knees and ankles where these are
+    /// known; else every node.
+    pub dots: Vec<usize>,
+}
+
+impl Landmarks {
+    /// Those of a skeleton.
+    pub fn of(skeleton: &Skeleton) -> Self {
+        let nodes = skeleton.figure();
+        let Some(anatomy) = Anatomy::of(skeleton) else {
+            return Self { head: None, feet: None, dots: (0..nodes.len()).collect() };
+        };
+        let sides = [Side::Left, Side::Right];
+        let head = anatomy.head(skeleton);
+        let feet = sides.map(|side| anatomy.foot(skeleton, side));
+        let limbs = sides.map(Region::Arm).into_iter().chain(sides.map(Region::Leg));
+        let mut dots: Vec<usize> = head.into_iter().collect();
+        dots.extend(limbs.flat_map(|limb| hinges(skeleton, &anatomy, limb)));
+        let feet = match feet {
+            [Some(left), Some(right)] => Some([left, right]),
+            _ => None,
+        };
+        Self { head, feet, dots }
+    }
+}
+
+/// The ends of the two bones of a limb that together are longest, and the joint between: hip, knee and ankle of a leg.
+fn hinges(skeleton: &Skeleton, anatomy: &Anatomy, limb: Region) -> Vec<usize> {
+    let nodes = skeleton.figure();
+    let rest = skeleton.rest_pose().positions;
+    let mut chain: Vec<usize> = Vec::new();
+    let mut next = anatomy.tip(skeleton, limb);
+    while let Some(node) = next.filter(|&node| anatomy.regions[nodes[node].joint] == limb) {
+        chain.push(node);
+        next = nodes[node].parent;
+    }
+    chain.reverse();
+    let length = |bones: &[usize]| -> f64 {
+        bones.windows(2).map(|bone| (rest[bone[1]] - rest[bone[0]]).norm()).sum()
+    };
+    let longest = chain.windows(3).max_by(|a, b| length(a).total_cmp(&length(b)));
+    longest.map_or(chain.clone(), <[usize]>::to_vec)
+}
+
+/// The direction in which a body faces on the stage, averaged over the frames of its places [frames x nodes x 3]: level, of length 1. Absent
+/// where left and right are not known, or the body turns too much for a mean.
+pub fn facing(skeleton: &Skeleton, positions: &[f32]) -> Option<Vector3<f64>> {
+    let anatomy = Anatomy::of(skeleton)?;
+    let nodes = skeleton.node_count();
+    let (left, right) = (anatomy.joints(Region::Leg(Side::Left)), anatomy.joints(Region::Leg(Side::Right)));
+    let mut sum = Vector3::zeros();
+    for frame in positions.chunks_exact(3 * nodes.max(1)) {
+        let place = |joint: &usize| Vector3::from_fn(|axis, _| f64::from(frame[3 * joint + axis]));
+        let middle =
+            |joints: &[usize]| joints.iter().map(place).sum::<Vector3<f64>>() / joints.len().max(1) as f64;
+        let leftward = middle(&left) - middle(&right);
+        // With y up and the left to the side of x, the body faces z.
+        let forward = leftward.cross(&Vector3::y());
+        sum += Vector3::new(forward.x, 0.0, forward.z).try_normalize(1e-9).unwrap_or_default();
+    }
+    sum.try_normalize(1e-3 * positions.len() as f64 / nodes.max(1) as f64)
+}
+
+impl Clip {
+    /// The nodes of its figure that a picture needs by name.
+    pub fn landmarks(&self) -> Landmarks {
+        Landmarks::of(&self.skeleton)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::samples;
+
+    #[test]
+    fn a_point_light_walker_has_thirteen_dots() {
+        let clip = samples::clip("walk-1").unwrap();
+        let Landmarks { head, feet, dots } = clip.landmarks();
+        let name = |node: usize| {
+            let node = clip.skeleton.figure()[node];
+            clip.skeleton.joints[node.joint].name.clone()
+        };
+        let names: Vec<String> = dots.iter().map(|&dot| name(dot)).collect();
+        let limbs = ["LeftArm", "LeftForeArm", "LeftHand", "RightArm", "RightForeArm", "RightHand"];
+        let legs = ["LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg", "RightLeg", "RightFoot"];
+        assert_eq!(names[1..], [limbs, legs].concat());
+        assert_eq!(names[0], "Head");
+        assert_eq!(head, Some(dots[0]));
+        assert_eq!(feet.unwrap().map(name), ["LeftToeBase", "RightToeBase"]);
+    }
+
+    #[test]
+    fn a_walker_faces_where_it_goes() {
+        for id in ["walk-1", "walk-wave-2"] {
+            let clip = samples::clip(id).unwrap();
+            let places = clip.stage_positions();
+            let nodes = clip.skeleton.node_count();
+            let root = |frame: usize| {
+                let at = 3 * nodes * frame;
+                Vector3::new(f64::from(places[at]), 0.0, f64::from(places[at + 2]))
+            };
+            let way = (root(clip.frames() - 1) - root(0)).normalize();
+            let facing = facing(&clip.skeleton, &places).unwrap();
+            assert!(facing.dot(&way) > 0.98, "{id}: {facing} {way}");
+        }
+    }
+}

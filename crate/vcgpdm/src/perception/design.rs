@@ -1,0 +1,97 @@
+//! How many trials of which kind a participant is shown.
+
+/// How many trials of which kind a participant is shown, and in how many blocks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Design {
+    /// Blocks of about equally many trials, with pauses between.
+    pub blocks: usize,
+    /// Trials of a generated beside a natural movement, spread over the settings of the models as evenly as can be.
+    pub comparisons: usize,
+    /// Trials of an obviously failed movement beside a natural one; none where the study has no failed movement.
+    pub attention_checks: usize,
+    /// Trials of a natural movement that no model was trained on beside one that was, in the last quarter; none where the study has none.
+    pub catch_trials: usize,
+    /// The shortest pause between blocks, in seconds.
+    pub pause_seconds: usize,
+    /// Whether an answer is taken while the movements go on, which ends the trial.
+    pub answer_during_movement: bool,
+    /// With the participant's, the seed of everything random.
+    pub seed: u32,
+}
+
+/// Designs with a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preset {
+    /// 60 trials, about 5 minutes: for a class.
+    Class,
+    /// The first part of Knopp et al. (2019): 620 + 17 + 6 trials in four blocks, about 90 minutes.
+    P3Part1,
+    /// The second part of Knopp et al. (2019): 629 trials, of which 29 are attention checks, in seven blocks.
+    P3Part2,
+    /// Velychko et al. (2018): 1170 trials, of which 10 are catch trials, with shorter movements.
+    P2,
+}
+
+impl Preset {
+    /// All of them.
+    pub const ALL: [Preset; 4] = [Preset::Class, Preset::P3Part1, Preset::P3Part2, Preset::P2];
+
+    /// Its name on the command line and in JavaScript.
+    pub fn id(self) -> &'static str {
+        match self {
+            Preset::Class => "class",
+            Preset::P3Part1 => "p3-part-1",
+            Preset::P3Part2 => "p3-part-2",
+            Preset::P2 => "p2",
+        }
+    }
+
+    /// The preset of that name.
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|preset| preset.id() == id)
+    }
+
+    /// Its trials.
+    pub fn design(self, seed: u32) -> Design {
+        let (blocks, comparisons, attention_checks, catch_trials, pause_seconds) = match self {
+            Preset::Class => (1, 52, 4, 4, 0),
+            Preset::P3Part1 => (4, 620, 17, 6, 30),
+            Preset::P3Part2 => (7, 600, 29, 0, 30),
+            // The paper has neither blocks nor attention checks; nine blocks are 130 trials each.
+            Preset::P2 => (9, 1160, 0, 10, 30),
+        };
+        Design {
+            blocks,
+            comparisons,
+            attention_checks,
+            catch_trials,
+            pause_seconds,
+            answer_during_movement: false,
+            seed,
+        }
+    }
+
+    /// Seconds of the movements, and of the cross before them.
+    pub fn seconds(self) -> (f64, f64) {
+        match self {
+            Preset::P2 => (1.8, 1.0),
+            _ => (3.5, 0.75),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_have_the_trials_of_the_papers() {
+        let total = |preset: Preset| {
+            let design = preset.design(0);
+            assert_eq!(Preset::from_id(preset.id()), Some(preset));
+            design.comparisons + design.attention_checks + design.catch_trials
+        };
+        assert_eq!(Preset::ALL.map(total), [60, 643, 629, 1170]);
+        assert_eq!(Preset::from_id("p4"), None);
+    }
+}

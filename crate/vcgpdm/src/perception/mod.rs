@@ -1,0 +1,55 @@
+//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people tell a model's movement from a natural one, and do
+//! the models' scores know?
+//!
+//! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] is what one participant is shown, [`read_answers`] reads what
+//! participants answered, and [`PerceptionResults`] is what that says: rates, curves over the models' scores, orders of the models.
+
+mod analysis;
+mod answers;
+mod beta;
+mod counted;
+mod csv;
+mod design;
+mod document;
+mod draw;
+mod error;
+mod figures;
+mod make;
+mod movement;
+mod ordering;
+mod paper;
+mod participants;
+mod power;
+mod read;
+mod regression;
+mod results;
+mod staging;
+mod stimulus;
+mod study;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
+mod trials;
+mod validation;
+mod write;
+
+pub use analysis::AnalysisError;
+pub use answers::{Answer, AnswerFile, AnswersError, AnswersReason, read as read_answers};
+pub use beta::Rate;
+pub use csv::CsvError;
+pub use design::{Design, Preset};
+pub use error::StudyError;
+pub use figures::FigureTable;
+pub use make::{Maker, MakerError, MakerReason, Shown};
+pub use movement::{Movement, MovementError};
+pub use paper::{PaperCheck, paper_checks};
+pub use power::{trials_for_precision, trials_to_tell};
+pub use results::{
+    AnalysisOptions, Best, Catch, Confusion, MeanScores, Needed, Order, Participant, PerceptionResults,
+    Regression, ScoreKind, SettingResult, Size,
+};
+pub use staging::{Staged, StagingError, staged};
+pub use stimulus::{Generated, Scores, Source, Stimulus};
+pub use study::{Figure, Look, Study, Texts};
+pub use trials::{NaturalSide, StudyTrial, TrialKind};

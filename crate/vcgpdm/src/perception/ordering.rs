@@ -1,0 +1,77 @@
+//! Which of several rates is the highest, the second, and so on: random draws from their posteriors.
+
+use crate::perception::beta::Rate;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Beta, Distribution};
+use std::collections::HashMap;
+
+/// What draws from the posteriors say about the order of rates.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Ordering {
+    /// Orders, the highest rate first, and how often each was drawn: the likeliest first.
+    pub orders: Vec<(Vec<usize>, f64)>,
+    /// `pairs[a][b]`: how often rate a was above rate b; one half beside itself.
+    pub pairs: Vec<Vec<f64>>,
+}
+
+/// The order of these rates in so many draws.
+pub(super) fn ordering(rates: &[Rate], draws: usize, seed: u32) -> Ordering {
+    let posteriors: Option<Vec<Beta<f64>>> = rates
+        .iter()
+        .map(|rate| {
+            let (a, b) = rate.parameters();
+            Beta::new(a, b).ok()
+        })
+        .collect();
+    // Both parameters are at least 1: there always is such a distribution.
+    let posteriors = posteriors.unwrap_or_default();
+    let count = posteriors.len();
+    let mut random = ChaCha8Rng::seed_from_u64(seed.into());
+    let mut orders: HashMap<Vec<usize>, usize> = HashMap::new();
+    let mut above = vec![vec![0_usize; count]; count];
+    for _ in 0..draws {
+        let drawn: Vec<f64> = posteriors.iter().map(|posterior| posterior.sample(&mut random)).collect();
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by(|&a, &b| drawn[b].total_cmp(&drawn[a]));
+        for (place, &a) in order.iter().enumerate() {
+            order[place + 1..].iter().for_each(|&b| above[a][b] += 1);
+        }
+        *orders.entry(order).or_default() += 1;
+    }
+    let share = |times: usize| times as f64 / draws.max(1) as f64;
+    let mut orders: Vec<(Vec<usize>, f64)> =
+        orders.into_iter().map(|(order, times)| (order, share(times))).collect();
+    orders.sort_by(|a, b| b.1.total_cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    let pair = |a: usize, b: usize| if a == b { 0.5 } else { share(above[a][b]) };
+    let pairs = (0..count).map(|a| (0..count).map(|b| pair(a, b)).collect()).collect();
+    Ordering { orders, pairs }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_rates_come_in_every_order_and_others_in_theirs() {
+        let equal = ordering(&[Rate::new(5, 20); 3], 60_000, 1);
+        assert_eq!(equal.orders.len(), 6);
+        assert!(equal.orders.iter().all(|(_, share)| (share - 1.0 / 6.0).abs() < 0.006), "{equal:?}");
+        let rates = [Rate::new(5, 100), Rate::new(90, 100), Rate::new(50, 100)];
+        let clear = ordering(&rates, 1_000, 1);
+        assert_eq!(clear.orders, [(vec![1, 2, 0], 1.0)]);
+        assert_eq!(clear.pairs, [[0.5, 0.0, 0.0], [1.0, 0.5, 1.0], [1.0, 0.0, 0.5]]);
+        assert_eq!(ordering(&rates, 1_000, 1), clear);
+        assert_eq!(ordering(&[], 10, 1).orders, [(vec![], 1.0)]);
+    }
+
+    #[test]
+    fn pairs_are_as_by_hand() {
+        // beta(2, 1) above beta(1, 1): the integral of 2 x times x is 2/3.
+        let pairs = ordering(&[Rate::new(1, 1), Rate::new(0, 0)], 100_000, 2).pairs;
+        assert!(
+            (pairs[0][1] - 2.0 / 3.0).abs() < 0.006 && (pairs[1][0] - 1.0 / 3.0).abs() < 0.006,
+            "{pairs:?}"
+        );
+    }
+}

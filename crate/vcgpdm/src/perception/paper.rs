@@ -1,0 +1,109 @@
+//! The experiment of Knopp et al. (2019), as far as it can be computed again: from the counts that its printed rates and errors imply.
+
+use crate::perception::beta::Rate;
+use crate::perception::ordering::{Ordering, ordering};
+use crate::perception::power::{trials_for_precision, trials_to_tell};
+
+/// The best setting of each kind of model, from the highest rate to the lowest: its name in the paper, and how often it was taken for the natural one.
+pub const BEST: [(&str, usize, usize); 6] = [
+    ("TMP", 109, 170),
+    ("vGPDM", 28, 51),
+    ("DMP", 92, 170),
+    ("vCGPDM", 75, 162),
+    ("MAP CGPDM", 30, 270),
+    ("MAP GPDM", 0, 270),
+];
+/// Catch trials in which the unknown movement was taken for the natural one, of all.
+pub const CATCH: (usize, usize) = (72, 162);
+
+/// A number of the paper beside ours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PaperCheck {
+    /// What is computed.
+    pub what: String,
+    /// What the paper prints.
+    pub printed: String,
+    /// What follows from the counts.
+    pub computed: f64,
+    /// Digits after the point that are worth showing.
+    pub digits: usize,
+}
+
+/// Every number of the paper that follows from these counts, with so many draws for the orders.
+pub fn paper_checks(draws: usize, seed: u32) -> Vec<PaperCheck> {
+    let rates = BEST.map(|(_, hits, trials)| Rate::new(hits, trials));
+    let printed = [
+        ("0.64", "0.04"),
+        ("0.55", "0.07"),
+        ("0.54", "0.04"),
+        ("0.46", "0.04"),
+        ("0.11", "0.02"),
+        ("0.00", "0.00"),
+    ];
+    let mut checks = Vec::new();
+    let mut add = |what: String, printed: &str, computed: f64, digits: usize| {
+        checks.push(PaperCheck { what, printed: printed.to_owned(), computed, digits });
+    };
+    for (((name, hits, trials), rate), (mean, error)) in BEST.iter().zip(rates).zip(printed) {
+        add(format!("{name}, {hits} of {trials}: mean of the posterior"), mean, rate.mean(), 3);
+        add(format!("{name}: its standard deviation"), error, rate.deviation(), 3);
+    }
+    let Ordering { orders, pairs } = ordering(&rates, draws, seed);
+    let first = orders.iter().find(|(order, _)| order.is_sorted()).map_or(0.0, |(_, share)| *share);
+    let names: Vec<&str> = BEST.iter().map(|(name, ..)| *name).collect();
+    let likeliest = orders.first().is_some_and(|(order, _)| order.is_sorted());
+    let note = if likeliest { "the likeliest order" } else { "an order" };
+    add(format!("{}: probability of this, {note}", names.join(" > ")), "0.36", first, 3);
+    add("P(TMP > vGPDM)".to_owned(), "0.87", pairs[0][1], 3);
+    add("P(vGPDM > vCGPDM)".to_owned(), "0.86", pairs[1][3], 3);
+    add("P(TMP > 0.5)".to_owned(), "about 0.99", 1.0 - rates[0].below(0.5), 4);
+    let (hits, trials) = CATCH;
+    let caught = Rate::new(hits, trials);
+    add(format!("catch trials, {hits} of {trials}: P(p = 0.5)"), "about 0.8", caught.is_half(), 3);
+    let needed = |count: Option<usize>| count.map_or(f64::NAN, |count| count as f64);
+    add(
+        "trials for the exact one-sided test at 5 % to tell 0.6 from 0.5 with power 0.8".to_owned(),
+        "158",
+        needed(trials_to_tell(0.1, 0.8)),
+        0,
+    );
+    add(
+        "trials until a rate of 0.5 lies in [0.45, 0.55] with probability 0.8".to_owned(),
+        "(not this)",
+        needed(trials_for_precision(0.1, 0.8)),
+        0,
+    );
+    checks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The paper's numbers, from its counts.
+    #[test]
+    fn the_papers_results_come_out() {
+        let checks = paper_checks(400_000, 1);
+        let of = |words: &str| {
+            checks.iter().find(|check| check.what.contains(words)).map(|check| check.computed).unwrap()
+        };
+        for (name, rate) in [
+            ("TMP", 0.64),
+            ("vGPDM", 0.55),
+            ("DMP", 0.54),
+            ("vCGPDM", 0.46),
+            ("MAP CGPDM", 0.11),
+            ("MAP GPDM", 0.0),
+        ] {
+            let found = of(&format!("{name}, "));
+            assert!((found - rate).abs() < 0.006, "{name}: {found}");
+        }
+        assert!((of("the likeliest order") - 0.37).abs() < 0.01);
+        assert!((of("P(TMP > vGPDM)") - 0.88).abs() < 0.005);
+        assert!((of("P(vGPDM > vCGPDM)") - 0.86).abs() < 0.005);
+        assert!((of("P(p = 0.5)") - 0.79).abs() < 0.005);
+        // The paper says about 0.99; its rate and error leave less doubt.
+        assert!(of("P(TMP > 0.5)") > 0.999);
+        assert_eq!(of("exact one-sided test"), 158.0);
+    }
+}

@@ -1,0 +1,98 @@
+//! A study from a comparison that ran here.
+
+use crate::clip::Clip;
+use crate::convert::from_js;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::{Text, Whole};
+use crate::study::{Study, look, preset};
+use serde::Deserialize;
+use vcgpdm::evaluation::{Outcome, START_FRAMES};
+use vcgpdm::models::ModelSettings;
+use vcgpdm::perception::{Maker, Scores, Shown};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A movement of a study that is being made. */
+export interface MadeMovement {
+    /** The number of the trial, counted from 1. */
+    trial: number;
+    /** What the trial is called. */
+    name: string;
+    /** Seconds from one frame to the next. */
+    frameTime: number;
+}
+"#;
+
+/// A movement of a study that is being made.
+#[derive(Deserialize)]
+struct MadeMovement {
+    trial: usize,
+    name: String,
+    frame_time: f64,
+}
+
+/// A study that is being made of movements: of recorded ones, and of predictions of the trials held out.
+#[wasm_bindgen]
+pub struct StudyMaker {
+    maker: Maker,
+}
+
+#[wasm_bindgen]
+impl StudyMaker {
+    /// Of movements of the body of this clip, each so many seconds long, from a comparison of so many frames a second.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        body: &Clip,
+        seconds: f64,
+        #[wasm_bindgen(js_name = framesPerSecond)] frames_per_second: f64,
+    ) -> StudyMaker {
+        StudyMaker { maker: Maker::new(body.skeleton(), seconds, frames_per_second, START_FRAMES) }
+    }
+
+    /// Adds a recorded movement, as `Fold.actual` or `Clip.positions` give it [frames x nodes x 3]: one that is shown all along, or, where it is not
+    /// `seen`, one that is kept for catch trials. Throws where it is shorter than the study's movements.
+    #[wasm_bindgen(js_name = addNatural)]
+    pub fn add_natural(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "MadeMovement")] movement: JsValue,
+        positions: &[f32],
+        seen: bool,
+    ) -> Result<(), VcgpdmError> {
+        let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
+        let shown = Shown { number: trial, trial: &name, positions, frame_time };
+        Ok(self.maker.natural(&shown, seen)?)
+    }
+
+    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it.
+    #[wasm_bindgen(js_name = addGenerated)]
+    pub fn add_generated(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "MadeMovement")] movement: JsValue,
+        positions: &[f32],
+        #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
+        seed: &Whole,
+        #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
+    ) -> Result<(), VcgpdmError> {
+        let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
+        let candidate: ModelSettings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
+        let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
+        let seed = seed.get(ErrorCode::Study, "the seed")?;
+        let shown = Shown { number: trial, trial: &name, positions, frame_time };
+        Ok(self.maker.generated(&shown, &candidate, seed, Scores::of(&outcome))?)
+    }
+
+    /// The study of the movements so far.
+    pub fn study(
+        &self,
+        title: &Text,
+        #[wasm_bindgen(unchecked_param_type = "StudyPreset")] design: &Text,
+        #[wasm_bindgen(unchecked_param_type = "StudyLook", js_name = drawn)] drawn: &Text,
+        seed: &Whole,
+    ) -> Result<Study, VcgpdmError> {
+        let title = title.get(ErrorCode::Study, "the title")?;
+        let seed = seed.get(ErrorCode::Study, "the seed")?;
+        let study = self.maker.clone().study(&title, preset(design)?, look(drawn)?, seed)?;
+        Ok(Study::of(study))
+    }
+}
