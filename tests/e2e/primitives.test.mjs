@@ -80,9 +80,9 @@ describe("a library of primitives", () => {
     // All combinations, and what is dragged onto the body.
     await page.getByTestId("combination").first().click();
     assert.equal(await recorded(page), "Recorded as walk");
-    await page.getByTestId("primitive-1-3").dragTo(page.getByTestId("slot-1").locator(".slot-reach"));
+    await page.getByTestId("primitive-1-3").dragTo(page.getByTestId("slot-1").locator(".map-node"));
     assert.equal(await page.getByTestId("combination-title").innerText(), "lower: walk, upper: wave");
-    await page.getByTestId("primitive-0-1").dragTo(page.getByTestId("slot-1").locator(".slot-reach"));
+    await page.getByTestId("primitive-0-1").dragTo(page.getByTestId("slot-1").locator(".map-node"));
     assert.equal(await recorded(page), "Never recorded", "legs do not go where arms are");
     await goOn(page, 10);
     assert.deepEqual(problems, []);
@@ -139,7 +139,7 @@ describe("a library of primitives", () => {
       mimeType: "application/json",
       buffer: Buffer.from("{}"),
     });
-    await page.getByTestId("notice").waitFor();
+    await page.locator("pg-primitives [data-testid=notice]").waitFor();
     assert.equal(await page.getByTestId("combination").count(), 4, "the library stays");
     assert.deepEqual(problems, []);
     await leave();

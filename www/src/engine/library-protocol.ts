@@ -52,9 +52,9 @@ export interface LockingJob {
 export interface LibraryWorker {
   /** Takes a library up in the place of the one before, which stays where that fails. */
   openLibrary(text: string): LibraryInfo;
-  /** The couplings of the trained movement that shares most primitives with a combination. */
+  /** The couplings of a combination that nobody has fitted. */
   nearestCouplings(uses: number[]): Couplings;
-  /** The first frames of a combination under the couplings of the nearest movement. */
+  /** The first frames of a combination, under those couplings. */
   combinationMotion(uses: number[], frames: number): Motion;
   /** The document of a combination as a model. */
   combinationText(uses: number[], alpha: Couplings): string;

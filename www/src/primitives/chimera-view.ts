@@ -87,8 +87,8 @@ export class ChimeraView extends View {
           <tr><td></td>${STRENGTHS.map((strength) => html`<th scope="col">${times(strength)}</th>`)}</tr>
         </tbody>
       </table>
-      <p class="hint axes">Up: tempo of ${target}. To the right: coupling from ${this.#name(map.source)} to ${target}, as learned
-        (α ${short(map.alpha[map.source]?.[map.target] ?? 1)}) times this.</p>
+      <p class="hint axes">Up: tempo of ${target}. To the right: how much stronger the coupling from ${this.#name(map.source)} to ${target} is than as learned;
+        its α, ${short(map.alpha[map.source]?.[map.target] ?? 1)}, is divided by this. Colour: 1 where the difference of their phases never changes, 0 where it takes all values alike.</p>
       <p class="hint legend" style=${partStyle(partColour(map.target))}><span>goes its own way</span><i class="shade"></i><span>keeps in step</span></p>`;
   }
 

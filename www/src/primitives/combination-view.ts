@@ -53,7 +53,7 @@ export class CombinationView extends View {
     return html`
       <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
         <button class="small" ?disabled=${!library.altered} @click=${() => library.resetCouplings()}>Reset</button></header>
-      <p class="hint">Right is strong. A combination begins with the couplings of the movement that is nearest to it.</p>
+      <p class="hint">Right is strong. In a new combination each part keeps what it learned about the others.</p>
       ${couplingsTable(library)}
       ${this.#fit()}
       <div class="button-row">

@@ -45,7 +45,7 @@ export class LibraryStore extends Store {
   #problem = "";
   #uses: readonly number[] = [];
   #alpha: Couplings = [];
-  /** Those of the nearest movement, or fitted. */
+  /** Those that the primitives were learned with, or fitted. */
   #nearest: Couplings = [];
   #tempos: readonly number[] = [];
   #mixes: readonly (Mix | null)[] = [];
@@ -197,7 +197,7 @@ export class LibraryStore extends Store {
     this.take(this.#uses.map((before, other) => (other === part ? primitive : before)));
   }
 
-  /** Goes on with another combination, under the couplings of the movement nearest to it. */
+  /** Goes on with another combination, under the couplings that its primitives were learned with. */
   take(uses: readonly number[]): void {
     if (isSame(uses, this.#uses) && this.#mixes.every((mix) => mix === null)) return;
     uses.forEach((primitive, part) => {
@@ -246,7 +246,7 @@ export class LibraryStore extends Store {
     this.changed();
   }
 
-  /** The couplings of the movement that is nearest to a combination. */
+  /** The couplings that the primitives of a combination were learned with. */
   nearestTo(uses: readonly number[]): Promise<Couplings> {
     return this.#held.ask((worker) => worker.nearestCouplings([...uses]));
   }

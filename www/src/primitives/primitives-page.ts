@@ -5,6 +5,7 @@ import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
+import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
 import type { ClipsStore } from "../clips/clips-store";
 import "./chimera-view";
@@ -27,7 +28,7 @@ export class PrimitivesPage extends View {
   }
 
   protected override stores() {
-    return [this.library, this.library.walk];
+    return [this.library, this.library.walk, this.notices];
   }
 
   protected override arrived(): void {
@@ -70,7 +71,7 @@ export class PrimitivesPage extends View {
     const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
     const names = learned.map(({ name }) => name).join(", ");
     return html`
-      <div class="library-head">
+      <section class="panel library-head" aria-label="The library">
         <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>
           <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
           ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}
@@ -88,13 +89,14 @@ export class PrimitivesPage extends View {
             chosen: ([file]) => void this.#open(file),
           })}
         </div>
-      </div>`;
+      </section>`;
   }
 
   protected override render() {
     const { clips } = this;
     const { library, fitting, locking, learning } = this.primitives;
     const { playing } = library.walk.player;
+    const here = this.notices.all.filter(({ at }) => at === null);
     if (!library.known) {
       return library.problem
         ? html`<p class="empty" role="alert">The library could not be opened: ${sentence(library.problem)}
@@ -103,8 +105,10 @@ export class PrimitivesPage extends View {
     }
     return html`
       <div class="primitives">
+        ${this.#head()}
+        ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice))}</div>` : nothing}
         <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing}></pg-drawer></section>
-        <section class="panel walk-panel" aria-label="The figure">${this.#head()}<pg-walk .library=${library}></pg-walk></section>
+        <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
         <section class="panel combination-panel" aria-label="Couplings and morph"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination>
           <pg-morph .library=${library}></pg-morph></section>
         <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>

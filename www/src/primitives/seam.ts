@@ -17,7 +17,12 @@ export class Seam {
   #last: Float32Array | null = null;
   #before: Float32Array | null = null;
 
-  /** The next frame comes from another primitive. */
+  /** Whether something is left of a jump. */
+  get closing(): boolean {
+    return this.#jump !== null;
+  }
+
+  /** The next frame comes from elsewhere. */
   open(): void {
     this.#jump = null;
     this.#opened = true;

@@ -14,6 +14,16 @@ const KEPT_SECONDS = 4;
 /** Frames that are there before the clock needs them: what the visitor does is seen so much later. */
 const LEAD = 3;
 
+/** A part takes so many frames to go all the way to another of its primitives: at once it would jump. */
+const MIX_FRAMES = 30;
+
+/** A part on its way to another of its primitives: how far it is, and how far it shall go. */
+interface Mixing {
+  other: number;
+  share: number;
+  goal: number;
+}
+
 /** Whether a later change of this kind makes an earlier one needless. */
 const replaces = (later: WalkChange, earlier: WalkChange): boolean =>
   later.kind === earlier.kind &&
@@ -26,6 +36,7 @@ export class WalkStore extends Store {
   #track: LiveTrack | null = null;
   #seam = new Seam();
   #changes: WalkChange[] = [];
+  readonly #mixing = new Map<number, Mixing>();
   #busy = false;
   /** Grows with every walk: answers for an older one are dropped. */
   #walks = 0;
@@ -47,6 +58,7 @@ export class WalkStore extends Store {
     const walks = this.#walks;
     this.#track = null;
     this.#changes = [];
+    this.#mixing.clear();
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, Math.round(KEPT_SECONDS / frameTime));
     const motion = await this.#held.ask(async (worker) => {
       await worker.startWalk([...uses]);
@@ -64,6 +76,13 @@ export class WalkStore extends Store {
 
   /** From the next frame on. Of changes of one thing only the newest counts. */
   change(change: WalkChange): void {
+    if (change.kind === "mix") {
+      const { part, other, share: goal } = change;
+      const before = this.#mixing.get(part);
+      this.#mixing.set(part, { other, share: before?.other === other ? before.share : 0, goal });
+      return;
+    }
+    if (change.kind === "use") this.#mixing.delete(change.part);
     this.#changes = [...this.#changes.filter((earlier) => !replaces(change, earlier)), change];
   }
 
@@ -89,6 +108,19 @@ export class WalkStore extends Store {
     this.changed();
   }
 
+  /** Moves the mixes as far as so many frames allow. */
+  #mixOn(frames: number): WalkChange[] {
+    const changes: WalkChange[] = [];
+    for (const [part, mixing] of this.#mixing) {
+      const { other, share, goal } = mixing;
+      if (share === goal) continue;
+      const most = frames / MIX_FRAMES;
+      mixing.share = Math.abs(goal - share) <= most ? goal : share + Math.sign(goal - share) * most;
+      changes.push({ kind: "mix", part, other, share: mixing.share });
+    }
+    return changes;
+  }
+
   /** Asks for frames before the clock needs them. */
   async #fill(seconds: number): Promise<void> {
     const track = this.#track;
@@ -98,12 +130,14 @@ export class WalkStore extends Store {
     if (frames < 1) return;
     this.#busy = true;
     const walks = this.#walks;
-    const changes = this.#changes;
+    const changes = [...this.#changes, ...this.#mixOn(frames)];
     this.#changes = [];
     try {
       const motion = await this.#held.ask((worker) => worker.advanceWalk(changes, frames));
       if (walks !== this.#walks) return;
-      if (changes.some(({ kind }) => kind === "use")) this.#seam.open();
+      const kinds = changes.map(({ kind }) => kind);
+      // While a slider is dragged couplings change with every frame, by little.
+      if (kinds.includes("use") || (kinds.includes("couplings") && !this.#seam.closing)) this.#seam.open();
       this.#seam.pass(motion.positions, motion.frames);
       track.append(motion);
       this.player.follow(track.last, track.motion.frameTime);
