@@ -18,7 +18,7 @@ document.title = "done: " + Clip.sample("walk-1").info().frames + " frames";
 `;
 /** The same by a worker: what stands in the README, told to train shortly. */
 const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
-const worker = readme.match(/```js\n(\/\/ worker\.js[^]*?)```/)?.[1] ?? "";
+const worker = readme.match(/```js\n(\/\/ worker\.js[\s\S]*?)```/)?.[1] ?? "";
 const settings = "{ latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, seed: 1, maxIterations: 2 }";
 const withWorker = `const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
 worker.onmessage = ({ data }) => { document.title = "done: " + JSON.parse(data).format; };
@@ -84,8 +84,8 @@ describe("other bundlers", () => {
     await tool(folder, "esbuild", "app.js", "--bundle", "--format=esm", "--outfile=main.js");
     assert.match(await titleIn(folder), DONE);
   });
-  const byFile =
-    'import wasm from "vcgpdm/vcgpdm_bg.wasm";\n' + app().replace("init()", "init(new URL(wasm, import.meta.url))");
+  const byUrl = app().replace("init()", "init(new URL(wasm, import.meta.url))");
+  const byFile = `import wasm from "vcgpdm/vcgpdm_bg.wasm";\n${byUrl}`;
   client("esbuild, by the exported file", ["esbuild"], { ...page, "app.js": byFile }, async (folder) => {
     await tool(
       folder,
