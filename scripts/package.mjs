@@ -157,7 +157,6 @@ export const entries = {
   type: "module",
   main: "./node/vcgpdm.js",
   module: "./web/vcgpdm.js",
-  browser: "./web/vcgpdm.js",
   types: "./node/vcgpdm.d.ts",
   exports: {
     ".": { node: inNode, default: entry("web") },
