@@ -94,7 +94,7 @@ describe("a library of primitives", () => {
     const extended = library.withCombination("half", [0, 3], model.info().alpha);
     const movement = extended.info().movements[2];
     assert.equal(movement?.name, "half");
-    assert.deepEqual(movement?.couplings, { from: "movement", movement: "walk" });
+    assert.deepEqual(movement?.couplings, { from: "movement", movement: "walk+wave" });
     assert.throws(() => library.combination([0, 0]), { code: "model", message: /expected a primitive of part 1/ });
     assert.throws(() => library.combination([0, 3], [[1]]), { code: "model", message: /couplings/i });
   });

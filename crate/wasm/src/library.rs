@@ -213,7 +213,7 @@ impl Library {
         Ok(Model { model: Rc::new(self.trained.movement(index)?) })
     }
 
-    /// The model of a combination, the primitive of each part; under the couplings of the nearest movement where none are given.
+    /// The model of a combination, the primitive of each part; under the couplings of `nearestCouplings` where none are given.
     pub fn combination(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
@@ -228,8 +228,8 @@ impl Library {
         Ok(Model { model: Rc::new(self.trained.combination(&uses, &alpha)?) })
     }
 
-    /// The couplings of the trained movement that shares most primitives with a combination, `alpha[source][target]`; 1 each where
-    /// none shares any.
+    /// The couplings of a combination that nobody has fitted, `alpha[source][target]`: of each source those of a trained movement that
+    /// uses its primitive, of several of the one most like the combination; 1 where there is none.
     #[wasm_bindgen(js_name = nearestCouplings, unchecked_return_type = "number[][]")]
     pub fn nearest_couplings(
         &self,

@@ -56,10 +56,44 @@ export class App {
 
   readonly #touched = () => this.session.loaded?.touched();
 
+  readonly primitives = new Lazy(async () => {
+    const { openPrimitives } = await import("../primitives/primitives");
+    return openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
+  });
+
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");
     return new ExperimentStore(this.settings, await this.#whole.get());
   });
+
+  readonly perception = new Lazy(async () => {
+    const [{ PerceptionStore }, { studyOfThePage }, shelf] = await Promise.all([
+      import("../perception/perception-store"),
+      import("../perception/study-of-the-page"),
+      // A browser that keeps nothing is no reason to ask nobody.
+      this.#answers.get().catch(() => null),
+    ]);
+    return new PerceptionStore(await this.#whole.get(), shelf, studyOfThePage);
+  });
+
+  readonly analysis = new Lazy(async () => {
+    const { AnalysisStore } = await import("../perception/analysis-store");
+    return new AnalysisStore(await this.#whole.get());
+  });
+
+  readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+
+  /** Shows a study, of which this is the text. */
+  async openStudy(text: string): Promise<void> {
+    this.settings.change({ view: "perception" });
+    await (await this.perception.get()).openStudy(async () => text);
+  }
+
+  /** The answers of all participants on this machine. */
+  async forgetAnswers(): Promise<void> {
+    await (await this.#answers.get()).forgetAll();
+    this.perception.loaded?.forgotten();
+  }
 
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");

@@ -18,7 +18,7 @@ import { clipOnStage } from "./caption";
 import "./header";
 import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import type { HelpView } from "./help";
-import { openFiles } from "./open-files";
+import { openFiles, openModel } from "./open-files";
 
 const TABS = [
   ["latents", "Latents"],
@@ -43,6 +43,18 @@ const ON_DEMAND = {
   async synthetic({ experiment, settings }: App) {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
+  },
+  async perception({ perception, analysis, notices }: App) {
+    const [store, answers] = await Promise.all([
+      perception.get(),
+      analysis.get(),
+      import("../perception/perception-page"),
+    ]);
+    return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+  },
+  async primitives({ primitives, clips, notices }: App) {
+    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
+    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async method() {
     await import("../method/method-page");
@@ -135,7 +147,9 @@ export class PageView extends View {
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    return this.app.isPlayView
+      ? this.app.playback
+      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk");
   }
 
   /** The first time it is loaded. */
@@ -172,6 +186,17 @@ export class PageView extends View {
       await openDetails(what, { engine: engine.engine, model, playback, clip: clipOnStage(this.app) }, this);
     } catch (problem) {
       notices.addError("This could not be shown", messageOf(problem));
+    }
+  }
+
+  /** Puts a model of another view on the stage. */
+  private async stageModel(text: string): Promise<void> {
+    const { notices, settings } = this.app;
+    try {
+      await openModel(this.app, text);
+      settings.change({ view: "play" });
+    } catch (problem) {
+      notices.addError("This model was not taken up", messageOf(problem));
     }
   }
 
@@ -269,14 +294,14 @@ export class PageView extends View {
   private forgetButton() {
     const { session } = this;
     if (!session) return nothing;
-    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings and models of your visits, so that you find them again."
+    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings, models and answers of your visits, so that you find them again."
       @click=${() => void this.forget(session)}>Forget everything</button>`;
   }
 
   private async forget(session: SessionStore): Promise<void> {
     const { notices } = this.app;
     try {
-      await session.forgetAll();
+      await Promise.all([session.forgetAll(), this.app.forgetAnswers()]);
       const text = "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
       notices.add({ kind: "done", title: "Forgotten", text, at: null });
     } catch (problem) {
@@ -294,7 +319,9 @@ export class PageView extends View {
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
+        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
+        @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}

@@ -79,7 +79,7 @@ pub enum CouplingsFrom {
         /// Iterations of the fit.
         iterations: usize,
     },
-    /// They were taken from the movement of this name.
+    /// They were taken from the movement of this name; from several, each source's from one, their names are joined with "+".
     Movement(String),
     /// Nothing was known about them: 1 each.
     Nothing,

@@ -4,19 +4,26 @@ use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, L
 use nalgebra::DMatrix;
 
 impl Library {
-    /// The couplings of the trained movement that shares most primitives with `uses`, the first of them where several share as many;
-    /// 1 each where none shares any.
+    /// The couplings of a combination that nobody has fitted: how much a primitive's predictions are worth was learned in the movements
+    /// that use it, so the couplings of each source are those of such a movement; of several, of the one that shares most primitives
+    /// with `uses`, the first where several share as many; 1 each where no movement uses the primitive. Of a movement's own combination
+    /// they are that movement's.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
-        match self.nearest_movement(uses) {
-            Some(movement) => movement.alpha.clone(),
-            None => DMatrix::from_element(self.part_count(), self.part_count(), 1.0),
+        let parts = self.part_count();
+        let mut alpha = DMatrix::from_element(parts, parts, 1.0);
+        for (source, primitive) in uses.iter().enumerate().take(parts) {
+            if let Some(movement) = self.nearest_movement(uses, *primitive) {
+                alpha.row_mut(source).copy_from(&movement.alpha.row(source));
+            }
         }
+        alpha
     }
 
-    fn nearest_movement(&self, uses: &[usize]) -> Option<&LearnedMovement> {
-        let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
-        let most = self.movements.iter().map(shared).max().unwrap_or(0);
-        self.movements.iter().find(|movement| shared(movement) == most && most > 0)
+    /// Of the movements that use a primitive, the one that shares most primitives with `uses`.
+    fn nearest_movement(&self, uses: &[usize], primitive: usize) -> Option<&LearnedMovement> {
+        let using = || self.movements.iter().filter(|movement| movement.uses.contains(&primitive));
+        let most = using().map(|movement| count_shared(&movement.uses, uses)).max()?;
+        using().find(|movement| count_shared(&movement.uses, uses) == most)
     }
 
     /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of that name.
@@ -30,15 +37,23 @@ impl Library {
         uses: &[usize],
     ) -> Result<LearnedMovement, CombinationError> {
         self.check_uses(uses)?;
-        let nearest = self.nearest_movement(uses);
+        let mut nearest: Vec<&str> = Vec::new();
+        for movement in uses.iter().filter_map(|primitive| self.nearest_movement(uses, *primitive)) {
+            if !nearest.contains(&movement.name.as_str()) {
+                nearest.push(&movement.name);
+            }
+        }
         Ok(LearnedMovement {
             name: name.to_owned(),
             uses: uses.to_vec(),
             alpha: self.nearest_couplings(uses),
             sums: None,
             starts: self.starts(uses),
-            couplings: nearest
-                .map_or(CouplingsFrom::Nothing, |movement| CouplingsFrom::Movement(movement.name.clone())),
+            couplings: if nearest.is_empty() {
+                CouplingsFrom::Nothing
+            } else {
+                CouplingsFrom::Movement(nearest.join("+"))
+            },
         })
     }
 

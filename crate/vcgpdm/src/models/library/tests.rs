@@ -107,7 +107,13 @@ fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
     let library = trained([false, false]);
     let uses = [0, 3];
     assert_eq!(library.movements[0].uses, [0, 2]);
-    assert_eq!(library.nearest_couplings(&uses), library.movements[0].alpha);
+    // What each source says is worth what it was where it was learned.
+    let alpha = library.nearest_couplings(&uses);
+    assert_eq!(alpha.row(0), library.movements[0].alpha.row(0));
+    assert_eq!(alpha.row(1), library.movements[1].alpha.row(1));
+    let named = library.nearest_combination("half", &uses).unwrap();
+    assert_eq!(named.couplings, CouplingsFrom::Movement("walk+wave".to_owned()));
+    assert_eq!(library.nearest_couplings(&[1, 3]), library.movements[1].alpha);
     let model = library.combination(&uses, &library.nearest_couplings(&uses)).unwrap();
     assert_eq!(model.starts.len(), 3);
     // Legs of the walk, with arms as they were when the legs of the waving movement were nearest.

@@ -88,7 +88,7 @@ pub struct WalkFrames {
 }
 
 impl LatentWalk {
-    /// A combination from where it starts, under the couplings of the nearest movement.
+    /// A combination from where it starts, under its nearest couplings.
     ///
     /// # Errors
     ///
@@ -274,7 +274,7 @@ impl Library {
     /// How firmly a target part is locked to a source part, for each tempo of the target and each strength of the coupling between
     /// them: the length of the mean of exp(2 pi i (phase of target - phase of source)) over the second half of `frames`, 1 locked, 0
     /// not at all [tempos x strengths]. A strength s divides alpha of the source about the target by s; phases are places on the cycle
-    /// of the combination as learned, under the couplings of the nearest movement.
+    /// of the combination as learned, under its nearest couplings.
     ///
     /// # Errors
     ///
