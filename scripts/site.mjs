@@ -32,9 +32,10 @@ export function weigh() {
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
   const asked = inFolders("assets/when-asked/");
   const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
+  const perception = inFolders("assets/perception/");
   const study = inFolders("study/");
   const primitives = inFolders("assets/primitives/", "primitives/");
-  const first = files.filter((file) => ![...later, ...asked, ...study, ...primitives].includes(file));
+  const first = files.filter((file) => ![...later, ...asked, ...perception, ...study, ...primitives].includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
@@ -42,14 +43,13 @@ export function weigh() {
     ["first visit", sum(first), budget.firstVisit],
     ["when asked for", sum(asked), budget.whenAsked],
     ["on demand", sum(later), budget.onDemand],
+    ["perception, besides", sum(perception), budget.perception],
     ["study", sum(study), budget.study],
     ["primitives", sum(primitives), budget.primitives],
   ];
 
-  const rows = [
-    ...[...first, ...asked, ...later, ...study, ...primitives].map(({ name, size }) => [name, size, ""]),
-    ...sums,
-  ];
+  const counted = [...first, ...asked, ...later, ...perception, ...study, ...primitives];
+  const rows = [...counted.map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);
   for (const [name, size, limit] of rows) {

@@ -3,6 +3,7 @@
 import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { noticeOfWasm } from "./licences.mjs";
+import { completePackage, entries } from "./package.mjs";
 import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 /** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
@@ -34,6 +35,7 @@ export async function buildWasm() {
     ".cargo/config.toml",
     "package-lock.json",
     "scripts/wasm.mjs",
+    "scripts/package.mjs",
   ];
   const inputs = filesUnder(
     sources.map((path) => at(path)),
@@ -43,6 +45,7 @@ export async function buildWasm() {
   const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
     rmSync(at("crate/wasm/pkg"), { recursive: true, force: true });
     await buildPackage(at("crate/wasm/pkg"));
+    completePackage(at("crate/wasm/pkg"));
   });
   describe();
   return note;
@@ -93,24 +96,22 @@ function describe() {
   const metadata = JSON.parse(output("cargo", "metadata", "--no-deps", "--format-version", "1") ?? "null");
   const crate = metadata?.packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
   if (!crate) throw new Failure("cargo metadata does not name the package vcgpdm");
-  const entry = (/** @type {string} */ folder) => ({
-    types: `./${folder}/vcgpdm.d.ts`,
-    default: `./${folder}/vcgpdm.js`,
-  });
   const about = {
     name: crate.name,
     version: crate.version,
     description: crate.description,
+    keywords: [...crate.keywords, "wasm"],
+    author: "The authors of the vCGPDM playground",
     license: crate.license,
-    exports: { ".": { node: entry("node"), default: entry("web") }, "./player": entry("player") },
-    types: "./web/vcgpdm.d.ts",
-    files: [...TARGETS.map(({ folder }) => folder), "THIRD-PARTY.txt"],
-    sideEffects: false,
+    // Where the sources are, once Cargo.toml says it.
+    ...(crate.repository ? { repository: { type: "git", url: `git+${crate.repository}.git` } } : {}),
+    ...(crate.homepage ? { homepage: crate.homepage } : {}),
+    ...entries,
     engines: { node: ">=20" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
   writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), noticeOfWasm());
-  copyFileSync(at("README.md"), at("crate/wasm/pkg/README.md"));
+  copyFileSync(at("crate/wasm/README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
     copyFileSync(at(file), at("crate/wasm/pkg", file));
 }

@@ -41,11 +41,14 @@ const isAsked = (file: string) =>
   WHEN_ASKED.some((name) => (name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`)));
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file);
+  /\/src\/(comparison|experiment|figures)\/|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file);
+/** The graphics Turing test, with jsPsych. */
+const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(file);
 
 /** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/primitives", (file) => file.includes("/src/primitives/")],
+  ["assets/perception", isPerception],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
 ];

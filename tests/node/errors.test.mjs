@@ -14,8 +14,21 @@ before(async () => {
 after(() => installed?.remove());
 
 it("errors have a name, a code of the declared ones, and words", () => {
-  const { Clip, Evaluation, Fold, Model, Results, Study, StudyMaker, SyntheticExperiment, Trainer, TrainingSet } =
-    installed.vcgpdm;
+  const {
+    AnyModel,
+    Clip,
+    Evaluation,
+    Fold,
+    Model,
+    Results,
+    Study,
+    StudyMaker,
+    SyntheticExperiment,
+    Table,
+    TableTrainer,
+    Trainer,
+    TrainingSet,
+  } = installed.vcgpdm;
   const clip = Clip.sample("walk-1").cut(0, 60);
   const set = (/** @type {import("vcgpdm").Clip[]} */ ...clips) => {
     const set = new TrainingSet();
@@ -99,6 +112,46 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ],
     ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
   ];
+  // Tables, and models of other kinds.
+  const table = Table.of("t", ["x", "y"], new Float64Array([1, 2, 3, 4, 5, 7]), 0.1);
+  const task = { ...settings, parts: [{ name: "all", columns: ["x", "knee"] }] };
+  const trainer = new TableTrainer(task);
+  trainer.add(table);
+  const tmp = readFileSync(at("crate/vcgpdm/tests/library/documents/tmp.json"), "utf8");
+  const series = readFileSync(at("crate/vcgpdm/tests/library/documents/series.json"), "utf8");
+  cases.push(
+    ["table", () => Table.read("t.csv", new TextEncoder().encode("x,y\n1,gap\n")), /^t\.csv, line 2, column 2 \(y\): /],
+    ["table", () => Table.of("t", ["x", "y"], new Float64Array(3), 0.1), /expected rows of 2 numbers, found 3/],
+    ["table", () => new TableTrainer(task).step(), /expected at least one table/],
+    ["parts", () => trainer.step(), /part "all": expected one of the columns, found "knee"/],
+    ["model", () => Model.fromJson(tmp), /expected a vcgpdm or vgpdm model, found a tmp model; AnyModel\.fromJson/],
+    ["model", () => Model.fromJson(series), /found a model of tables; AnyModel\.fromJson/],
+    [
+      "rollout",
+      () => AnyModel.fromJson(series).rollout({ frames: 5, sequence: 0 }).toClip(),
+      /found a model of tables/,
+    ],
+    [
+      "rollout",
+      () => AnyModel.fromJson(tmp).rollout({ frames: 5, sequence: 0, alpha: [[1]] }),
+      /expected a vcgpdm or vgpdm model for other couplings/,
+    ],
+    // Options that there are not.
+    ["settings", () => new Trainer(clips, /** @type {any} */ ({ ...settings, latents: 3 })), /unknown field `latents`/],
+    [
+      "rollout",
+      () => model.rollout(/** @type {any} */ ({ frames: 5, sequence: 0, sequnce: 1 })),
+      /unknown field `sequnce`/,
+    ],
+    ["comparison", () => Results.empty(clips, /** @type {any} */ ({ ...common, folds: 3 })), /unknown field `folds`/],
+  );
+  // Objects after their end, called or given as an argument.
+  const gone = Clip.sample("walk-1");
+  gone.free();
+  cases.push(
+    ["freed", () => gone.info(), /^expected an object in use, found one after its free\(\)$/],
+    ["freed", () => clips.add(gone), /^expected an object in use/],
+  );
   // What is no text, and no whole number.
   const odd = /** @type {any} */ ({ number: 7, nothing: undefined, word: "x", object: {} });
   cases.push(

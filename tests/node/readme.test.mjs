@@ -1,9 +1,9 @@
-// The README's example for Node, run as it stands there.
+// Every snippet of the package's README, run as it stands there. The worker's is run in a browser: tests/clients.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, it } from "node:test";
+import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { installPackage } from "./package.mjs";
 
@@ -11,27 +11,64 @@ import { installPackage } from "./package.mjs";
 let installed;
 before(async () => {
   installed = await installPackage();
+  const { Clip } = installed.vcgpdm;
+  writeFileSync(join(installed.folder, "walk.bvh"), Clip.sample("walk-1").toBvh());
 });
 after(() => installed?.remove());
 
-it("the README's example trains a model and writes a motion", () => {
-  const blocks = [...readFileSync(at("README.md"), "utf8").matchAll(/^```js\r?\n([\s\S]*?)^```/gm)].map(
-    ([, code]) => code ?? "",
-  );
-  const [example, ...more] = blocks.filter((code) => code.includes('from "vcgpdm"'));
-  assert.ok(example, "README.md has a block of JavaScript that imports vcgpdm");
-  assert.deepEqual(more, [], "and only one");
+const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
+const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(([, language = "", code = ""]) => ({
+  language,
+  code,
+}));
 
-  const { folder, vcgpdm } = installed;
-  const walk = vcgpdm.Clip.samples().find(({ movement }) => movement === "walk");
-  assert.ok(walk);
-  writeFileSync(join(folder, "walk.bvh"), vcgpdm.Clip.sample(walk.id).toBvh());
-  writeFileSync(join(folder, "example.js"), example);
-  const printed = execFileSync(process.execPath, ["example.js"], { cwd: folder, encoding: "utf8" });
-  assert.match(printed, /bound -?\d/);
+/** What a snippet is to print, by what tells it from the others. */
+const PRINTS = /** @type {[string, RegExp][]} */ ([
+  ["new-walk.bvh", /^\d+ iterations, bound -?\d+ nats: (settled|iterations)\n$/],
+  ["AnyModel, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
+  ["any.coupled()", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves on|stands still|leaves the training range)\n$/],
+  ["TableTrainer", /^frame,time,x,y,follower\n0,0,/],
+  ["await init();\nconsole", /^252\n$/],
+  ["clip.free()", /^freed expected an object in use, found one after its free\(\)\n$/],
+  ["using clip", /^252\n$/],
+]);
 
-  const model = vcgpdm.Model.fromJson(readFileSync(join(folder, "model.json"), "utf8"));
-  assert.equal(model.info().parts.length, 2);
-  const motion = vcgpdm.Clip.read("new-walk.bvh", readFileSync(join(folder, "new-walk.bvh")));
-  assert.equal(motion.info().frames, 300);
+describe("the README of the npm package", () => {
+  for (const { language, code } of snippets.filter(({ code }) => !code.startsWith("// worker.js"))) {
+    const [mark, printed] = PRINTS.find(([mark]) => code.includes(mark)) ?? [];
+    it(`runs: ${mark ?? code.split("\n")[0]}`, () => {
+      assert.ok(printed, "a snippet that no test knows");
+      const { folder } = installed;
+      writeFileSync(join(folder, `example.m${language}`), code);
+      if (language === "ts") {
+        const compiler = at("node_modules/typescript/bin/tsc");
+        const how = [
+          "--strict",
+          "--target",
+          "es2022",
+          "--module",
+          "nodenext",
+          "--lib",
+          "esnext,dom",
+          "--skipLibCheck",
+          "false",
+        ];
+        execFileSync(process.execPath, [compiler, ...how, "example.mts"], { cwd: folder });
+      }
+      assert.match(execFileSync(process.execPath, ["example.mjs"], { cwd: folder, encoding: "utf8" }), printed);
+    });
+  }
+
+  it("has all of them", () => {
+    const known = snippets.filter(({ code }) => PRINTS.some(([mark]) => code.includes(mark)));
+    assert.deepEqual([known.length, snippets.length], [PRINTS.length, PRINTS.length + 1]);
+  });
+
+  it("leaves a model of two parts and a motion", () => {
+    const { folder, vcgpdm } = installed;
+    const model = vcgpdm.Model.fromJson(readFileSync(join(folder, "model.json"), "utf8"));
+    assert.equal(model.info().parts.length, 2);
+    const motion = vcgpdm.Clip.read("new-walk.bvh", readFileSync(join(folder, "new-walk.bvh")));
+    assert.equal(motion.info().frames, 300);
+  });
 });

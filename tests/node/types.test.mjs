@@ -122,6 +122,20 @@ describe("the declared types", () => {
     hold("SyntheticExperiment.truth", experiment.truth());
     hold("SyntheticExperiment.findings", experiment.findings());
 
+    const { AnyModel, Table } = installed.vcgpdm;
+    hold("Table.info", Table.of("a table", ["x"], new Float64Array([1, 2, 3]), 0.1).info());
+    for (const kind of ["vcgpdm", "map-cgpdm", "tmp", "dmp-rhythmic", "series", "combination"]) {
+      const text = readFileSync(at("crate/vcgpdm/tests/library/documents", `${kind}.json`), "utf8");
+      const any = AnyModel.fromJson(text);
+      hold("AnyModel.info", any.info());
+      assert.equal(any.toJson(), text);
+      const rolled = any.rollout({ frames: 7, sequence: 0 });
+      assert.equal(rolled.values().length, 7 * any.info().columns.length, kind);
+      assert.equal(rolled.toCsv().split("\n").length, 9);
+      assert.equal(any.coupled() !== undefined, ["vcgpdm", "combination"].includes(kind), kind);
+      if (kind !== "series") assert.equal(rolled.toClip().info().frames, 7);
+    }
+
     const { Study, analysePerception, perceptionFigures } = installed.vcgpdm;
     const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
     const study = Study.fromJson(text);
@@ -132,7 +146,7 @@ describe("the declared types", () => {
     hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
 
     const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "MadeMovement", "PerceptionOptions", "Plan"];
-    inputs.push("Reading", "RolloutOptions", "StudyPreset", "VcgpdmError");
+    inputs.push("Reading", "RolloutOptions", "StudyPreset", "TablePart", "TableTrainingSettings", "VcgpdmError");
     const unseen = [...types.keys()].filter((name) => !seen.has(name));
     assert.deepEqual(unseen.sort(), inputs, "every other type was held against a value");
   });

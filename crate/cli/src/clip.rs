@@ -1,17 +1,24 @@
 //! `vcgpdm clip`: what a clip is, and the clip written back.
 
 use crate::files;
+use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::bvh;
+use vcgpdm::motion::{asf, bvh};
 
 /// Print what a clip holds as one JSON object, and write it back.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A BVH file, or sample:ID.
+    /// A BVH file, or sample:ID; or an ASF skeleton.
     #[arg(value_name = "CLIP")]
     clip: String,
+    /// The AMC motion of an ASF skeleton.
+    #[arg(value_name = "MOTION.amc")]
+    motion: Option<PathBuf>,
+    /// Frames a second of the AMC motion, which does not say it.
+    #[arg(long, value_name = "F", requires = "motion", default_value_t = asf::CMU_RATE)]
+    amc_fps: f64,
     /// Resample to about so many frames a second.
     #[arg(long, value_name = "F")]
     fps: Option<f64>,
@@ -21,9 +28,22 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let mut clip = files::read_clip(&arguments.clip)?;
+    let skeleton = Path::new(&arguments.clip);
+    let mut clip = match &arguments.motion {
+        None => files::read_clip(&arguments.clip)?,
+        Some(_) if !(0.1..=100_000.0).contains(&arguments.amc_fps) => {
+            return Err(usage("--amc-fps: expected frames a second from 0.1 to 100000"));
+        }
+        Some(motion) => {
+            let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
+            let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
+            let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
+            let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
+            asf::read(skeleton, motion, arguments.amc_fps)?.into_clip()
+        }
+    };
     if let Some(out) = &arguments.out {
-        files::check_writable(out, [Path::new(&arguments.clip)])?;
+        files::check_writable(out, [skeleton].into_iter().chain(arguments.motion.as_deref()))?;
     }
     if let Some(fps) = arguments.fps {
         clip = clip.resample(fps)?;

@@ -194,7 +194,7 @@ impl Work {
             standing.done += 1;
             let done = standing.done;
             standing.shown.ended(|| {
-                let (id, trial, seed) = (job.candidate.kind().id(), job.held_out + 1, job.seed);
+                let (id, trial, seed) = (job.candidate.kind().id(), job.held_out, job.seed);
                 let of = self.jobs.len();
                 format!(
                     "{done} of {of} jobs: {id}, trial {trial} held out, seed {seed}, {came_of_it} in {:.1} s",

@@ -61,7 +61,7 @@ struct ClipInfo<'a> {
 /// A recorded motion.
 #[wasm_bindgen]
 pub struct Clip {
-    clip: MotionClip,
+    pub(crate) clip: MotionClip,
 }
 
 #[wasm_bindgen]

@@ -7,7 +7,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, ArrayBuffer, Object, Reflect};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Deserializer, Visitor};
 use serde_wasm_bindgen::{Error, Serializer};
 use wasm_bindgen::prelude::*;
 
@@ -22,7 +22,52 @@ pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
 /// A value from JavaScript. The error has this code; its words begin with `what` the value is.
 pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue) -> Result<T, VcgpdmError> {
     let value = in_snake_case(value).map_err(|reason| refused(code, what, &reason))?;
+    let mut fields: &[&str] = &[];
+    // It always fails: it only asks for the names.
+    let _ = T::deserialize(FieldNames(&mut fields));
+    check_fields(&value, fields).map_err(|reason| refused(code, what, &reason))?;
     serde_wasm_bindgen::from_value(value).map_err(|reason| refused(code, what, &words(&reason)))
+}
+
+/// Asks a struct for the names of its fields: what reads values of JavaScript looks for these and does not see others.
+struct FieldNames<'a>(&'a mut &'static [&'static str]);
+
+impl<'de> Deserializer<'de> for FieldNames<'_> {
+    type Error = serde::de::value::Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Self::Error> {
+        Err(serde::de::Error::custom("no value"))
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Self::Error> {
+        *self.0 = fields;
+        self.deserialize_any(visitor)
+    }
+
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct newtype_struct seq
+        tuple tuple_struct map enum identifier ignored_any
+    }
+}
+
+/// Refuses an object with a field that is none of these; no names: anything goes.
+fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
+    if fields.is_empty() || !value.is_object() {
+        return Ok(());
+    }
+    for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
+        let found = field.as_string().unwrap_or_default();
+        if !fields.contains(&found.as_str()) {
+            let known = fields.join("`, `");
+            return Err(camel(&format!("unknown field `{found}`, expected some of `{known}`"), false));
+        }
+    }
+    Ok(())
 }
 
 /// Two values with their fields side by side in one object. (serde's `flatten` would weigh ten times as much.)
@@ -238,6 +283,11 @@ mod tests {
         assert_eq!(snake, "it: expected fields in camelCase, found `dynamics_ips`; write `dynamicsIps`");
         assert_eq!(refusal(r#"{"allScores":[]}"#), "it: missing field `dynamicsIps`");
         assert_eq!(refusal(r#"{"dynamicsIps":[],"allScores":[{}]}"#), "it: missing field `dtwMse`");
+        let unknown = refusal(r#"{"dynamicsIps":[],"allScores":[],"allScore":1}"#);
+        assert_eq!(
+            unknown,
+            "it: unknown field `allScore`, expected some of `dynamicsIps`, `allScores`, `sha256`"
+        );
         let kind = refusal(r#"{"dynamicsIps":[["a_b"]],"allScores":[]}"#);
         assert_eq!(kind, "it: invalid type: string \"a_b\", expected usize");
     }

@@ -16,6 +16,8 @@ use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
 use vcgpdm::perception::{AnalysisError, AnswersError, MakerError, StudyError};
 #[cfg(feature = "training")]
+use vcgpdm::series::SeriesError;
+#[cfg(feature = "training")]
 use vcgpdm::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
@@ -34,9 +36,11 @@ export type ErrorCode =
     | "comparison"
     | "results"
     | "study"
-    | "numerics";
+    | "table"
+    | "numerics"
+    | "freed";
 
-/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. */
+/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. The code "freed" is that of an object that is used after its `free()`. */
 export interface VcgpdmError extends Error {
     name: "VcgpdmError";
     code: ErrorCode;
@@ -68,6 +72,9 @@ pub enum ErrorCode {
     /// Results, or their file.
     #[cfg(feature = "training")]
     Results,
+    /// A table of numbers, or tables that do not go together.
+    #[cfg(feature = "training")]
+    Table,
     /// A study of perceived naturalness, or answers to one.
     #[cfg(feature = "training")]
     Study,
@@ -90,6 +97,8 @@ impl ErrorCode {
             ErrorCode::Comparison => "comparison",
             #[cfg(feature = "training")]
             ErrorCode::Results => "results",
+            #[cfg(feature = "training")]
+            ErrorCode::Table => "table",
             #[cfg(feature = "training")]
             ErrorCode::Study => "study",
             ErrorCode::Numerics => "numerics",
@@ -192,6 +201,16 @@ impl LibraryError for RolloutError {
             // Only a rollout that is not finite cannot be turned into poses.
             RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for SeriesError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            SeriesError::Parts(_) => ErrorCode::Parts,
+            _ => ErrorCode::Table,
         }
     }
 }

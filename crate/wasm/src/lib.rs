@@ -4,6 +4,8 @@
 //! takes and gives is declared in TypeScript beside it.
 #![cfg(target_arch = "wasm32")]
 
+#[cfg(feature = "training")]
+mod any_model;
 mod body;
 #[cfg(feature = "speed")]
 mod case;
@@ -30,6 +32,8 @@ mod settings;
 mod study;
 #[cfg(feature = "training")]
 mod synthetic;
+#[cfg(feature = "training")]
+mod tables;
 #[cfg(feature = "training")]
 mod trainer;
 

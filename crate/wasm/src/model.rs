@@ -10,6 +10,8 @@ use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
 use serde::Serialize;
 use std::rc::Rc;
+#[cfg(feature = "training")]
+use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
 use vcgpdm::models::{SequenceInfo, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
@@ -164,7 +166,14 @@ impl Model {
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Model, VcgpdmError> {
         let text = text.get(ErrorCode::Model, "the document")?;
-        Ok(Model { model: Rc::new(TrainedModel::<Vcgpdm>::from_json(&text)?) })
+        let model = TrainedModel::<Vcgpdm>::from_json(&text);
+        // Only the whole package reads the other kinds.
+        #[cfg(feature = "training")]
+        if let Err(reason @ (DocumentError::Kind { .. } | DocumentError::Subject { .. })) = &model {
+            let words = format_args!("{reason}; AnyModel.fromJson reads models of every kind");
+            return Err(VcgpdmError::new(ErrorCode::Model, &words));
+        }
+        Ok(Model { model: Rc::new(model?) })
     }
 
     /// The model as a JSON document.

@@ -66,6 +66,35 @@ export class App {
     return new ExperimentStore(this.settings, await this.#whole.get());
   });
 
+  readonly perception = new Lazy(async () => {
+    const [{ PerceptionStore }, { studyOfThePage }, shelf] = await Promise.all([
+      import("../perception/perception-store"),
+      import("../perception/study-of-the-page"),
+      // A browser that keeps nothing is no reason to ask nobody.
+      this.#answers.get().catch(() => null),
+    ]);
+    return new PerceptionStore(await this.#whole.get(), shelf, studyOfThePage);
+  });
+
+  readonly analysis = new Lazy(async () => {
+    const { AnalysisStore } = await import("../perception/analysis-store");
+    return new AnalysisStore(await this.#whole.get());
+  });
+
+  readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+
+  /** Shows a study, of which this is the text. */
+  async openStudy(text: string): Promise<void> {
+    this.settings.change({ view: "perception" });
+    await (await this.perception.get()).openStudy(async () => text);
+  }
+
+  /** The answers of all participants on this machine. */
+  async forgetAnswers(): Promise<void> {
+    await (await this.#answers.get()).forgetAll();
+    this.perception.loaded?.forgotten();
+  }
+
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");
     const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());

@@ -1,4 +1,5 @@
-// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries and results of comparisons (.json).
+// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries, results of comparisons and studies (.json), answers to a
+// study (.csv; and .json where the graphics Turing test is shown).
 import { LARGEST_FILE } from "../clips/clips-store";
 import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
@@ -14,27 +15,49 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
     return refuse("Nothing was opened", text);
   }
   let opened = 0;
+  const answers: File[] = [];
   for (const file of files) {
     try {
       if (file.size > LARGEST_FILE)
         throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
-      if (/\.json$/i.test(file.name)) {
-        await openJson(app, file.name, await file.text());
+      if (/\.csv$/i.test(file.name)) {
+        answers.push(file);
+      } else if (/\.json$/i.test(file.name)) {
+        const text = await file.text();
+        if (isAnswers(text)) answers.push(file);
+        else await openJson(app, file.name, text);
       } else if (/\.bvh$/i.test(file.name)) {
         opened += 1;
         await clips.open(file, opened === 1);
       } else {
-        throw new Error("Expected a motion clip (.bvh) or a model (.json).");
+        throw new Error("Expected a motion clip (.bvh), a model (.json) or answers to a study (.csv).");
       }
     } catch (problem) {
       refuse(file.name, messageOf(problem));
     }
   }
   if (opened > 0) await clips.checkClash();
+  if (answers.length > 0) await openAnswers(app, answers);
 }
 
-/** Results of a comparison and libraries say so themselves; anything else is to be a model. */
+/** jsPsych's data are a list; no other file of ours is. */
+const isAnswers = (text: string) => /^\s*\[/.test(text.slice(0, 200));
+
+/** The answers of several participants are analysed together, beside those that are open. */
+async function openAnswers(app: App, files: readonly File[]): Promise<void> {
+  app.settings.change({ view: "perception" });
+  const [perception, analysis] = await Promise.all([app.perception.get(), app.analysis.get()]);
+  await perception.ready();
+  const texts = await Promise.all(files.map(async (file) => ({ name: file.name, text: await file.text() })));
+  if (perception.study) await analysis.add(perception.study.text, texts);
+}
+
+/** The results of a comparison, studies and libraries say so themselves; anything else is to be a model. */
 async function openJson(app: App, name: string, text: string): Promise<void> {
+  if (/"format"\s*:\s*"vcgpdm study"/.test(text.slice(0, 200))) {
+    await app.openStudy(text);
+    return;
+  }
   if (/"format"\s*:\s*"vcgpdm-evaluation"/.test(text.slice(0, 200))) {
     await (await app.comparison.get()).open(text);
     app.settings.change({ view: "compare" });

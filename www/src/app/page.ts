@@ -48,6 +48,14 @@ const ON_DEMAND = {
     const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
     return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
+  async perception({ perception, analysis, notices }: App) {
+    const [store, answers] = await Promise.all([
+      perception.get(),
+      analysis.get(),
+      import("../perception/perception-page"),
+    ]);
+    return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+  },
   async method() {
     await import("../method/method-page");
     return () => html`<pg-method></pg-method>`;
@@ -286,14 +294,14 @@ export class PageView extends View {
   private forgetButton() {
     const { session } = this;
     if (!session) return nothing;
-    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings and models of your visits, so that you find them again."
+    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings, models and answers of your visits, so that you find them again."
       @click=${() => void this.forget(session)}>Forget everything</button>`;
   }
 
   private async forget(session: SessionStore): Promise<void> {
     const { notices } = this.app;
     try {
-      await session.forgetAll();
+      await Promise.all([session.forgetAll(), this.app.forgetAnswers()]);
       const text = "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
       notices.add({ kind: "done", title: "Forgotten", text, at: null });
     } catch (problem) {
@@ -311,6 +319,7 @@ export class PageView extends View {
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
+        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>

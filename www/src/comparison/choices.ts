@@ -8,7 +8,7 @@ import "../terms/term";
 import type { TermName } from "../terms/terms";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
-import { modelStyle } from "./model-style";
+import { modelStyle } from "../figures/model-style";
 
 /** What each kind of model is, in a line. */
 const ABOUT: Record<(typeof MODELS)[number], string> = {

@@ -10,6 +10,7 @@ import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
+import "../ui/two-columns.css";
 import "../terms/term";
 import "./choices";
 import type { ComparisonChoices } from "./choices";
@@ -18,7 +19,7 @@ import "./comparison-figures";
 import type { SaveFailure } from "./comparison-figures";
 import type { ComparisonStore } from "./comparison-store";
 import { secondsLeft, share } from "./jobs";
-import { modelStyle } from "./model-style";
+import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
 
 /** On narrower pages what is found stands below the choices. */
@@ -109,6 +110,17 @@ export class ComparisonPage extends View {
     }
   }
 
+  async #makeStudy(): Promise<void> {
+    this.#problem = "";
+    try {
+      const detail = await this.comparison.makeStudy();
+      this.dispatchEvent(new CustomEvent<string>("study-made", { detail, bubbles: true }));
+    } catch (problem) {
+      this.#problem = `No study was made: ${messageOf(problem)}`;
+      this.requestUpdate();
+    }
+  }
+
   #button() {
     const { comparison } = this;
     return comparison.busy
@@ -135,6 +147,8 @@ export class ComparisonPage extends View {
         <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => shown && save(shown.results.text)}>${icon("save")} Save results</button>
         <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title="All models, ten walks of one person, 30 frames a second"
           @click=${() => void this.#open("Ten recorded walks", recordedWalks)}>${icon("eye")} Ten recorded walks</button>
+        <button class="small" data-testid="make-study" ?disabled=${busy || !this.comparison.canMakeStudy} title="Ask people which movement is the more natural: a study of the movements compared here"
+          @click=${() => void this.#makeStudy()}>${icon("play")} Make a study</button>
       </div>`;
   }
 

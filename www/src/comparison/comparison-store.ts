@@ -10,6 +10,7 @@ import { Store } from "../ui/store";
 import { type ComparisonEntry, keepMotions, newEntry, type ReadonlyEntry } from "./comparison-entry";
 import { type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type Question, questionOf } from "./question";
+import { studyRequestOf } from "./study-request";
 
 /** Comparisons that are kept, so that settings can be changed to and fro. */
 const MOST_ENTRIES = 4;
@@ -105,6 +106,19 @@ export class ComparisonStore extends Store {
   /** How the last comparison ended, or why it could not start. */
   get ending(): string {
     return this.#ending;
+  }
+
+  /** Whether the movements of the comparison that is shown can be made a study. */
+  get canMakeStudy(): boolean {
+    return this.#shown !== null && studyRequestOf(this.#shown) !== null;
+  }
+
+  /** The text of a study of these movements. Fails with the reason where there is none. */
+  async makeStudy(): Promise<string> {
+    const request = this.#shown && studyRequestOf(this.#shown);
+    if (!request) throw new Error("No model was trained here yet.");
+    const { desk } = await this.#whole.load();
+    return desk.run((worker) => worker.makeStudy(request));
   }
 
   get failed(): boolean {

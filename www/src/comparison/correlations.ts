@@ -5,7 +5,7 @@ import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { correlationFinding, rankWords } from "./findings";
 import { beside, inShort } from "../figures/labels";
-import { inColour, modelMark, modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Correlation } from "../engine/whole-protocol";

@@ -5,7 +5,7 @@ import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { spread } from "../figures/labels";
-import { inColour, modelMark, modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";

@@ -1,5 +1,5 @@
 // What the figures find, in words.
-import { modelStyle } from "./model-style";
+import { modelStyle } from "../figures/model-style";
 import { twoDecimals } from "../figures/numbers";
 import type { Correlation, Growth, ModelSummary } from "../engine/whole-protocol";
 

@@ -5,7 +5,7 @@ import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { exponentWords, growthFinding } from "./findings";
 import { type Point, spread } from "../figures/labels";
-import { inColour, modelMark, modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Growth } from "../engine/whole-protocol";

@@ -7,7 +7,7 @@ import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { foldWords } from "./findings";
 import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
-import { inColour, modelMark, modelStyle } from "./model-style";
+import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain, spreadWords } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";

@@ -10,7 +10,7 @@ import type { ReadonlyEntry } from "./comparison-entry";
 import type { ComparisonStore } from "./comparison-store";
 import "./distance";
 import type { Distances, DistanceFigure } from "./distance";
-import { modelStyle } from "./model-style";
+import { modelStyle } from "../figures/model-style";
 import { chosenOf, foldsOf, MOST_COLUMNS, motionOf, type Prediction, predictionsOf, toggled } from "./predictions";
 import { styled } from "../ui/styled";
 

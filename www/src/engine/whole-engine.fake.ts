@@ -4,6 +4,7 @@ import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
 import type {
+  AnswersFile,
   ComparisonSettings,
   Evaluated,
   EvaluationJob,
@@ -14,9 +15,13 @@ import type {
   ModelKind,
   Outcome,
   PartMoments,
+  PerceptionResults,
   Plan,
   ResultsView,
   Setting,
+  StudyInfo,
+  StudyTrial,
+  StudyView,
   SyntheticTruth,
 } from "./whole-protocol";
 
@@ -104,10 +109,19 @@ export function refusal(message: string): Error {
   return error;
 }
 
+/** The study that a fake program takes a text for: its title is the text, and it has so many trials in one block. */
+export interface FakeStudies {
+  study: StudyInfo;
+  trials: StudyTrial[];
+}
+
 export class FakeProgram implements WholeProgram {
+  /** Null: no text is a study. */
+  studies: FakeStudies | null = null;
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
+  readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   readonly libraries = new FakeLibraries();
   /** The next calls for results fail with these, one after the other. */
@@ -137,6 +151,11 @@ export class FakeProgram implements WholeProgram {
       report: (report: Report) => void,
     ) => new Promise<Result>((end, fail) => list.push({ request, report, end, fail, die }));
     return { worker: this.#worker(pending), ready: Promise.resolve(), broken, dismiss: () => {} };
+  }
+
+  #study(text: string): StudyView {
+    if (!this.studies) throw refusal("this is no study");
+    return { text, info: { ...this.studies.study, title: text }, trials: this.studies.trials.length };
   }
 
   #worker(
@@ -180,6 +199,13 @@ export class FakeProgram implements WholeProgram {
       evaluate: (job, report, signal) =>
         Promise.race([pending(this.evaluations, job, report), cancelled(signal).then(() => null)]),
       drawExperiment: (experiment) => pending(this.draws, experiment, () => {}),
+      openStudy: async (text) => this.#study(text),
+      changeStudy: async (text, change) => this.#study(`${text} ${JSON.stringify(change)}`),
+      drawTrials: async () => this.studies?.trials ?? [],
+      movements: async () => (this.studies?.study.stimuli ?? []).map(() => new Float32Array(6)),
+      analysePerception: (_, answers) => pending(this.analyses, answers, () => {}),
+      perceptionJson: async (text, answers) => JSON.stringify({ text, answers }),
+      makeStudy: async ({ generated }) => `a study of ${generated.length}`,
       moments: (text, request) => pending(this.moments, { text, request }, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([

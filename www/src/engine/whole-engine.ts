@@ -27,6 +27,13 @@ const QUESTIONS = [
   "startWalk",
   "advanceWalk",
   "lockingRow",
+  "openStudy",
+  "changeStudy",
+  "drawTrials",
+  "movements",
+  "analysePerception",
+  "perceptionJson",
+  "makeStudy",
 ] as const satisfies (keyof WholeWorker)[];
 type Questions = (typeof QUESTIONS)[number];
 

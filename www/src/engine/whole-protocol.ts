@@ -1,13 +1,22 @@
 // What the page and the workers of the whole program say to each other. Types only.
 import type {
+  AnswersFile,
+  Candidate,
   Comparison,
   ComparisonSettings,
   FinishedJob,
   Job,
+  MadeMovement,
   Outcome,
+  PerceptionResults,
   Plan,
   PlannedJob,
   Setting,
+  StudyInfo,
+  StudyLook,
+  StudyPreset,
+  StudyTexts,
+  StudyTrial,
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
@@ -15,10 +24,12 @@ import type { LibraryWorker } from "./library-protocol";
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
+  AnswersFile,
   Candidate,
   Claim,
   Comparison,
   ComparisonSettings,
+  Confusion,
   Correlation,
   FinishedJob,
   Growth,
@@ -26,10 +37,19 @@ export type {
   ModelKind,
   ModelSummary,
   Outcome,
+  Participant,
+  PerceptionResults,
   Plan,
   PlannedJob,
+  Regression,
   Setting,
+  SettingResult,
   Spread,
+  StudyInfo,
+  StudyPreset,
+  StudyStimulus,
+  StudyTexts,
+  StudyTrial,
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
@@ -127,5 +147,69 @@ export interface UncertaintyWorker {
   moments(text: string, request: RolloutRequest): PartMoments[];
 }
 
+/** A study as the page sees it. */
+export interface StudyView {
+  /** The file on disk. */
+  text: string;
+  info: StudyInfo;
+  /** How many trials a participant has. */
+  trials: number;
+}
+
+/** What the page changes of a study. */
+export interface StudyChange {
+  preset?: StudyPreset;
+  look?: StudyLook;
+  texts?: StudyTexts;
+  /** The movements that are marked as obvious failures, by their ids: these and no others. */
+  failed?: string[];
+}
+
+/** A natural movement of a study that is to be made: a trial as it was. */
+export interface NaturalMovement extends MadeMovement {
+  /** World positions [frames x nodes x 3]. */
+  positions: Float32Array;
+}
+
+/** What a model made of a trial. */
+export interface GeneratedMovement extends NaturalMovement {
+  candidate: Candidate;
+  seed: number;
+  outcome: Outcome;
+}
+
+/** A study that is to be made from a comparison. */
+export interface StudyRequest {
+  title: string;
+  /** A clip of the body that moves. */
+  body: TrainingClip;
+  framesPerSecond: number;
+  natural: NaturalMovement[];
+  generated: GeneratedMovement[];
+}
+
+/** What a worker does for the graphics Turing test. It keeps nothing between two calls. */
+export interface PerceptionWorker {
+  /** Throws with the reason when the text holds no study. */
+  openStudy(text: string): StudyView;
+  changeStudy(text: string, change: StudyChange): StudyView;
+  /** The trials of one participant, in their order. */
+  drawTrials(text: string, seed: number): StudyTrial[];
+  /** World positions of each stimulus [frames x joints x 3]. */
+  movements(text: string): Float32Array[];
+  /** What these answers say of the study. */
+  analysePerception(text: string, answers: AnswersFile[]): PerceptionResults;
+  /** The same as the file that the terminal writes. */
+  perceptionJson(text: string, answers: AnswersFile[]): string;
+  /** Answers the text of the study. */
+  makeStudy(request: StudyRequest): Promise<string>;
+}
+
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker, LibraryWorker {}
+export interface WholeWorker
+  extends Trainee,
+    ComparisonWorker,
+    ExperimentWorker,
+    UncertaintyWorker,
+    PerceptionWorker,
+    LibraryWorker {}

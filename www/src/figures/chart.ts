@@ -71,3 +71,9 @@ export function errorBar(from: number, to: number, y: number, cap: number) {
 export function path(points: readonly (readonly [number, number])[]) {
   return svg`<path class="course" d=${points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(2)} ${y.toFixed(2)}`).join("")}></path>`;
 }
+
+/** The same for an upright one. */
+export function uprightBar(x: number, from: number, to: number, cap: number) {
+  if (Math.abs(to - from) < 1) return nothing;
+  return svg`<path class="error-bar" d=${`M${x} ${from}V${to}M${x - cap} ${from}h${2 * cap}M${x - cap} ${to}h${2 * cap}`}></path>`;
+}

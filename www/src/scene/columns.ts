@@ -4,6 +4,7 @@ import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { FigureView } from "./figure";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
+import { PointLights } from "./point-lights";
 import { HERE, placeOnto, poseAt } from "./motion";
 import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "./standing";
 import { Viewport } from "./viewport";
@@ -12,6 +13,8 @@ export interface Body {
   figure: Figure;
   joints: string[];
   parts: PartSpec[];
+  /** Nodes that carry a light, for a body that is seen as points and nothing else: no ground, no ghost. Absent: a figure. */
+  lights?: number[];
 }
 
 /** What one column shows. */
@@ -21,6 +24,8 @@ export interface ColumnMotion {
   ghost: Motion | null;
   /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
   ground?: Motion;
+  /** How fast the camera goes along the ground, metres a second from the origin; absent: it follows the figure. */
+  camera?: { x: number; z: number };
 }
 
 /** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */
@@ -34,7 +39,7 @@ class Column {
   readonly scene = new Scene();
   readonly #ground = new Ground();
   readonly #lights = new Lights(this.scene, SHADOW);
-  readonly #figure: FigureView;
+  readonly #figure: FigureView | PointLights;
   readonly #ghost: FigureView | null;
   #shown: ColumnMotion;
   #floor = 0;
@@ -42,13 +47,19 @@ class Column {
   readonly #pose: Float32Array;
   readonly #ghostPose: Float32Array;
 
-  constructor({ figure, joints, parts }: Body, shown: ColumnMotion) {
+  constructor({ figure, joints, parts, lights }: Body, shown: ColumnMotion) {
     const { motion, ghost } = shown;
     this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
     this.#ghostPose = this.#pose.slice();
-    this.#figure = new FigureView(figure, joints, parts, this.#pose, { kind: "solid" });
-    this.#ghost = ghost && new FigureView(figure, joints, parts, this.#pose, { kind: "ghost" });
-    this.scene.add(this.#ground.group, this.#figure.group);
+    if (lights) {
+      this.#figure = new PointLights(lights);
+      this.#ghost = null;
+    } else {
+      this.#figure = new FigureView(figure, joints, parts, this.#pose, { kind: "solid" });
+      this.#ghost = ghost && new FigureView(figure, joints, parts, this.#pose, { kind: "ghost" });
+      this.scene.add(this.#ground.group);
+    }
+    this.scene.add(this.#figure.group);
     if (this.#ghost) this.scene.add(this.#ghost.group);
     this.#shown = shown;
     this.take(shown);
@@ -76,11 +87,19 @@ class Column {
       poseAt(ghost, frame, HERE, this.#ghostPose);
       this.#ghost?.pose(poseAt(ghost, frame, placeOnto(this.#ghostPose, pose), this.#ghostPose));
     }
-    const [x = 0, , z = 0] = pose;
+    const [x, z] = this.#place(frame, pose);
     this.#ground.follow(x, z);
     this.#ground.touch(pose, this.#feet, this.#floor);
     this.#lights.follow(x, this.#floor, z);
     middle.set(x, this.#floor + MIDDLE, z);
+  }
+
+  /** Where the camera looks on the ground. */
+  #place(frame: number, pose: Float32Array): [x: number, z: number] {
+    const { camera, motion } = this.#shown;
+    if (!camera) return [pose[0] ?? 0, pose[2] ?? 0];
+    const seconds = frame * motion.frameTime;
+    return [camera.x * seconds, camera.z * seconds];
   }
 
   dispose(): void {
@@ -91,6 +110,14 @@ class Column {
   }
 }
 
+/** How a visitor looks at columns. */
+export interface ColumnsView {
+  /** The direction from the figures to the camera, radians from their z axis; null: aside of the first motion's way. */
+  from: number | null;
+  /** Whether the visitor can turn the camera. */
+  turns: boolean;
+}
+
 export class Columns {
   readonly #viewport: Viewport;
   #columns: Column[] = [];
@@ -98,22 +125,28 @@ export class Columns {
   /** From the point that is looked at to the camera, the same in all columns. */
   readonly #offset = new Vector3();
   readonly #middle = new Vector3();
+  readonly #from: number | null;
 
   /** Throws where the browser has no WebGL. */
-  constructor(readonly canvas: HTMLCanvasElement) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    { from, turns }: ColumnsView = { from: null, turns: true },
+  ) {
+    this.#from = from;
     this.#viewport = new Viewport(canvas, {
       resized: (width, height) => this.#fit(width, height),
       recoloured: () => this.#remake(this.#columns.map(({ shown }) => shown)),
     });
     this.#viewport.renderer.autoClear = false;
     this.#viewport.controls.enableZoom = false;
+    this.#viewport.controls.enabled = turns;
   }
 
   /** Takes these motions up, from left to right; all have the same body. */
   show(body: Body, motions: readonly ColumnMotion[]): void {
     const [first] = motions;
     if (this.#columns.length === 0 && first) {
-      const angle = headingOf(first.ghost ?? first.ground ?? first.motion) + 1.15;
+      const angle = this.#from ?? headingOf(first.ghost ?? first.ground ?? first.motion) + 1.15;
       this.#viewport.camera.position.set(Math.sin(angle), 0.1, Math.cos(angle));
     }
     const fit = (column: Column, i: number) => !column.shown.ghost === !motions[i]?.ghost;
@@ -143,8 +176,8 @@ export class Columns {
     controls.minDistance = controls.maxDistance = away;
   }
 
-  /** Draws all columns at a frame when something changed. `seconds` since the last call. */
-  draw(frame: number, changed: boolean, seconds: number, playing: boolean): void {
+  /** Draws all columns at a frame when something changed. `seconds` since the last call; `drawn` is told of each column. */
+  draw(frame: number, changed: boolean, seconds: number, playing: boolean, drawn = (_column: number) => {}): void {
     const viewport = this.#viewport;
     if (changed) viewport.changed();
     if (viewport.next(seconds, playing) === null) return;
@@ -163,6 +196,7 @@ export class Columns {
       camera.position.copy(this.#offset).add(this.#middle);
       camera.updateMatrixWorld();
       renderer.render(column.scene, camera);
+      drawn(i);
     });
     camera.position.copy(this.#offset);
     camera.updateMatrixWorld();

@@ -228,6 +228,30 @@ const TEXTS = {
       "One trial held out, while the models learn from the others. Each trial is held out in turn, so that no model is scored on what it has seen.",
     glossary: "fold",
   },
+  "confusion-rate": {
+    title: "confusion rate",
+    words:
+      "How often people take a model’s movement for the natural one. At one half nobody can tell them apart; at 0 everybody can.",
+    glossary: "confusion rate",
+  },
+  "attention-check": {
+    title: "attention check",
+    words:
+      "A trial with a movement that has obviously failed: who looks sees it. Who misses too many of them is left out of the analysis.",
+    glossary: "attention check",
+  },
+  "catch-trial": {
+    title: "catch trial",
+    words:
+      "Two natural movements, of which one was not shown before. Who only knows the natural ones by heart prefers the one that was.",
+    glossary: "catch trial",
+  },
+  "ln-k": {
+    title: "ln K",
+    words:
+      "How much better a score predicts people’s answers than a constant does, in nats a block of answers. Curve and constant are tried on answers that they were not fitted to.",
+    glossary: "ln K",
+  },
 } satisfies Record<string, TermText>;
 
 export type TermName = keyof typeof TEXTS;

@@ -1,5 +1,5 @@
 // Clips for a worker that trains: read where they are needed, kept for the next work, which mostly has the same. No DOM.
-import type { ClipInfo, TrainingClip } from "../engine/protocol";
+import type { ClipInfo, ClipSource, TrainingClip } from "../engine/protocol";
 
 interface Freed {
   free(): void;
@@ -21,6 +21,15 @@ interface Package<Clip, TrainingSet> {
   TrainingSet: { new (): TrainingSet };
 }
 
+/** Reads a clip; whoever asks frees it. */
+export const readClip = async <Clip>(
+  { Clip }: Pick<Package<Clip, never>, "Clip">,
+  source: ClipSource,
+): Promise<Clip> =>
+  "sample" in source
+    ? Clip.sample(source.sample)
+    : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+
 export class ClipReader<Clip extends ClipLike<Clip>, TrainingSet extends SetLike> {
   private readonly read = new Map<number, Clip>();
 
@@ -29,11 +38,7 @@ export class ClipReader<Clip extends ClipLike<Clip>, TrainingSet extends SetLike
   private async clip({ id, source }: TrainingClip): Promise<Clip> {
     let clip = this.read.get(id);
     if (!clip) {
-      const { Clip } = this.from;
-      clip =
-        "sample" in source
-          ? Clip.sample(source.sample)
-          : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+      clip = await readClip(this.from, source);
       this.read.set(id, clip);
     }
     return clip;

@@ -1,4 +1,5 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives and finds the uncertainty of a rollout. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of
+// a rollout and knows the graphics Turing test. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
@@ -6,6 +7,7 @@ import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
 import { libraryWorker } from "./library";
 import { showLife } from "./life";
+import { perceptionWorker } from "./perception";
 import { trainee } from "./training";
 import { uncertaintyWorker } from "./uncertainty";
 
@@ -18,6 +20,7 @@ const worker: WholeWorker = {
   ...experimentWorker,
   ...libraryWorker,
   ...uncertaintyWorker,
+  ...perceptionWorker,
 };
 
 Comlink.expose(worker);

@@ -109,3 +109,57 @@ fn clips_that_cannot_be_read_or_written_say_why_and_where() {
     let nowhere = folder.join("no-such-folder").join("out.bvh");
     assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
 }
+
+#[test]
+fn files_of_other_formats_are_known_and_told_how_to_convert() {
+    let folder = folder("foreign");
+    let said = |name: &str, bytes: &[u8]| {
+        let path = folder.join(name);
+        fs::write(&path, bytes).unwrap();
+        fails(&["clip", text(&path)])
+    };
+    let c3d: Vec<u8> = [2, 0x50].into_iter().chain([0; 600]).collect();
+    for (name, bytes, expected) in [
+        (
+            "walk.fbx",
+            &b"Kaydara FBX Binary  \0\x1a\0"[..],
+            "walk.fbx, line 1: expected a BVH file, found an FBX file",
+        ),
+        ("text.fbx", b"; FBX 7.4.0 project file\n", "found an FBX file (Blender turns it into BVH"),
+        ("walk.glb", b"glTF\x02\0\0\0", "to_bvh.py -- IN.glb OUT.bvh"),
+        ("walk.c3d", &c3d, "found a C3D file, which holds markers"),
+        ("walk.npz", b"PK\x03\x04\x14\0", "such as AMASS's npz"),
+        (
+            "walk.amc",
+            b"#!OML:ASF F:\\x.ASF\n:FULLY-SPECIFIED\n:DEGREES\n1\n",
+            "vcgpdm clip BODY.asf MOTION.amc",
+        ),
+        ("body.asf", b"# AST/ASF file\n:version 1.10\n:name VICON\n:units\n", "found an ASF skeleton"),
+    ] {
+        let said = said(name, bytes);
+        assert!(said.contains(expected), "{name}: {said}");
+    }
+}
+
+#[test]
+fn an_acclaim_skeleton_and_motion_become_a_clip() {
+    let folder = folder("acclaim");
+    let (asf, amc, out) = (folder.join("body.asf"), folder.join("walk.amc"), folder.join("walk.bvh"));
+    let bones = "begin\nid 1\nname lfemur\ndirection 0 -1 0\nlength 7\naxis 0 0 20 XYZ\ndof rx ry rz\nend\n";
+    let hierarchy = ":hierarchy\nbegin\nroot lfemur\nend\n";
+    let root = ":root\norder TX TY TZ RX RY RZ\naxis XYZ\nposition 0 0 0\norientation 0 0 0\n";
+    fs::write(&asf, format!(":version 1.10\n{root}:bonedata\n{bones}{hierarchy}")).unwrap();
+    fs::write(&amc, ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 1 8 3 0 90 0\nlfemur 10 0 0\n2\nroot 1 8 4 0 91 0\nlfemur 11 0 0\n")
+        .unwrap();
+    let about = json(&["clip", text(&asf), text(&amc), "--out", text(&out)]);
+    assert_eq!((about["name"].as_str(), about["frames"].as_u64()), (Some("walk.amc"), Some(2)));
+    assert_eq!(about["frame_time"].as_f64(), Some(1.0 / 120.0));
+    assert_eq!(about["joints"][1]["name"], "LeftUpLeg");
+    assert_eq!(json(&["clip", text(&out)])["joints"], about["joints"]);
+    let half = json(&["clip", text(&asf), text(&amc), "--amc-fps", "60"]);
+    assert_eq!(half["frame_time"].as_f64(), Some(1.0 / 60.0));
+    fs::write(&amc, "1\nroot 1 8 3 0 90 0\nlfemur 10 0\n").unwrap();
+    assert!(
+        fails(&["clip", text(&asf), text(&amc)]).contains("walk.amc, line 3: expected 3 numbers of lfemur")
+    );
+}

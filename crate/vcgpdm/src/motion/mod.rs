@@ -21,9 +21,11 @@
 //! ```
 
 mod anatomy;
+pub mod asf;
 mod bones;
 pub mod bvh;
 mod clip;
+mod foreign;
 mod joint_names;
 pub mod landmarks;
 pub mod measures;
@@ -42,6 +44,7 @@ mod testing;
 
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError};
+pub use foreign::foreign;
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;

@@ -4,6 +4,7 @@ use crate::motion::bvh::error::{BvhError, BvhProblem, quoted};
 use crate::motion::bvh::text::{Cursor, decode};
 use crate::motion::bvh::{hierarchy, motion};
 use crate::motion::clip::sha256;
+use crate::motion::foreign::foreign;
 use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
@@ -45,6 +46,10 @@ use nalgebra::DMatrix;
 ///
 /// A [`BvhError`] with the line, for everything that is not such a file.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
+    if let Some(found) = foreign(bytes) {
+        let problem = BvhProblem::Expected { expected: "a BVH file".to_owned(), found: found.to_owned() };
+        return Err(BvhError { file: name.to_owned(), line: 1, problem });
+    }
     let (text, encoding) = decode(bytes);
     let mut warnings: Vec<String> = encoding.into_iter().collect();
     let mut cursor = Cursor::new(name, &text);

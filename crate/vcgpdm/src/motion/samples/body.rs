@@ -52,7 +52,7 @@ pub(super) fn skeleton() -> Skeleton {
             end_sites: end.map(scale).into_iter().collect(),
         });
     };
-    add("Hips", None, [0.0, 0.550, 0.0], None);
+    add("Hips", None, [0.0; 3], None);
     for (side, sign, first) in [("Left", 1.0, joint::LEFT_UP_LEG), ("Right", -1.0, joint::RIGHT_UP_LEG)] {
         add(&format!("{side}UpLeg"), Some(joint::HIPS), [sign * 0.050, -0.020, 0.0], None);
         add(&format!("{side}Leg"), Some(first), [0.0, -0.245, 0.0], None);

@@ -2,7 +2,7 @@
 // lightness and hue are chosen so that any two differ for colour-blind people too, and that each stands out on the page, light
 // and dark.
 import type { ModelKind } from "../engine/whole-protocol";
-import { type MarkShape, markAt } from "../figures/marks";
+import { type MarkShape, markAt } from "./marks";
 import { styled } from "../ui/styled";
 
 interface Look {

@@ -1,0 +1,82 @@
+use super::*;
+use nalgebra::{Rotation3, Vector3};
+
+const ASF: &str = "# a body of three bones\n:version 1.10\n:name TEST\n:units\n  mass 1.0\n  length 0.45\n  angle deg\n:root\n   order TX TY TZ RX RY RZ\n   axis XYZ\n   position 0 0 0\n   orientation 0 0 0\n:bonedata\n  begin\n     id 1\n     name lhipjoint\n     direction 1 0 0\n     length 2\n     axis 0 0 0 XYZ\n  end\n  begin\n     id 2\n     name lfemur\n     direction 0.34202 -0.939693 0\n     length 7\n     axis 10 20 30 XYZ\n    dof rx ry rz\n    limits (-160.0 20.0)\n           (-70.0 70.0)\n           (-60.0 70.0)\n  end\n  begin\n     id 3\n     name ltibia\n     direction 0 -1 0\n     length 6\n     axis 0 0 20 XYZ\n    dof rx\n  end\n:hierarchy\n  begin\n    root lhipjoint\n    lhipjoint lfemur\n    lfemur ltibia\n  end\n";
+const AMC: &str = "#!OML:ASF\n:FULLY-SPECIFIED\n:DEGREES\n1\nroot 1 2 3 10 -20 30\nlfemur 15 25 -35\nltibia 40\n2\nroot 1 2 4 11 -20 30\nlfemur 16 25 -35\nltibia 41\n";
+
+fn file<'a>(name: &'a str, text: &'a str) -> File<'a> {
+    File { name, bytes: text.as_bytes() }
+}
+
+fn recording(asf: &str, amc: &str) -> Result<Recording, AsfError> {
+    read(file("body.asf", asf), file("walk.amc", amc), CMU_RATE)
+}
+
+/// As the format's definition has it: x first, then y, then z, about axes that stay.
+fn xyz(x: f64, y: f64, z: f64) -> Rotation3<f64> {
+    let about = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle.to_radians());
+    about(Vector3::z(), z) * about(Vector3::y(), y) * about(Vector3::x(), x)
+}
+
+#[test]
+fn the_joints_stand_where_the_definition_says() {
+    let clip = recording(ASF, AMC).unwrap().into_clip();
+    let names: Vec<&str> = clip.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+    assert_eq!(names, ["Hips", "LHipJoint", "LeftUpLeg", "LeftLeg"]);
+    assert_eq!((clip.frames(), clip.frame_time), (2, 1.0 / 120.0));
+    // By hand: every bone's world rotation is its parent's times C M C^-1, and it reaches along its direction at rest.
+    let (root, femur, tibia) = (xyz(10.0, -20.0, 30.0), xyz(10.0, 20.0, 30.0), xyz(0.0, 0.0, 20.0));
+    let femur = root * (femur * xyz(15.0, 25.0, -35.0) * femur.inverse());
+    let tibia = femur * (tibia * xyz(40.0, 0.0, 0.0) * tibia.inverse());
+    let hip = Vector3::new(1.0, 2.0, 3.0) + root * Vector3::new(2.0, 0.0, 0.0);
+    let knee = hip + femur * (Vector3::new(0.34202, -0.939693, 0.0).normalize() * 7.0);
+    let ankle = knee + tibia * Vector3::new(0.0, -6.0, 0.0);
+    let pose = clip.world_pose(0);
+    assert!((pose.positions[0] - Vector3::new(1.0, 2.0, 3.0)).norm() < 1e-9);
+    assert!((pose.positions[2] - hip).norm() < 1e-9 && (pose.positions[3] - knee).norm() < 1e-9);
+    let end = pose.positions[3] + pose.rotations[3] * Vector3::from(clip.skeleton.joints[3].end_sites[0]);
+    assert!((end - ankle).norm() < 1e-9, "{end} {ankle}");
+}
+
+/// What it is for: the same motion through BVH.
+#[test]
+fn it_is_the_same_motion_as_bvh() {
+    let clip = recording(ASF, AMC).unwrap().into_clip();
+    let written = crate::motion::bvh::write(&clip);
+    let again = crate::motion::bvh::read("walk.bvh", written.as_bytes()).unwrap().into_clip();
+    assert_eq!(again.skeleton, clip.skeleton);
+    assert_eq!(again.values, clip.values);
+}
+
+#[test]
+fn errors_name_file_and_line() {
+    let said = |asf: &str, amc: &str| recording(asf, amc).unwrap_err().to_string();
+    for (from, to, expected) in [
+        (
+            "length 7\n",
+            "length seven\n",
+            "body.asf, line 24: expected \"length\" and 1 numbers, found \"length seven\"",
+        ),
+        ("dof rx\n", "dof rw\n", "body.asf, line 36: expected some of TX, TY"),
+        ("axis 0 0 20 XYZ", "axis 0 0 20 XXZ", "body.asf, line 35: expected the three axes"),
+        (":hierarchy", ":hier", "expected a section :hierarchy, found the end of the file"),
+        (
+            "lfemur ltibia",
+            "lfemur tail",
+            "body.asf, line 42: expected bones of :bonedata, each once, not \"tail\"",
+        ),
+    ] {
+        let asf = ASF.replacen(from, to, 1);
+        assert!(said(&asf, AMC).contains(expected), "{}", said(&asf, AMC));
+    }
+    for (from, to, expected) in [
+        ("ltibia 40\n", "ltibia 40 1\n", "walk.amc, line 7: expected 1 numbers of ltibia"),
+        ("ltibia 40\n", "tail 40\n", "walk.amc, line 7: expected a bone of the skeleton, found \"tail 40\""),
+        ("1\nroot", "root", "walk.amc, line 4: expected the number of a frame"),
+        ("15 25", "15 x", "walk.amc, line 6: expected \"lfemur\" and 3 numbers"),
+    ] {
+        let amc = AMC.replacen(from, to, 1);
+        assert!(said(ASF, &amc).contains(expected), "{}", said(ASF, &amc));
+    }
+    assert!(said(ASF, ":DEGREES\n").contains("expected at least one frame, found the end of the file"));
+}

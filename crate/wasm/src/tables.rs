@@ -1,0 +1,208 @@
+//! Time series that are no body: tables, and a training on them.
+
+use crate::any_model::{Any, AnyModel};
+use crate::convert::{flat, from_js_beside, to_js};
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::{Text, Whole};
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
+use vcgpdm::models::variational::{Trainer as Training, Vcgpdm};
+use vcgpdm::models::{Dataset, SeriesModel, VariationalSettings};
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::series::{Columns, SeriesError, Table as Series, read};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What there is to know of a table. */
+export interface TableInfo {
+    name: string;
+    sha256: string;
+    columns: string[];
+    rows: number;
+    /** Seconds from one row to the next, where the file has a column of times. */
+    frameTime: number | null;
+}
+
+/** A part of a table: columns that share a latent space, by their names. */
+export interface TablePart {
+    name: string;
+    columns: string[];
+}
+
+/** What a training on tables is asked to do. */
+export interface TableTrainingSettings {
+    parts: TablePart[];
+    /** Latent dimensions Q of every part. */
+    latent: number;
+    /** Dynamics inducing points K of every expert. */
+    dynamicsIps: number;
+    /** Pose inducing points L of every part. */
+    poseIps: number;
+    /** Order p of the dynamics. */
+    order: number;
+    /** Rows a second, where the tables have no column of times. */
+    framesPerSecond: number;
+    /** The seed of everything random, a whole number from 0 to 4294967295. */
+    seed: number;
+    /** Most iterations of the optimiser. */
+    maxIterations: number;
+}
+"#;
+
+#[derive(Serialize)]
+struct TableInfo<'a> {
+    name: &'a str,
+    sha256: &'a str,
+    columns: &'a [String],
+    rows: usize,
+    frame_time: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Task {
+    parts: Vec<TablePart>,
+    frames_per_second: f64,
+    seed: u32,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TablePart {
+    name: String,
+    columns: Vec<String>,
+}
+
+/// A trial of a time series that is no body: named columns, a row a moment.
+#[wasm_bindgen]
+pub struct Table {
+    table: Series,
+}
+
+#[wasm_bindgen]
+impl Table {
+    /// Reads a CSV file: the names of the columns in its first row, then a row of numbers a moment. A column `time` holds seconds. The
+    /// error names the file, the line, the column, what was expected and what was found.
+    pub fn read(name: &Text, bytes: &[u8]) -> Result<Table, VcgpdmError> {
+        let name = name.get(ErrorCode::Table, "the name")?;
+        Ok(Table { table: read(&name, bytes)? })
+    }
+
+    /// A table of numbers at hand, row after row [rows x columns], `frameTime` seconds from one row to the next.
+    pub fn of(
+        name: &Text,
+        columns: Vec<String>,
+        values: &[f64],
+        #[wasm_bindgen(js_name = frameTime)] frame_time: f64,
+    ) -> Result<Table, VcgpdmError> {
+        let name = name.get(ErrorCode::Table, "the name")?;
+        let d = columns.len();
+        if d == 0 || values.is_empty() || !values.len().is_multiple_of(d) {
+            let found = format_args!("expected rows of {d} numbers, found {} numbers", values.len());
+            return Err(VcgpdmError::new(ErrorCode::Table, &found));
+        }
+        let values = DMatrix::from_row_slice(values.len() / d, d, values);
+        // Written and read: the same rules as for a file.
+        let text = vcgpdm::series::write(&columns, &values, frame_time);
+        Ok(Table { table: read(&name, text.as_bytes())? })
+    }
+
+    /// What there is to know of it.
+    #[wasm_bindgen(unchecked_return_type = "TableInfo")]
+    pub fn info(&self) -> Result<JsValue, VcgpdmError> {
+        let Series { name, sha256, columns, values, frame_time } = &self.table;
+        to_js(&TableInfo { name, sha256, columns, rows: values.nrows(), frame_time: *frame_time })
+    }
+
+    /// Its numbers [rows x columns].
+    pub fn values(&self) -> Vec<f64> {
+        flat(&self.table.values)
+    }
+}
+
+/// A training on tables under way: a vCGPDM, or a vGPDM where there is one part.
+#[wasm_bindgen]
+pub struct TableTrainer {
+    tables: Vec<Series>,
+    settings: JsValue,
+    begun: Option<(Dataset<Columns>, Training)>,
+}
+
+#[wasm_bindgen]
+impl TableTrainer {
+    /// A training without tables; the first step begins it.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "TableTrainingSettings")] settings: JsValue,
+    ) -> TableTrainer {
+        TableTrainer { tables: Vec::new(), settings, begun: None }
+    }
+
+    /// Adds a trial, which becomes a sequence. Its columns may stand in another order than those of the first.
+    pub fn add(&mut self, table: &Table) -> Result<(), VcgpdmError> {
+        if self.begun.is_some() {
+            let words = "expected all tables before the first step";
+            return Err(VcgpdmError::new(ErrorCode::Training, &words));
+        }
+        let table = match self.tables.first() {
+            Some(first) => table.table.like(first)?,
+            None => table.table.clone(),
+        };
+        self.tables.push(table);
+        Ok(())
+    }
+
+    /// One iteration of the optimiser: a few milliseconds to some tens.
+    #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.begin()?.1.step())
+    }
+
+    /// Allows so many more iterations.
+    pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
+        let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
+        self.begin()?.1.extend(iterations);
+        Ok(())
+    }
+
+    /// The best model so far, at any time.
+    pub fn model(&mut self) -> Result<AnyModel, VcgpdmError> {
+        let (dataset, training) = self.begin()?;
+        let rate = 1.0 / dataset.frame_time;
+        let model = SeriesModel::<Vcgpdm>::trained(dataset, training, rate)?;
+        Ok(AnyModel { model: Any::Series(Rc::new(model.into())) })
+    }
+}
+
+impl TableTrainer {
+    fn begin(&mut self) -> Result<&mut (Dataset<Columns>, Training), VcgpdmError> {
+        if self.begun.is_none() {
+            let (task, settings): (Task, VariationalSettings) = from_js_beside(
+                ErrorCode::Settings,
+                "settings",
+                &self.settings,
+                &["parts", "framesPerSecond", "seed"],
+            )?;
+            let first = self.tables.first().ok_or(SeriesError::Empty)?;
+            let mut parts = Vec::with_capacity(task.parts.len());
+            for part in task.parts {
+                let place = |name: &String| {
+                    first.columns.iter().position(|column| column == name).ok_or_else(|| {
+                        let words =
+                            format!("part {:?}: expected one of the columns, found {name:?}", part.name);
+                        VcgpdmError::new(ErrorCode::Parts, &words)
+                    })
+                };
+                let joints = part.columns.iter().map(place).collect::<Result<_, _>>()?;
+                parts.push(PartSpec { name: part.name.clone(), joints });
+            }
+            let dataset = Dataset::of_tables(&self.tables, &parts, task.frames_per_second)?;
+            let training = Training::new(dataset.y.clone(), dataset.lengths(), &settings, task.seed)
+                .map_err(|reason| dataset.refusal(reason))?;
+            self.begun = Some((dataset, training));
+        }
+        self.begun.as_mut().ok_or_else(|| VcgpdmError::new(ErrorCode::Training, &"expected tables"))
+    }
+}

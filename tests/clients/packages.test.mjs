@@ -1,0 +1,195 @@
+// The npm package in other people's tools, as they install it: bundlers, runtimes, compilers.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { clear, folderWith, run, titleIn, titleOf, tool, withServer } from "./packages.mjs";
+
+after(clear);
+
+const DONE = /^done: 252 frames/;
+const html = (/** @type {string} */ script) =>
+  `<!doctype html>\n<meta charset="utf-8">\n<title>waiting</title>\n<script type="module" src="${script}"></script>\n`;
+/** A program that says in the title how many frames the sample has. */
+const app = (/** @type {string} */ from = "vcgpdm") => `import init, { Clip } from "${from}";
+await init();
+document.title = "done: " + Clip.sample("walk-1").info().frames + " frames";
+`;
+/** The same by a worker: what stands in the README, told to train shortly. */
+const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
+const worker = readme.match(/```js\n(\/\/ worker\.js[^]*?)```/)?.[1] ?? "";
+const settings = "{ latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, seed: 1, maxIterations: 2 }";
+const withWorker = `const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+worker.onmessage = ({ data }) => { document.title = "done: " + JSON.parse(data).format; };
+worker.postMessage(${settings});
+`;
+
+/**
+ * A test of a tool; skipped where the registry does not give it.
+ * @param {string} name
+ * @param {string[]} tools
+ * @param {Record<string, string>} files
+ * @param {(folder: string) => Promise<unknown>} work
+ */
+function client(name, tools, files, work) {
+  it(name, { timeout: 300_000 }, async (test) => {
+    const folder = await folderWith(files, tools);
+    if (folder === null) return test.skip(`the registry does not give ${tools.join(" ")}`);
+    await work(folder);
+  });
+}
+
+describe("Vite", () => {
+  for (const version of ["5", "6", "7", "8"]) {
+    // What the README says of the development server of these.
+    const excluded = version === "8" ? "" : 'optimizeDeps: { exclude: ["vcgpdm"] },';
+    const files = {
+      "index.html": html("/app.js"),
+      "app.js": app(),
+      "worker/index.html": html("/worker/app.js"),
+      "worker/app.js": withWorker,
+      "worker/worker.js": worker,
+      "vite.config.js": `export default { ${excluded} worker: { format: "es" }, build: { target: "es2022", rollupOptions: { input: ["index.html", "worker/index.html"] } } };\n`,
+    };
+    client(`${version}: build and development server, page and worker`, [`vite@${version}`], files, async (folder) => {
+      await tool(folder, "vite", "build");
+      assert.match(await titleIn(join(folder, "dist")), DONE);
+      await withServer(folder, "vite", ["--host", "127.0.0.1", "--port", "0"], async (address) => {
+        assert.match(await titleOf(address), DONE);
+        assert.equal(await titleOf(`${address}worker/`), "done: vcgpdm model");
+        return "";
+      });
+    });
+  }
+});
+
+describe("other bundlers", () => {
+  const page = { "index.html": html("./main.js"), "app.js": app() };
+  client(
+    "webpack 5",
+    ["webpack@5", "webpack-cli"],
+    {
+      ...page,
+      "webpack.config.js":
+        'export default { mode: "production", entry: "./app.js", experiments: { topLevelAwait: true } };\n',
+    },
+    async (folder) => {
+      await tool(folder, "webpack");
+      await run(folder, process.execPath, "-e", 'require("fs").copyFileSync("index.html", "dist/index.html")');
+      assert.match(await titleIn(join(folder, "dist")), DONE);
+    },
+  );
+  client("esbuild, by the inlined entry", ["esbuild"], { ...page, "app.js": app("vcgpdm/inline") }, async (folder) => {
+    await tool(folder, "esbuild", "app.js", "--bundle", "--format=esm", "--outfile=main.js");
+    assert.match(await titleIn(folder), DONE);
+  });
+  const byFile =
+    'import wasm from "vcgpdm/vcgpdm_bg.wasm";\n' + app().replace("init()", "init(new URL(wasm, import.meta.url))");
+  client("esbuild, by the exported file", ["esbuild"], { ...page, "app.js": byFile }, async (folder) => {
+    await tool(
+      folder,
+      "esbuild",
+      "app.js",
+      "--bundle",
+      "--format=esm",
+      "--outdir=.",
+      "--entry-names=main",
+      "--loader:.wasm=file",
+    );
+    assert.match(await titleIn(folder), DONE);
+  });
+  client(
+    "Rollup, by the inlined entry",
+    ["rollup", "@rollup/plugin-node-resolve"],
+    {
+      ...page,
+      "app.js": app("vcgpdm/inline"),
+      "rollup.config.js":
+        'import resolve from "@rollup/plugin-node-resolve";\nexport default { input: "app.js", output: { file: "main.js", format: "es" }, plugins: [resolve({ browser: true })] };\n',
+    },
+    async (folder) => {
+      await tool(folder, "rollup", "--config");
+      assert.match(await titleIn(folder), DONE);
+    },
+  );
+  client("Parcel 2", ["parcel@2"], { "index.html": html("./app.js"), "app.js": app() }, async (folder) => {
+    await tool(folder, "parcel", "build", "index.html", "--no-cache", "--no-source-maps");
+    assert.match(await titleIn(join(folder, "dist")), DONE);
+  });
+  client(
+    "plain modules",
+    [],
+    { "index.html": html("./app.js"), "app.js": app("./node_modules/vcgpdm/web/vcgpdm.js") },
+    async (folder) => assert.match(await titleIn(folder), DONE),
+  );
+});
+
+describe("runtimes", () => {
+  const modules =
+    'import init, { Clip } from "vcgpdm";\nawait init();\nconsole.log(Clip.sample("walk-1").info().frames);\n';
+  const common =
+    'const { Clip, default: init } = require("vcgpdm");\ninit().then(() => console.log(Clip.sample("walk-1").info().frames));\n';
+  const files = { "app.mjs": modules, "app.cjs": common };
+  client("Node, as module, by require, and the other entries", [], files, async (folder) => {
+    assert.equal(await run(folder, process.execPath, "app.mjs"), "252\n");
+    assert.equal(await run(folder, process.execPath, "app.cjs"), "252\n");
+    for (const entry of ["vcgpdm/inline", "vcgpdm/player"]) {
+      const program = modules.replace('"vcgpdm"', `"${entry}"`);
+      assert.equal(await run(folder, process.execPath, "--input-type=module", "-e", program), "252\n");
+    }
+  });
+  client("Bun", ["bun"], files, async (folder) => {
+    assert.equal(await tool(folder, "bun", "app.mjs"), "252\n");
+    assert.equal(await tool(folder, "bun", "app.cjs"), "252\n");
+  });
+  client("Deno", ["deno"], files, async (folder) => {
+    assert.match(await tool(folder, "deno", "run", "--allow-read", "app.mjs"), /252\n$/);
+  });
+  const test =
+    'import init, { Clip } from "vcgpdm";\nimport { expect, test } from "vitest";\ntest("it", async () => {\n  await init();\n  expect(Clip.sample("walk-1").info().frames).toBe(252);\n});\n';
+  client("Vitest", ["vitest"], { "it.test.js": test }, async (folder) => {
+    assert.match(await tool(folder, "vitest", "run"), /1 passed/);
+  });
+});
+
+describe("compilers and checkers", () => {
+  const use =
+    'import init, { type AnyModel, Clip, type ErrorCode, Table } from "vcgpdm";\nawait init();\nconst clip: Clip = Clip.sample("walk-1");\nclip[Symbol.dispose]();\nexport const code: ErrorCode = "freed";\nexport const table = (model: AnyModel): string => model.info().kind + Table.name;\n';
+  const checks = { "use.mts": use, "use-web.mts": use.replace('"vcgpdm"', '"vcgpdm/inline"') };
+  const strict = ["--noEmit", "--strict", "--skipLibCheck", "false", "--target", "es2022"];
+  client("TypeScript, with the libraries checked", ["typescript"], checks, async (folder) => {
+    for (const how of [
+      ["--module", "nodenext"],
+      ["--module", "esnext", "--moduleResolution", "bundler"],
+    ])
+      for (const lib of ["es2022,dom", "esnext,dom"])
+        assert.equal(await tool(folder, "tsc", ...strict, ...how, "--lib", lib, "use.mts", "use-web.mts"), "");
+  });
+  client("publint", ["publint"], {}, async (folder) => {
+    assert.match(await tool(folder, "publint", "node_modules/vcgpdm", "--strict"), /All good/);
+  });
+  client("Are the types wrong?", ["@arethetypeswrong/cli"], {}, async (folder) => {
+    const [packed] = (await run(folder, "npm", "pack", "./node_modules/vcgpdm", "--loglevel=error"))
+      .trim()
+      .split("\n")
+      .slice(-1);
+    // The wasm is a file and has no types.
+    const printed = await tool(
+      folder,
+      "attw",
+      packed ?? "",
+      "--exclude-entrypoints",
+      "./vcgpdm_bg.wasm",
+      "--no-color",
+      "--no-emoji",
+    );
+    assert.match(printed, /No problems found/);
+  });
+  client("npm publish, in a trial", [], {}, async (folder) => {
+    const printed = await run(join(folder, "node_modules/vcgpdm"), "npm", "publish", "--dry-run", "--loglevel=warn");
+    assert.doesNotMatch(printed, /warn(?!.*(Unknown user config|nodedir))/i);
+    const wasm = printed.match(/\S+\.wasm/g) ?? [];
+    assert.deepEqual([...new Set(wasm)].sort(), wasm.sort(), "no wasm stands there twice");
+  });
+});

@@ -1,0 +1,36 @@
+import { expect, it } from "vitest";
+import { clip, evaluated, resultsOf } from "../engine/whole-engine.fake";
+import type { Job } from "../engine/whole-protocol";
+import { keepMotions, newEntry } from "./comparison-entry";
+import type { Question } from "./question";
+import { studyRequestOf } from "./study-request";
+
+const setting = { trials: [clip(1), clip(2)].map(({ id }) => ({ name: `clip ${id}`, sha256: "", piece: null })) };
+const question = { clips: [clip(1), clip(2)], titles: ["one", "two"], settings: { framesPerSecond: 30 } };
+
+function entryOf(jobs: readonly Job[], objectives: readonly number[]) {
+  const results = resultsOf({ ...setting, parts: [], framesPerSecond: 30, startFrames: 5 }, jobs);
+  results.finished.forEach((finished, i) => {
+    finished.outcome = { ...evaluated.outcome, objective: objectives[i] ?? 0 };
+  });
+  return newEntry(question as unknown as Question, results);
+}
+const job = (seed: number, primitives: number): Job => ({
+  ...{ candidate: { model: "tmp", primitives }, heldOut: 2, trainingTrials: 1, seed },
+});
+
+it("takes the best seed of each model, with the trial as it was", () => {
+  const jobs = [job(0, 3), job(1, 3), job(2, 3)];
+  const entry = entryOf(jobs, [5, 7, 6]);
+  expect(studyRequestOf(entry)).toBe(null);
+  entry.results.finished.forEach(({ id, job }) => keepMotions(entry, id, job, evaluated));
+  const request = studyRequestOf(entry);
+  expect(request?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([[1, 2, "two"]]);
+  expect(request?.natural.map(({ trial, name }) => [trial, name])).toEqual([[2, "two"]]);
+  expect(request?.body.id).toBe(1);
+});
+
+it("makes none of results from a file, which hold no movements", () => {
+  const { results } = entryOf([job(0, 3)], [1]);
+  expect(studyRequestOf(newEntry(null, results))).toBe(null);
+});

@@ -1,0 +1,78 @@
+// What people's answers say: the files of participants, and what the library finds in them.
+import type { WholeProgram } from "../engine/whole-engine";
+import type { AnswersFile, PerceptionResults } from "../engine/whole-protocol";
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+
+export class AnalysisStore extends Store {
+  readonly #whole: WholeProgram;
+  #files: readonly AnswersFile[] = [];
+  #results: PerceptionResults | null = null;
+  #busy = false;
+  #problem = "";
+  /** Grows with every question: only the answer to the newest counts. */
+  #asked = 0;
+
+  constructor(whole: WholeProgram) {
+    super();
+    this.#whole = whole;
+  }
+
+  /** The files that are analysed together. */
+  get files(): readonly AnswersFile[] {
+    return this.#files;
+  }
+
+  get results(): PerceptionResults | null {
+    return this.#results;
+  }
+
+  get busy(): boolean {
+    return this.#busy;
+  }
+
+  /** Why the files could not be analysed. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /** Analyses these files beside those that are there; one of the same name takes the other's place. */
+  add(study: string, files: readonly AnswersFile[]): Promise<void> {
+    const names = new Set(files.map(({ name }) => name));
+    return this.analyse(study, [...this.#files.filter(({ name }) => !names.has(name)), ...files]);
+  }
+
+  remove(study: string, name: string): Promise<void> {
+    return this.analyse(
+      study,
+      this.#files.filter((file) => file.name !== name),
+    );
+  }
+
+  /** What came of it, as the file that the terminal writes too. */
+  async json(study: string): Promise<string> {
+    const { desk } = await this.#whole.load();
+    return desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
+  }
+
+  /** Analyses these files and no others. */
+  async analyse(study: string, files: readonly AnswersFile[]): Promise<void> {
+    this.#asked += 1;
+    const asked = this.#asked;
+    [this.#files, this.#busy, this.#problem] = [files, files.length > 0, ""];
+    if (files.length === 0) this.#results = null;
+    this.changed();
+    if (files.length === 0) return;
+    let found: PerceptionResults | null = null;
+    let problem = "";
+    try {
+      const { desk } = await this.#whole.load();
+      found = await desk.run((worker) => worker.analysePerception(study, [...files]));
+    } catch (failure) {
+      problem = messageOf(failure);
+    }
+    if (asked !== this.#asked) return;
+    [this.#results, this.#problem, this.#busy] = [found, problem, false];
+    this.changed();
+  }
+}

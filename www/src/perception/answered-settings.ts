@@ -1,0 +1,56 @@
+// The settings of models that people have answered about, and what is drawn of them. No rendering.
+import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
+import { spreadWords } from "../figures/numbers";
+
+/** A setting with its scores and its rate. */
+export type Answered = SettingResult & {
+  scores: NonNullable<SettingResult["scores"]>;
+  confusion: Confusion;
+};
+
+const isAnswered = (setting: SettingResult): setting is Answered =>
+  setting.scores !== null && setting.confusion !== null;
+
+/** Those with an answer; settings of which all movements have failed have none. */
+export const answeredSettings = ({ settings }: PerceptionResults): Answered[] => settings.filter(isAnswered);
+
+export type Score = "mse" | "bound" | "dynamics" | "pose";
+
+export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
+  { score: "mse", name: "test MSE", axis: "Test MSE" },
+  { score: "bound", name: "bound", axis: "Bound, nats" },
+  { score: "dynamics", name: "dynamics part of the bound", axis: "Dynamics part, nats" },
+  { score: "pose", name: "pose part of the bound", axis: "Pose part, nats" },
+];
+
+/** The rate over a score, of one kind of model or, without one, of all; null where too few settings have it. */
+export const regressionOf = (
+  { regressions }: PerceptionResults,
+  model: Regression["model"],
+  score: Score,
+): Regression | null =>
+  regressions.find((regression) => regression.model === model && regression.score === score) ?? null;
+
+/** The points of its curve. */
+export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
+  curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
+
+/** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
+export function evidenceWords({ logBayesFactor: mean, logBayesFactorError: standardError, folds }: Regression): string {
+  if (mean === null) return "ln K needs more answers";
+  const words = spreadWords({ mean, standardError, count: folds });
+  return `ln K = ${words.mean} ${words.error}`.trim();
+}
+
+/** Titles and fields of a rate in a file. */
+export const RATE_TITLES = ["answers", "taken for natural", "confusion rate", "its standard deviation"];
+export const rateFields = ({ trials, hits, mean, deviation }: Confusion) => [trials, hits, mean, deviation];
+
+export const MSE_TITLE = "test MSE (squared units of the columns)";
+
+/** The ends of a rate's error bar: one standard deviation. */
+export const rateBar = ({ mean, deviation }: Confusion) => ({
+  y: mean,
+  low: mean - deviation,
+  high: mean + deviation,
+});

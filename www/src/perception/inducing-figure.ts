@@ -1,0 +1,155 @@
+// What inducing points do to people's answers, to the error and to the bound (figure 6 of Velychko et al. 2018).
+import { html } from "lit";
+import type { PerceptionResults } from "../engine/whole-protocol";
+import { FigureElement } from "../figures/figure-element";
+import { modelStyle } from "../figures/model-style";
+import {
+  type Answered,
+  answeredSettings,
+  curveOf,
+  MSE_TITLE,
+  RATE_TITLES,
+  rateBar,
+  rateFields,
+  regressionOf,
+} from "./answered-settings";
+import { type Grid, gridsOf } from "./grids";
+import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
+
+type Value = Pick<PanelPoint, "y" | "low" | "high"> | null;
+
+const certain = (y: number | null): Value => (y === null ? null : { y, low: y, high: y });
+
+/** What is drawn of a setting. */
+interface Measure {
+  name: string;
+  axis: PanelAxis;
+  references: readonly number[];
+  of(setting: Answered): Value;
+}
+
+const CONFUSION: Measure = {
+  name: "confusion rate",
+  axis: { title: "Confusion rate", kind: "linear", reach: [0, 0.5] },
+  references: [0.5],
+  of: ({ confusion }) => rateBar(confusion),
+};
+const ERROR: Measure = {
+  name: "test MSE",
+  axis: { title: "Test MSE, log scale", kind: "log", reach: [] },
+  references: [],
+  of: ({ scores }) => certain(scores.mse),
+};
+const BOUND: Measure = {
+  name: "bound",
+  axis: { title: "Bound, nats", kind: "linear", reach: [] },
+  references: [],
+  of: ({ scores }) => certain(scores.bound),
+};
+
+/** An ellipse is the wider, the more dynamics points, and the higher, the more pose points there are. */
+const sizeOf = (count: number, most: number) => 0.18 + 0.42 * (count / most);
+
+/** The settings of a grid that have answers. */
+const settingsOf = ({ model }: Grid, results: PerceptionResults) =>
+  answeredSettings(results).flatMap((setting) => {
+    const { poseIps: pose, dynamicsIps: dynamics } = setting.size;
+    return setting.model === model && pose !== null && dynamics !== null ? [{ pose, dynamics, setting }] : [];
+  });
+
+type Placed = ReturnType<typeof settingsOf>;
+
+const heading = (grid: Grid, words: string) =>
+  html`<span class="name">${modelStyle(grid.model).name}</span> <small>${words}</small>`;
+
+/** One measure over another, an ellipse for each setting. */
+function over(grid: Grid, placed: Placed, y: Measure, x: Measure, lines: Panel["lines"]): Panel {
+  const [mostPose, mostDynamics] = [Math.max(...grid.pose), Math.max(...grid.dynamics)];
+  const points = placed.flatMap(({ pose, dynamics, setting }) => {
+    const [across, up] = [x.of(setting), y.of(setting)];
+    if (!across || !up) return [];
+    const ellipse = [sizeOf(dynamics, mostDynamics), sizeOf(pose, mostPose)] as const;
+    return [{ model: grid.model, x: across.y, y: up.y, low: up.y, high: up.y, ellipse }];
+  });
+  return {
+    heading: heading(grid, `${y.name} over ${x.name}`),
+    words: `${modelStyle(grid.model).name}: ${y.name} over ${x.name}, ${points.length} settings`,
+    ...{ x: x.axis, y: y.axis, points, lines, references: y.references },
+  };
+}
+
+/** A measure over the dynamics points, a line for each number of pose points. */
+function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
+  const rows = grid.pose.map((column) =>
+    placed
+      .filter(({ pose }) => pose === column)
+      .flatMap(({ dynamics, setting }): PanelPoint[] => {
+        const value = measure.of(setting);
+        return value ? [{ model: grid.model, x: dynamics, ...value }] : [];
+      })
+      .sort((a, b) => a.x - b.x),
+  );
+  const words = `${measure.name}, a line for each number of pose points: ${grid.pose.join(", ")}`;
+  return {
+    heading: heading(grid, `${measure.name} for numbers of pose points`),
+    words: `${modelStyle(grid.model).name}: ${words}`,
+    x: { title: "Dynamics points", kind: "linear", reach: [] },
+    y: measure.axis,
+    points: rows.flat(),
+    lines: rows.map((row, i) => ({
+      model: grid.model,
+      places: row.map(({ x, y }) => [x, y] as const),
+      label: String(grid.pose[i] ?? ""),
+    })),
+    references: measure.references,
+  };
+}
+
+const LINEAR_ERROR: Measure = { ...ERROR, axis: { title: "Test MSE", kind: "linear", reach: [] } };
+
+function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
+  const placed = settingsOf(grid, results);
+  if (placed.length === 0) return [];
+  const regression = regressionOf(results, grid.model, "mse");
+  const fitted = regression ? [{ model: grid.model, places: curveOf(regression) }] : [];
+  const withBound = placed.some(({ setting }) => setting.scores.bound !== null);
+  return [
+    over(grid, placed, CONFUSION, LINEAR_ERROR, fitted),
+    ...(withBound ? [over(grid, placed, ERROR, BOUND, [])] : []),
+    lined(grid, placed, CONFUSION),
+    lined(grid, placed, ERROR),
+  ];
+}
+
+export class InducingFigure extends FigureElement<PerceptionResults> {
+  protected readonly heading = "What inducing points do";
+  protected readonly file = "confusion-error-and-bound-over-inducing-points";
+
+  protected missing(results: PerceptionResults): string | null {
+    return gridsOf(results.settings).every((grid) => settingsOf(grid, results).length === 0)
+      ? "Needs answers about a vCGPDM or a vGPDM."
+      : null;
+  }
+
+  protected table(results: PerceptionResults) {
+    return {
+      header: [
+        ...["model", "pose inducing points", "dynamics inducing points"],
+        ...[...RATE_TITLES, MSE_TITLE, "bound (nats)"],
+      ],
+      rows: gridsOf(results.settings).flatMap((grid) =>
+        settingsOf(grid, results).map(({ pose, dynamics, setting: { scores, confusion } }) => [
+          ...[modelStyle(grid.model).name, pose, dynamics, ...rateFields(confusion), scores.mse, scores.bound],
+        ]),
+      ),
+    };
+  }
+
+  protected figure(results: PerceptionResults) {
+    const all = gridsOf(results.settings).flatMap((grid) => panelsOf(grid, results));
+    return html`
+      ${panels(all, this.width, this.type, 4)}
+      <figcaption>An ellipse is the wider, the more dynamics inducing points a setting has, and the higher, the more pose inducing points.</figcaption>`;
+  }
+}
+customElements.define("perception-inducing", InducingFigure);

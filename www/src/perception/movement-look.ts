@@ -1,0 +1,84 @@
+// A generated movement beside the natural one of its trial, again and again: to see whether it has failed.
+import { html, nothing } from "lit";
+import type { StudyTrial, StudyView } from "../engine/whole-protocol";
+import { icon } from "../ui/icons";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { View } from "../ui/view";
+import { motionsOf } from "./motions";
+import { CanvasPair } from "./pair-stage";
+import type { PerceptionStore } from "./perception-store";
+import "../ui/dialog.css";
+
+/** Both go aside and a little towards the observer. */
+const HEADING = 60;
+
+/** The movement beside the natural one of its trial, or else the first. */
+function pairOf({ info: { stimuli } }: StudyView, id: string): StudyTrial | null {
+  const right = stimuli.findIndex((stimulus) => stimulus.id === id);
+  const natural = stimuli.flatMap(({ kind, trial }, place) => (kind === "natural" ? [{ trial, place }] : []));
+  const left = (natural.find(({ trial }) => trial === stimuli[right]?.trial) ?? natural[0])?.place;
+  if (right < 0 || left === undefined) return null;
+  return { block: 0, kind: "comparison", left, right, naturalSide: "left", headingDegrees: HEADING };
+}
+
+export class MovementLook extends View {
+  declare perception: PerceptionStore;
+  declare notices: NoticesStore;
+  #id = "";
+  #end = () => {};
+
+  protected override stores() {
+    return [];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(() => this.#end());
+  }
+
+  async open(id: string): Promise<void> {
+    const { study } = this.perception;
+    const pair = study && pairOf(study, id);
+    if (!study || !pair) return;
+    try {
+      const motionOf = motionsOf(study.info, await this.perception.movements());
+      this.#id = id;
+      this.requestUpdate();
+      await this.updateComplete;
+      this.querySelector("dialog")?.showModal();
+      this.#play(new CanvasPair(study.info, motionOf), pair, study.info.seconds);
+    } catch (problem) {
+      this.notices.addError("The movement cannot be shown", messageOf(problem));
+    }
+  }
+
+  #play(stage: CanvasPair, pair: StudyTrial, seconds: number): void {
+    this.querySelector(".pair-scene")?.replaceChildren(stage.element);
+    stage.take(pair);
+    const begin = performance.now();
+    let timer = 0;
+    const tick = (now: number) => {
+      stage.draw(((now - begin) / 1000) % seconds, () => {});
+      timer = requestAnimationFrame(tick);
+    };
+    timer = requestAnimationFrame(tick);
+    this.#end = () => {
+      cancelAnimationFrame(timer);
+      stage.dispose();
+      this.#end = () => {};
+    };
+  }
+
+  protected override render() {
+    return html`
+      <dialog class="look" aria-label="A movement" data-testid="look" @close=${() => this.#end()}>
+        <div class="dialog-body">
+          <header><h2>${this.#id || nothing}</h2>
+            <form method="dialog"><button class="round" aria-label="Close">${icon("close")}</button></form></header>
+          <div class="pair-scene"></div>
+          <p class="hint look-sides"><span>Natural</span><span>Generated</span></p>
+        </div>
+      </dialog>`;
+  }
+}
+customElements.define("pg-perception-look", MovementLook);

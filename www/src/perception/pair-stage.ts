@@ -1,0 +1,84 @@
+// The two movements of a trial, side by side in one picture: one renderer and one camera for all trials.
+import { type Body, type ColumnMotion, Columns } from "../scene/columns";
+import type { Motion } from "../engine/protocol";
+import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
+
+/** What a trial is drawn on. */
+export interface PairStage {
+  /** Stands in the page while a trial is shown; between trials it is kept. */
+  readonly element: HTMLElement;
+  /** Takes up the movements of a trial, and draws their first pose. */
+  take(trial: StudyTrial): void;
+  /** Draws both at so many seconds after their beginning; `drawn` is told of each side: 0 left, 1 right. */
+  draw(seconds: number, drawn: (side: number) => void): void;
+  dispose(): void;
+}
+
+/** From this side figures with a heading of 0 degrees are seen: from their front. */
+const CAMERA = 0;
+
+/** On its way over the ground at the speed it had, in a direction seen from above: 0 is along z. */
+export function underWay(motion: Motion, speed: number, heading: number): ColumnMotion {
+  const positions = motion.positions.slice();
+  const [c, s] = [Math.cos(heading), Math.sin(heading)];
+  const each = 3 * motion.nodes;
+  for (let i = 0; i < positions.length; i += 3) {
+    const way = speed * motion.frameTime * Math.floor(i / each);
+    const [x, z] = [positions[i]!, positions[i + 2]! + way];
+    positions[i] = c * x + s * z;
+    positions[i + 2] = c * z - s * x;
+  }
+  return { motion: { ...motion, positions }, ghost: null, camera: { x: s * speed, z: c * speed } };
+}
+
+export class CanvasPair implements PairStage {
+  readonly element = document.createElement("div");
+  readonly #columns: Columns;
+  readonly #body: Body;
+  readonly #motionOf: (stimulus: number) => Motion;
+  readonly #speedOf: (stimulus: number) => number;
+  readonly #rate: number;
+  #before = 0;
+
+  /** Throws where the browser has no WebGL. */
+  constructor({ skeleton, look, framesPerSecond, stimuli }: StudyInfo, motionOf: (stimulus: number) => Motion) {
+    this.element.className = "pair-stage";
+    const canvas = document.createElement("canvas");
+    canvas.setAttribute("aria-hidden", "true");
+    this.element.append(canvas);
+    this.#columns = new Columns(canvas, { from: CAMERA, turns: false });
+    const nodes = skeleton.parents.map((parent, node) => ({
+      // The end of a bone is turned by the joint that it hangs on.
+      joint: node < skeleton.joints ? node : parent,
+      parent: parent < 0 ? null : parent,
+      endSite: node >= skeleton.joints,
+    }));
+    // Without parts a figure is grey.
+    this.#body = { figure: { nodes }, joints: skeleton.names, parts: [] };
+    if (look === "points") this.#body.lights = skeleton.dots;
+    this.#speedOf = (stimulus) => stimuli[stimulus]?.speed ?? 0;
+    this.#motionOf = motionOf;
+    this.#rate = framesPerSecond;
+  }
+
+  take({ left, right, headingDegrees }: StudyTrial): void {
+    const heading = (headingDegrees * Math.PI) / 180;
+    const motions = [left, right].map((stimulus) =>
+      underWay(this.#motionOf(stimulus), this.#speedOf(stimulus), heading),
+    );
+    this.#columns.show(this.#body, motions);
+    this.#before = performance.now();
+    this.draw(0, () => {});
+  }
+
+  draw(seconds: number, drawn: (side: number) => void): void {
+    const now = performance.now();
+    this.#columns.draw(seconds * this.#rate, true, (now - this.#before) / 1000, true, drawn);
+    this.#before = now;
+  }
+
+  dispose(): void {
+    this.#columns.dispose();
+    this.element.remove();
+  }
+}

@@ -1,0 +1,63 @@
+// Who has answered on this machine: how far, taken up again, saved as files, forgotten.
+import { html, nothing } from "lit";
+import type { AnswersFile } from "../engine/whole-protocol";
+import { download } from "../ui/download";
+import { icon } from "../ui/icons";
+import { csvFile, jsonFile } from "./answer-files";
+import { answered, isComplete, type KeptParticipation } from "./participation";
+import type { PerceptionStore } from "./perception-store";
+
+const save = ({ name, text }: AnswersFile) =>
+  download(name, new Blob([text], { type: name.endsWith(".csv") ? "text/csv;charset=utf-8" : "application/json" }));
+
+const COLUMNS = ["Participant", "Study", "Answered", ""];
+
+function row(store: PerceptionStore, kept: KeptParticipation) {
+  const { key, participant, title, trials, simulated } = kept;
+  const done = answered(kept);
+  const forget = () => {
+    if (
+      done === 0 ||
+      confirm(`Forget the ${done} answers of ${participant}? They are on no other machine, unless you saved them.`)
+    )
+      void store.forget(key);
+  };
+  return html`
+    <tr data-testid="participant" data-complete=${isComplete(kept)}>
+      <th scope="row">${participant}${simulated ? html` <small>simulated</small>` : nothing}</th>
+      <td>${title}</td>
+      <td>${done} of ${trials}</td>
+      <td class="row-buttons">
+        ${isComplete(kept) ? nothing : html`<button class="small" data-testid="resume" ?disabled=${store.busy} @click=${() => void store.resume(key)}>${icon("play")} Go on</button>`}
+        <button class="small" data-testid="save-csv" ?disabled=${done === 0} aria-label="CSV of ${participant}" @click=${() => save(csvFile([kept]))}>CSV</button>
+        <button class="small" data-testid="save-json" ?disabled=${done === 0} aria-label="JSON of ${participant}" @click=${() => save(jsonFile([kept]))}>JSON</button>
+        <button class="round" aria-label="Forget ${participant}" title="Forget" @click=${forget}>${icon("close")}</button>
+      </td>
+    </tr>`;
+}
+
+export function participants(store: PerceptionStore) {
+  const { kept, unkept } = store;
+  const all = kept.filter((participation) => answered(participation) > 0);
+  const warning = unkept
+    ? html`<p class="bad" role="alert">This browser does not keep the answers (${unkept}): save them before you leave the page.</p>`
+    : nothing;
+  if (kept.length === 0)
+    return html`${warning}<p class="empty">Nobody has answered on this machine yet. Answers appear here as they come, and stay when the tab is closed.</p>`;
+  return html`
+    ${warning}
+    <div class="table-box" tabindex="0" role="region" aria-label="Participants">
+      <table class="participants">
+        <thead><tr>${COLUMNS.map((column) => html`<th scope="col">${column || html`<span class="visually-hidden">Files</span>`}</th>`)}</tr></thead>
+        <tbody>${kept.map((participation) => row(store, participation))}</tbody>
+      </table>
+    </div>
+    ${
+      all.length > 1
+        ? html`<div class="files">
+            <button class="small" data-testid="save-all-csv" @click=${() => save(csvFile(all))}>${icon("save")} All as one CSV</button>
+            <button class="small" data-testid="save-all-json" @click=${() => save(jsonFile(all))}>${icon("save")} All as one JSON</button>
+          </div>`
+        : nothing
+    }`;
+}

@@ -1,0 +1,110 @@
+// Confusion rate, error and bound over the number of primitives or bases (figure 2 of Knopp et al. 2019).
+import { html } from "lit";
+import type { ModelKind, PerceptionResults } from "../engine/whole-protocol";
+import { FigureElement } from "../figures/figure-element";
+import { plain } from "../figures/numbers";
+import { modelStyle } from "../figures/model-style";
+import { type Answered, answeredSettings, MSE_TITLE, RATE_TITLES, rateBar, rateFields } from "./answered-settings";
+import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
+
+/** What models with one number of building blocks count. */
+const BLOCKS: Partial<Record<ModelKind, string>> = {
+  tmp: "Primitives",
+  "dmp-discrete": "Bases",
+  "dmp-rhythmic": "Bases",
+};
+
+interface Row {
+  setting: Answered;
+  blocks: number;
+}
+
+/** The models that are counted so, each with its settings by their numbers. */
+function counted(results: PerceptionResults): [ModelKind, Row[]][] {
+  const byModel = new Map<ModelKind, Row[]>();
+  for (const setting of answeredSettings(results)) {
+    const blocks = setting.size.primitives ?? setting.size.bases;
+    if (blocks === null) continue;
+    byModel.set(setting.model, [...(byModel.get(setting.model) ?? []), { setting, blocks }]);
+  }
+  return [...byModel].map(([model, rows]) => [model, rows.sort((a, b) => a.blocks - b.blocks)]);
+}
+
+interface Measure {
+  name: string;
+  axis: Omit<PanelAxis, "reach"> & { reach: number[] };
+  references: number[];
+  /** Null: the setting has none. */
+  of(setting: Answered): Pick<PanelPoint, "y" | "low" | "high"> | null;
+}
+
+const certain = (y: number | null) => (y === null ? null : { y, low: y, high: y });
+
+const MEASURES: Measure[] = [
+  {
+    name: "confusion rate",
+    axis: { title: "Confusion rate", kind: "linear", reach: [0, 0.5] },
+    references: [0.5],
+    of: ({ confusion }) => rateBar(confusion),
+  },
+  {
+    name: "test MSE",
+    axis: { title: "Test MSE, log scale", kind: "log", reach: [] },
+    references: [],
+    of: ({ scores }) => certain(scores.mse),
+  },
+  {
+    name: "bound",
+    axis: { title: "Bound, nats", kind: "linear", reach: [] },
+    references: [],
+    of: ({ scores }) => certain(scores.bound),
+  },
+];
+
+function panelOf(model: ModelKind, rows: readonly Row[], { name, axis, references, of }: Measure): Panel | null {
+  const points = rows.flatMap(({ setting, blocks }): PanelPoint[] => {
+    const value = of(setting);
+    return value ? [{ model, x: blocks, ...value }] : [];
+  });
+  if (points.length === 0) return null;
+  const title = BLOCKS[model] ?? "";
+  return {
+    heading: html`<span class="name">${modelStyle(model).name}</span> <small>${name}</small>`,
+    words: `${modelStyle(model).name}, ${name}: ${points.map(({ x, y }) => `${plain(y)} with ${x} ${title.toLowerCase()}`).join(", ")}`,
+    x: { title, kind: "linear", reach: [] },
+    y: axis,
+    points,
+    lines: [{ model, places: points.map(({ x, y }) => [x, y] as const) }],
+    references,
+  };
+}
+
+export class RatesFigure extends FigureElement<PerceptionResults> {
+  protected readonly heading = "Over the number of primitives or bases";
+  protected readonly file = "confusion-over-primitives-and-bases";
+
+  protected missing(results: PerceptionResults): string | null {
+    return counted(results).length === 0 ? "Needs answers about a TMP or a DMP." : null;
+  }
+
+  protected table(results: PerceptionResults) {
+    return {
+      header: ["model", "primitives or bases", ...RATE_TITLES, MSE_TITLE, "bound (nats)"],
+      rows: counted(results).flatMap(([model, rows]) =>
+        rows.map(({ setting: { confusion, scores }, blocks }) => [
+          ...[modelStyle(model).name, blocks, ...rateFields(confusion), scores.mse, scores.bound],
+        ]),
+      ),
+    };
+  }
+
+  protected figure(results: PerceptionResults) {
+    const all = counted(results).flatMap(([model, rows]) =>
+      MEASURES.flatMap((measure) => panelOf(model, rows, measure) ?? []),
+    );
+    return html`
+      ${panels(all, this.width, this.type)}
+      <figcaption>Bars: one standard deviation of the rate’s posterior. At 0.5, the dashed line, nobody can tell the model’s movement from the natural one.</figcaption>`;
+  }
+}
+customElements.define("perception-rates", RatesFigure);

@@ -1,0 +1,90 @@
+// The experiment itself, over the whole page: jsPsych's display, how far it is, and a way out.
+import { html } from "lit";
+import { icon } from "../ui/icons";
+import type { NoticesStore } from "../ui/notices-store";
+import { View } from "../ui/view";
+import { motionsOf } from "./motions";
+import { CanvasPair } from "./pair-stage";
+import type { PerceptionStore, Sitting } from "./perception-store";
+import { answered } from "./participation";
+import { run, type Running } from "./run";
+import { messageOf } from "../ui/format";
+import "../ui/dialog.css";
+import "./run-dialog.css";
+
+export class RunDialog extends View {
+  declare perception: PerceptionStore;
+  declare notices: NoticesStore;
+  #running: Running | null = null;
+
+  protected override stores() {
+    return [this.perception];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(() => this.#running?.leave());
+  }
+
+  protected override updated(): void {
+    const { sitting } = this.perception;
+    if (sitting && !this.#running) this.#begin(sitting);
+  }
+
+  #begin(sitting: Sitting): void {
+    const { perception } = this;
+    const dialog = this.querySelector("dialog");
+    const display = document.createElement("div");
+    display.className = "run-display";
+    dialog?.querySelector(".run-place")?.replaceChildren(display);
+    let stage: CanvasPair;
+    try {
+      stage = new CanvasPair(sitting.study, motionsOf(sitting.study, sitting.movements));
+    } catch {
+      this.notices.addError(
+        "The movements cannot be shown",
+        "This browser shows no 3-D graphics (WebGL). Answers can still be analysed.",
+      );
+      perception.stand();
+      return;
+    }
+    dialog?.showModal();
+    const { study, steps, columns, participation } = sitting;
+    this.#running = run(display, stage, {
+      ...{ study, steps, columns },
+      simulated: participation.simulated,
+      keep: (row) => perception.keep(row),
+      begins: () => display.focus({ preventScroll: true }),
+    });
+    this.#running.over
+      .catch((problem) => this.notices.addError("The experiment stopped", messageOf(problem)))
+      .finally(() => {
+        this.#running = null;
+        stage.dispose();
+        display.remove();
+        dialog?.close();
+        perception.stand();
+      });
+  }
+
+  #leave(): void {
+    this.#running?.leave();
+  }
+
+  protected override render() {
+    const { participation } = this.perception.sitting ?? {};
+    const [done, all] = participation ? [answered(participation), participation.trials] : [0, 1];
+    return html`
+      <dialog class="run" aria-label="The experiment" data-testid="run" @cancel=${(event: Event) => {
+        event.preventDefault();
+        this.#leave();
+      }}>
+        <header>
+          <progress max=${all} .value=${done} aria-label="Trials answered"></progress>
+          <span class="hint" data-testid="run-progress">${done} of ${all}</span>
+          <button class="small" data-testid="run-leave" title="The answers so far are kept: you can go on later" @click=${() => this.#leave()}>${icon("close")} Leave</button>
+        </header>
+        <div class="run-place"></div>
+      </dialog>`;
+  }
+}
+customElements.define("pg-perception-run", RunDialog);

@@ -1,0 +1,99 @@
+// The study: what it is, its design, what participants read, and which movements check their attention.
+import { html } from "lit";
+import type { StudyInfo, StudyPreset, StudyTexts, StudyView } from "../engine/whole-protocol";
+import "../terms/term";
+import { modelStyle } from "../figures/model-style";
+import { plain } from "../figures/numbers";
+import { duration } from "../ui/format";
+import { icon } from "../ui/icons";
+import type { PerceptionStore } from "./perception-store";
+
+export const PRESETS: [StudyPreset, string, string][] = [
+  ["class", "Class", "A short one, for a class"],
+  ["p3-part-1", "P3, part 1", "As in the first part of Knopp et al. (2019)"],
+  ["p3-part-2", "P3, part 2", "As in the second part of Knopp et al. (2019)"],
+  ["p2", "P2", "As in Velychko et al. (2018)"],
+];
+
+const TEXTS: [keyof StudyTexts, string, number][] = [
+  ["consent", "Consent", 6],
+  ["instructions", "Instructions", 8],
+  ["question", "Question of each trial", 2],
+  ["pause", "Pause", 3],
+  ["end", "After the last trial", 3],
+];
+
+/** An answer takes about so long, seconds. */
+const ANSWER = 1;
+
+/** About how long a participant sits there, seconds. */
+export function lengthOf({ crossSeconds, seconds, design }: StudyInfo, trials: number): number {
+  return trials * (crossSeconds + seconds + ANSWER) + (design.blocks - 1) * design.pauseSeconds;
+}
+
+function designWords({ info, trials }: StudyView): string {
+  const { blocks, pauseSeconds } = info.design;
+  const inBlocks = blocks > 1 ? ` in ${blocks} blocks, pauses of at least ${duration(pauseSeconds)} between` : "";
+  return `${trials} trials${inBlocks}, about ${Math.max(1, Math.round(lengthOf(info, trials) / 60))} minutes.`;
+}
+
+function movementsWords({ stimuli }: StudyInfo): string {
+  const natural = stimuli.filter(({ kind }) => kind === "natural").length;
+  const failed = stimuli.filter(({ failed }) => failed).length;
+  const checks = failed === 0 ? "none of them marked as failed" : `${failed} of them marked as failed`;
+  return `${natural} natural and ${stimuli.length - natural} generated movements, ${checks}.`;
+}
+
+function textFields(store: PerceptionStore, { texts }: StudyInfo) {
+  return html`
+    <details class="advanced">
+      <summary>What participants read</summary>
+      ${TEXTS.map(
+        ([name, label, rows]) => html`
+        <label class="field wide"><span>${label}</span>
+          <textarea rows=${rows} data-testid="text-${name}" .value=${texts[name]} ?disabled=${store.busy}
+            @change=${(event: Event) => void store.change({ texts: { ...texts, [name]: (event.target as HTMLTextAreaElement).value } })}></textarea></label>`,
+      )}
+      <p class="hint">An empty line begins a new paragraph. The texts are saved with the study.</p>
+    </details>`;
+}
+
+/** Which generated movements are so bad that everybody who looks must see it. */
+function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string) => void) {
+  const generated = stimuli.filter(({ kind }) => kind === "generated");
+  const failed = generated.filter(({ failed }) => failed).map(({ id }) => id);
+  const toggle = (id: string) =>
+    void store.change({ failed: failed.includes(id) ? failed.filter((other) => other !== id) : [...failed, id] });
+  return html`
+    <details class="advanced">
+      <summary>Movements that check attention</summary>
+      <p class="hint">Tick those that have obviously failed, for <pg-term of="attention-check" text="attention checks"></pg-term>. They are left out of the comparison, and who takes more than 15 % of them for natural is left out too.</p>
+      <ul class="movement-marks">${generated.map(
+        ({ id, model, scores, failed }) => html`
+        <li><label class="check"><input type="checkbox" data-testid="failed-${id}" .checked=${failed} ?disabled=${store.busy} @change=${() => toggle(id)} />
+          <span>${id} <small>${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label>
+          <button class="round" data-testid="look-${id}" aria-label="Look at ${id}" title="Look at it beside the natural one" @click=${() => look(id)}>${icon("eye")}</button></li>`,
+      )}</ul>
+    </details>`;
+}
+
+/** The study that is open, or that none is. `look` shows one of its movements. */
+export function studyCard(store: PerceptionStore, look: (id: string) => void) {
+  const { study, busy } = store;
+  if (!study) return html`<p class="empty">${busy ? "Loading the study." : "Open a study (.json) to begin."}</p>`;
+  const { info } = study;
+  return html`
+    <p data-testid="study-title"><strong>${info.title}</strong></p>
+    <p class="hint" data-testid="study-words">${designWords(study)} ${movementsWords(info)}</p>
+    <div class="presets" role="group" aria-label="Design">
+      ${PRESETS.map(
+        ([preset, name, meaning]) => html`
+        <button class="small" title=${meaning} data-testid="preset-${preset}" ?disabled=${busy} @click=${() => void store.change({ preset })}>${name}</button>`,
+      )}
+    </div>
+    <label class="check"><input type="checkbox" data-testid="points" .checked=${info.look === "points"} ?disabled=${busy}
+      @change=${() => void store.change({ look: info.look === "points" ? "figure" : "points" })} />
+      <span>Point lights <small>Dots at the joints instead of grey figures.</small></span></label>
+    ${textFields(store, info)}
+    ${marks(store, info, look)}`;
+}
