@@ -35,7 +35,8 @@ export function weigh() {
   const perception = inFolders("assets/perception/");
   const study = inFolders("study/");
   const primitives = inFolders("assets/primitives/", "primitives/");
-  const first = files.filter((file) => ![...later, ...asked, ...perception, ...study, ...primitives].includes(file));
+  const besides = [...later, ...asked, ...perception, ...study, ...primitives];
+  const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [

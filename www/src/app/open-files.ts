@@ -52,7 +52,7 @@ async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   if (perception.study) await analysis.add(perception.study.text, texts);
 }
 
-/** The results of a comparison, studies and libraries say so themselves; anything else is to be a model. */
+/** Results of a comparison, studies and libraries say so themselves; anything else is to be a model. */
 async function openJson(app: App, name: string, text: string): Promise<void> {
   if (/"format"\s*:\s*"vcgpdm study"/.test(text.slice(0, 200))) {
     await app.openStudy(text);

@@ -44,10 +44,6 @@ const ON_DEMAND = {
     const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
-  async primitives({ primitives, clips, notices }: App) {
-    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
-    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
-  },
   async perception({ perception, analysis, notices }: App) {
     const [store, answers] = await Promise.all([
       perception.get(),
@@ -55,6 +51,10 @@ const ON_DEMAND = {
       import("../perception/perception-page"),
     ]);
     return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+  },
+  async primitives({ primitives, clips, notices }: App) {
+    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
+    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async method() {
     await import("../method/method-page");

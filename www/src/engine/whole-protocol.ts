@@ -211,5 +211,5 @@ export interface WholeWorker
     ComparisonWorker,
     ExperimentWorker,
     UncertaintyWorker,
-    PerceptionWorker,
-    LibraryWorker {}
+    LibraryWorker,
+    PerceptionWorker {}

@@ -22,10 +22,10 @@ export interface ColumnMotion {
   motion: Motion;
   /** Laid onto the figure, and what the ground is fitted to. */
   ghost: Motion | null;
-  /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
-  ground?: Motion;
   /** How fast the camera goes along the ground, metres a second from the origin; absent: it follows the figure. */
   camera?: { x: number; z: number };
+  /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
+  ground?: Motion;
 }
 
 /** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */

@@ -216,7 +216,8 @@ function counts(
   };
 }
 
-/** What the page is about now: playing with one model, comparing several, a library of primitives, the synthetic experiment, the graphics Turing test, or the method. */
+/** What the page is about now: playing with one model, comparing several, a library of primitives, the synthetic experiment, the graphics Turing
+ * test, or the method. */
 export const VIEWS = ["play", "compare", "primitives", "synthetic", "perception", "method"] as const;
 
 /** All kinds of models, in the order of tables. */

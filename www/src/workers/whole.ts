@@ -1,5 +1,5 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of
-// a rollout and knows the graphics Turing test. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of a
+// rollout and knows the graphics Turing test. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
