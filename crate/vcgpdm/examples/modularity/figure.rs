@@ -10,6 +10,9 @@ const MARGIN: f64 = 34.0;
 /// Readable on white and on black, and told apart without colours: dashed and solid are training and generated.
 const COLOURS: [&str; 2] = ["#c2543d", "#3b76b0"];
 
+/// Of which movement a path is, whether it is of the training, and its points.
+type Path = (usize, bool, Vec<(f64, f64)>);
+
 pub fn svg(trained: &TrainedLibrary) -> String {
     let library = &trained.library;
     let parts = trained.body.layout.parts();
@@ -20,7 +23,7 @@ pub fn svg(trained: &TrainedLibrary) -> String {
         WIDTH + 24.0
     );
     for (part, spec) in parts.iter().enumerate() {
-        let mut paths: Vec<(usize, bool, Vec<(f64, f64)>)> = Vec::new();
+        let mut paths: Vec<Path> = Vec::new();
         for (m, movement) in library.movements.iter().enumerate() {
             let model = library.movement(m).unwrap();
             let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();

@@ -4,6 +4,7 @@
 //!
 //! Q = 3, 25 pose inducing points a part, 16 dynamics inducing points an expert, leave one trial out; of three seeds that of the
 //! highest bound, as somebody would choose who does not know the trial held out.
+#![allow(clippy::unwrap_used)]
 
 mod figure;
 

@@ -127,7 +127,7 @@ mod tests {
             let mut library = TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap();
             let uses = library.uses("lower=walk,upper=wave").unwrap();
             let fitted = library.observed(&clips[0]).unwrap();
-            let mut fit = library.coupling_trainer(&uses, &[fitted.clone()], 4).unwrap();
+            let mut fit = library.coupling_trainer(&uses, std::slice::from_ref(&fitted), 4).unwrap();
             while !fit.step().done {}
             library.add(fit.movement("fitted"), vec![fitted.info]);
             library

@@ -176,7 +176,7 @@ impl ParamsJson {
 
     /// With one matrix alpha, that of the only movement.
     pub fn plain(params: &Params) -> Self {
-        Self::new(params, AlphaJson::Plain(params.alpha.iter().cloned().next().unwrap_or_default()))
+        Self::new(params, AlphaJson::Plain(params.alpha.first().cloned().unwrap_or_default()))
     }
 
     /// With one matrix alpha for each movement.

@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 /// Where the inducing outputs of a process come from, with the room for its bound.
 pub enum Outputs {
     /// Those that explain the rows best: the collapsed bound.
-    Best(BoundWorkspace),
+    Best(Box<BoundWorkspace>),
     /// Those of a stored process, which stay as they are.
-    Stored(StoredOutputs),
+    Stored(Box<StoredOutputs>),
 }
 
 impl Outputs {

@@ -52,8 +52,8 @@ impl Objective {
         (points, columns): (usize, usize),
     ) -> Outputs {
         match &self.stored {
-            Some(stored) => Outputs::Stored(which(stored).clone()),
-            None => Outputs::Best(BoundWorkspace::new(points, columns)),
+            Some(stored) => Outputs::Stored(Box::new(which(stored).clone())),
+            None => Outputs::Best(Box::new(BoundWorkspace::new(points, columns))),
         }
     }
 
