@@ -1,6 +1,6 @@
 // What a first visit may cost, and what may be loaded after it: what a visitor of the first view may ask for; what compares models; what the
-// graphics Turing test needs besides, with jsPsych; and the movements of the study that comes with the page. In gzipped bytes. The build, and
-// the page's test in a browser, hold these.
+// graphics Turing test needs besides, with jsPsych; the movements of the study that comes with the page; and the library of primitives with its
+// view. In gzipped bytes. The build, and the page's test in a browser, hold these.
 export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
@@ -8,4 +8,5 @@ export const budget = {
   onDemand: 720_000,
   perception: 50_000,
   study: 170_000,
+  primitives: 70_000,
 };

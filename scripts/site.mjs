@@ -34,7 +34,9 @@ export function weigh() {
   const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
   const perception = inFolders("assets/perception/");
   const study = inFolders("study/");
-  const first = files.filter((file) => ![...later, ...asked, ...perception, ...study].includes(file));
+  const primitives = inFolders("assets/primitives/", "primitives/");
+  const besides = [...later, ...asked, ...perception, ...study, ...primitives];
+  const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
@@ -44,9 +46,10 @@ export function weigh() {
     ["on demand", sum(later), budget.onDemand],
     ["perception, besides", sum(perception), budget.perception],
     ["study", sum(study), budget.study],
+    ["primitives", sum(primitives), budget.primitives],
   ];
 
-  const counted = [...first, ...asked, ...later, ...perception, ...study];
+  const counted = [...first, ...asked, ...later, ...perception, ...study, ...primitives];
   const rows = [...counted.map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);

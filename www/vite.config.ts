@@ -48,6 +48,7 @@ const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(fi
 /** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/perception", isPerception],
+  ["assets/primitives", (file) => file.includes("/src/primitives/")],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
 ];

@@ -45,6 +45,7 @@ describe("after the first visit", () => {
     await page.keyboard.press("Escape");
     for (const [view, element] of [
       ["compare", "pg-comparison"],
+      ["primitives", "pg-gallery"],
       ["synthetic", "pg-synthetic"],
     ]) {
       await page.getByTestId(`view-${view}`).click();

@@ -56,6 +56,11 @@ export class App {
 
   readonly #touched = () => this.session.loaded?.touched();
 
+  readonly primitives = new Lazy(async () => {
+    const { openPrimitives } = await import("../primitives/primitives");
+    return openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
+  });
+
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");
     return new ExperimentStore(this.settings, await this.#whole.get());

@@ -14,12 +14,14 @@ import "./save-menu";
 const VIEWS: [Settings["view"], string][] = [
   ["play", "Play"],
   ["compare", "Compare models"],
+  ["primitives", "Primitives"],
   ["synthetic", "Who drives whom?"],
   ["perception", "Which is natural?"],
 ];
 
 const LEADS = {
   compare: "Which model foresees a walk best, and what does it cost?",
+  primitives: "Parts learned once, put together in new ways: legs of one movement, arms of another.",
   synthetic: "Two made-up systems of which the truth is known: does training find it?",
   perception: "The graphics Turing test: can people tell a model’s movement from a natural one?",
   method: "The model in equations, and where each symbol is to be seen.",

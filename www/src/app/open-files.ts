@@ -1,5 +1,5 @@
-// Files that a visitor drops or chooses: motion clips (.bvh), models, results of comparisons and studies (.json), answers to a study
-// (.csv; and .json where the graphics Turing test is shown).
+// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries, results of comparisons and studies (.json), answers to a
+// study (.csv; and .json where the graphics Turing test is shown).
 import { LARGEST_FILE } from "../clips/clips-store";
 import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
@@ -25,7 +25,7 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
       } else if (/\.json$/i.test(file.name)) {
         const text = await file.text();
         if (isAnswers(text)) answers.push(file);
-        else await openJson(app, text);
+        else await openJson(app, file.name, text);
       } else if (/\.bvh$/i.test(file.name)) {
         opened += 1;
         await clips.open(file, opened === 1);
@@ -52,8 +52,8 @@ async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   if (perception.study) await analysis.add(perception.study.text, texts);
 }
 
-/** The results of a comparison and studies say so themselves; anything else is to be a model. */
-async function openJson(app: App, text: string): Promise<void> {
+/** Results of a comparison, studies and libraries say so themselves; anything else is to be a model. */
+async function openJson(app: App, name: string, text: string): Promise<void> {
   if (/"format"\s*:\s*"vcgpdm study"/.test(text.slice(0, 200))) {
     await app.openStudy(text);
     return;
@@ -63,6 +63,17 @@ async function openJson(app: App, text: string): Promise<void> {
     app.settings.change({ view: "compare" });
     return;
   }
+  if (/"kind"\s*:\s*"library"/.test(text.slice(0, 200))) {
+    const { library } = await app.primitives.get();
+    await library.open(text, name);
+    app.settings.change({ view: "primitives" });
+    return;
+  }
+  await openModel(app, text);
+}
+
+/** Puts a model on the stage. */
+export async function openModel(app: App, text: string): Promise<void> {
   if (app.training.busy) throw new Error("A training is running: cancel it before opening a model.");
   await app.model.open(text);
   app.training.unchoose();

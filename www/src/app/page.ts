@@ -18,7 +18,7 @@ import { clipOnStage } from "./caption";
 import "./header";
 import { ACKNOWLEDGEMENT } from "./acknowledgement";
 import type { HelpView } from "./help";
-import { openFiles } from "./open-files";
+import { openFiles, openModel } from "./open-files";
 
 const TABS = [
   ["latents", "Latents"],
@@ -51,6 +51,10 @@ const ON_DEMAND = {
       import("../perception/perception-page"),
     ]);
     return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+  },
+  async primitives({ primitives, clips, notices }: App) {
+    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
+    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async method() {
     await import("../method/method-page");
@@ -143,7 +147,9 @@ export class PageView extends View {
 
   /** What the keys for play and step work on. */
   get clock(): Clock | null {
-    return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("pg-side-by-side");
+    return this.app.isPlayView
+      ? this.app.playback
+      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk");
   }
 
   /** The first time it is loaded. */
@@ -180,6 +186,17 @@ export class PageView extends View {
       await openDetails(what, { engine: engine.engine, model, playback, clip: clipOnStage(this.app) }, this);
     } catch (problem) {
       notices.addError("This could not be shown", messageOf(problem));
+    }
+  }
+
+  /** Puts a model of another view on the stage. */
+  private async stageModel(text: string): Promise<void> {
+    const { notices, settings } = this.app;
+    try {
+      await openModel(this.app, text);
+      settings.change({ view: "play" });
+    } catch (problem) {
+      notices.addError("This model was not taken up", messageOf(problem));
     }
   }
 
@@ -304,6 +321,7 @@ export class PageView extends View {
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
         @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
+        @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}

@@ -23,7 +23,10 @@ export interface Body {
 const HEADING_FRAMES = 45;
 
 /** The first pose from the front, and the middles of the parts drawn apart. */
-export function bodyOf({ figure, joints, parts }: ModelInfo, motion: Motion): Body {
+export function bodyOf(
+  { figure, joints, parts }: Pick<ModelInfo, "figure" | "joints" | "parts">,
+  motion: Motion,
+): Body {
   const pose = pointsAt(motion, 0);
   const later = pointsAt(motion, Math.min(motion.frames - 1, HEADING_FRAMES));
   const [root = ORIGIN] = pose;

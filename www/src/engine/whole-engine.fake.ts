@@ -1,4 +1,5 @@
 // For tests: a whole program without wasm, whose workers do what the test says.
+import { FakeLibraries } from "./library.fake";
 import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
@@ -122,6 +123,7 @@ export class FakeProgram implements WholeProgram {
   readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
+  readonly libraries = new FakeLibraries();
   /** The next calls for results fail with these, one after the other. */
   readonly failures: Error[] = [];
   /** Why plans are refused; empty when they are not. */
@@ -131,10 +133,11 @@ export class FakeProgram implements WholeProgram {
   plans = 0;
   readonly #pool = new Pool(2, () => this.#hire());
   readonly #desk = new Pool(1, () => this.#hire());
+  readonly #library = new Pool(1, () => this.#hire());
 
   async load() {
     if (this.unreachable) throw new Error(this.unreachable);
-    return { pool: this.#pool, desk: this.#desk };
+    return { pool: this.#pool, desk: this.#desk, library: this.#library };
   }
 
   #hire(): Hired<WholeProgramWorker> {
@@ -169,6 +172,7 @@ export class FakeProgram implements WholeProgram {
     const cancelled = (signal: AbortSignal) =>
       new Promise<void>((stop) => signal.addEventListener("abort", () => stop(), { once: true }));
     return {
+      ...this.libraries.worker(),
       planComparison: async (clips, settings, plan, known) => {
         this.plans += 1;
         if (this.refused) throw refusal(this.refused);

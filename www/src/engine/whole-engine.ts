@@ -3,7 +3,8 @@ import * as Comlink from "comlink";
 import { cancellable, openWhole, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
 import { loadWhole } from "./programs";
-import type { TrainingOutcome } from "./protocol";
+import type { FittingJob, LearningJob, LibraryReport } from "./library-protocol";
+import type { Couplings, TrainingOutcome } from "./protocol";
 import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
 
 /** A call to a worker answers with a promise. */
@@ -11,19 +12,30 @@ type Remote<Call> = Call extends (...given: infer Given) => infer Answer
   ? (...given: Given) => Promise<Awaited<Answer>>
   : never;
 
-type Questions =
-  | "planComparison"
-  | "addOutcome"
-  | "openResults"
-  | "drawExperiment"
-  | "moments"
-  | "openStudy"
-  | "changeStudy"
-  | "drawTrials"
-  | "movements"
-  | "analysePerception"
-  | "perceptionJson"
-  | "makeStudy";
+/** What is passed on as it is. */
+const QUESTIONS = [
+  "planComparison",
+  "addOutcome",
+  "openResults",
+  "drawExperiment",
+  "moments",
+  "openLibrary",
+  "nearestCouplings",
+  "combinationMotion",
+  "combinationText",
+  "addCombination",
+  "startWalk",
+  "advanceWalk",
+  "lockingRow",
+  "openStudy",
+  "changeStudy",
+  "drawTrials",
+  "movements",
+  "analysePerception",
+  "perceptionJson",
+  "makeStudy",
+] as const satisfies (keyof WholeWorker)[];
+type Questions = (typeof QUESTIONS)[number];
 
 /** What the page asks of a worker of the whole program. */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
@@ -35,6 +47,18 @@ export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Q
     report: (report: ExperimentReport) => void,
     signal: AbortSignal,
   ): Promise<TrainingOutcome>;
+  /** Keeps the best so far when the signal comes. */
+  learnLibrary(
+    job: LearningJob,
+    report: (report: LibraryReport<string>) => void,
+    signal: AbortSignal,
+  ): Promise<TrainingOutcome>;
+  /** Keeps the best so far when the signal comes. */
+  fitCouplings(
+    job: FittingJob,
+    report: (report: LibraryReport<Couplings>) => void,
+    signal: AbortSignal,
+  ): Promise<TrainingOutcome>;
 };
 
 export interface WholeProgramWorkers {
@@ -42,6 +66,8 @@ export interface WholeProgramWorkers {
   pool: Pool<WholeProgramWorker>;
   /** Answers at once, whatever the pool is doing. */
   desk: Pool<WholeProgramWorker>;
+  /** One worker, which holds the library of primitives that is looked at. */
+  library: Pool<WholeProgramWorker>;
 }
 
 export interface WholeProgram {
@@ -53,31 +79,36 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
   const { worker, name } = openWhole("whole");
   const remote = Comlink.wrap<WholeWorker>(worker);
   const ready = remote.start(wasm);
+  const asked = QUESTIONS.map((question) => {
+    const call = remote[question] as (...given: unknown[]) => Promise<unknown>;
+    return [question, (...given: unknown[]) => call(...given)];
+  });
   return {
     worker: {
-      planComparison: (...given) => remote.planComparison(...given),
-      addOutcome: (...given) => remote.addOutcome(...given),
-      openResults: (text) => remote.openResults(text),
+      ...(Object.fromEntries(asked) as Pick<WholeProgramWorker, Questions>),
       evaluate: (job, report, signal) =>
         cancellable(
           signal,
           () => remote.cancelEvaluation(),
           () => remote.evaluate(job, Comlink.proxy(report)),
         ),
-      moments: (text, request) => remote.moments(text, request),
-      openStudy: (text) => remote.openStudy(text),
-      changeStudy: (text, change) => remote.changeStudy(text, change),
-      drawTrials: (text, seed) => remote.drawTrials(text, seed),
-      movements: (text) => remote.movements(text),
-      analysePerception: (text, answers) => remote.analysePerception(text, answers),
-      perceptionJson: (text, answers) => remote.perceptionJson(text, answers),
-      makeStudy: (request) => remote.makeStudy(request),
-      drawExperiment: (experiment) => remote.drawExperiment(experiment),
       trainExperiment: (experiment, report, signal) =>
         cancellable(
           signal,
           () => remote.cancelExperiment(),
           () => remote.trainExperiment(experiment, Comlink.proxy(report)),
+        ),
+      learnLibrary: (job, report, signal) =>
+        cancellable(
+          signal,
+          () => remote.cancelLibrary(),
+          () => remote.learnLibrary(job, Comlink.proxy(report)),
+        ),
+      fitCouplings: (job, report, signal) =>
+        cancellable(
+          signal,
+          () => remote.cancelLibrary(),
+          () => remote.fitCouplings(job, Comlink.proxy(report)),
         ),
     },
     ready,
@@ -92,7 +123,11 @@ export class WholeEngine implements WholeProgram {
   async load(): Promise<WholeProgramWorkers> {
     const wasm = await loadWhole();
     const cores = Math.max(1, navigator.hardwareConcurrency || 1);
-    this.#workers ??= { pool: new Pool(cores, () => hire(wasm)), desk: new Pool(1, () => hire(wasm)) };
+    this.#workers ??= {
+      pool: new Pool(cores, () => hire(wasm)),
+      desk: new Pool(1, () => hire(wasm)),
+      library: new Pool(1, () => hire(wasm)),
+    };
     return this.#workers;
   }
 }

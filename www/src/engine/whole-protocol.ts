@@ -20,6 +20,7 @@ import type {
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
+import type { LibraryWorker } from "./library-protocol";
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
 
 export type {
@@ -205,4 +206,10 @@ export interface PerceptionWorker {
 }
 
 /** The face of a worker of the whole program. */
-export interface WholeWorker extends Trainee, ComparisonWorker, ExperimentWorker, UncertaintyWorker, PerceptionWorker {}
+export interface WholeWorker
+  extends Trainee,
+    ComparisonWorker,
+    ExperimentWorker,
+    UncertaintyWorker,
+    LibraryWorker,
+    PerceptionWorker {}

@@ -24,6 +24,8 @@ export interface ColumnMotion {
   ghost: Motion | null;
   /** How fast the camera goes along the ground, metres a second from the origin; absent: it follows the figure. */
   camera?: { x: number; z: number };
+  /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
+  ground?: Motion;
 }
 
 /** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */
@@ -70,7 +72,7 @@ class Column {
   /** Goes on with another motion of the same body, with a ghost if the one before had one. */
   take(shown: ColumnMotion): void {
     this.#shown = shown;
-    const ground = shown.ghost ?? shown.motion;
+    const ground = shown.ghost ?? shown.ground ?? shown.motion;
     this.#floor = floorOf(ground) - SOLE;
     this.#feet = feetOf(ground, this.#floor + SOLE);
     this.#ground.group.position.y = this.#floor;
@@ -144,7 +146,7 @@ export class Columns {
   show(body: Body, motions: readonly ColumnMotion[]): void {
     const [first] = motions;
     if (this.#columns.length === 0 && first) {
-      const angle = this.#from ?? headingOf(first.ghost ?? first.motion) + 1.15;
+      const angle = this.#from ?? headingOf(first.ghost ?? first.ground ?? first.motion) + 1.15;
       this.#viewport.camera.position.set(Math.sin(angle), 0.1, Math.cos(angle));
     }
     const fit = (column: Column, i: number) => !column.shown.ghost === !motions[i]?.ghost;

@@ -1,9 +1,11 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment, finds the uncertainty of a rollout and knows the graphics Turing test. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of a
+// rollout and knows the graphics Turing test. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
+import { libraryWorker } from "./library";
 import { showLife } from "./life";
 import { perceptionWorker } from "./perception";
 import { trainee } from "./training";
@@ -16,6 +18,7 @@ const worker: WholeWorker = {
   ...trainee,
   ...comparisonWorker,
   ...experimentWorker,
+  ...libraryWorker,
   ...uncertaintyWorker,
   ...perceptionWorker,
 };

@@ -1,0 +1,256 @@
+// A library of primitives: put together in new ways while the figure goes on, coupled anew, learned from clips, put on the stage.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, openSite, ready, saved } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/**
+ * No node of the figure goes farther from one frame to the next, metres. A hand that waves goes 0.24 m as learned; where arms are
+ * exchanged they would go 1.1 m and more without the seam.
+ */
+const LARGEST_STEP = 0.4;
+
+/** Opened, and all small figures are there. */
+async function opened(/** @type {Page} */ page) {
+  await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
+  await page.waitForFunction(
+    () => {
+      const figures = [...document.querySelectorAll("pg-small-figure")];
+      return figures.length > 0 && figures.every((figure) => /** @type {any} */ (figure).motion);
+    },
+    null,
+    { timeout: 30_000 },
+  );
+}
+
+/** The number of the newest frame of the large figure, and the largest step of a node between two of the newest frames. */
+const walked = (/** @type {Page} */ page, newest = 1000) =>
+  page.evaluate((newest) => {
+    const { track } = /** @type {any} */ (document.querySelector("pg-walk")).library.walk;
+    const { positions, frames, nodes } = track.motion;
+    let largest = 0;
+    for (let i = 3 * nodes * Math.max(1, frames - newest); i < 3 * nodes * frames; i += 3) {
+      const at = (/** @type {number} */ k) => positions[i + k] - positions[i + k - 3 * nodes];
+      largest = Math.max(largest, Math.hypot(at(0), at(1), at(2)));
+    }
+    return { last: track.last, frames, largest };
+  }, newest);
+
+/** Waits until the figure has gone so many frames on. */
+async function goOn(/** @type {Page} */ page, frames = 45) {
+  const { last } = await walked(page);
+  await page.waitForFunction(
+    (last) => /** @type {any} */ (document.querySelector("pg-walk")).library.walk.track.last >= last,
+    last + frames,
+    { timeout: 60_000 },
+  );
+}
+const recorded = (/** @type {Page} */ page) => page.getByTestId("recorded").innerText();
+
+describe("a library of primitives", () => {
+  it("opens on legs and arms that were never recorded together, and goes on without a jump when one is exchanged", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
+    await opened(page);
+    assert.equal(await recorded(page), "Never recorded");
+    assert.match(await page.getByTestId("library-words").innerText(), /made by a program/);
+    await goOn(page);
+    const before = await walked(page);
+    assert.ok(before.largest > 0.01, "it moves");
+    await page.getByTestId("primitive-1-2").click();
+    assert.equal(await page.getByTestId("primitive-1-2").getAttribute("aria-pressed"), "true");
+    assert.equal(await recorded(page), "Recorded as walk");
+    await goOn(page);
+    await page.getByTestId("primitive-1-3").click();
+    await goOn(page);
+    await page.getByTestId("primitive-0-1").click();
+    await goOn(page);
+    const after = await walked(page);
+    assert.ok(after.last > before.last + 100, "the same walk");
+    assert.ok(after.largest < LARGEST_STEP, `a step of ${after.largest} m`);
+    assert.ok(Number(await page.getByTestId("walk").getAttribute("data-frames-drawn")) > 10);
+
+    // All combinations, and what is dragged onto the body.
+    await page.getByTestId("combination").first().click();
+    assert.equal(await recorded(page), "Recorded as walk");
+    await page.getByTestId("primitive-1-3").dragTo(page.getByTestId("slot-1").locator(".map-node"));
+    assert.equal(await page.getByTestId("combination-title").innerText(), "lower: walk, upper: wave");
+    await page.getByTestId("primitive-0-1").dragTo(page.getByTestId("slot-1").locator(".map-node"));
+    assert.equal(await recorded(page), "Never recorded", "legs do not go where arms are");
+    await goOn(page, 10);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("fits couplings to a clip, keeps the combination, saves and opens the library, and puts the model on the stage", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
+    await ready(page);
+    await opened(page);
+    const alpha = page.getByTestId("walk-alpha-0-1");
+    const before = await alpha.innerText();
+    await page.getByTestId("fit-clip").selectOption({ label: "Walk and wave, trial 1" });
+    await page.getByTestId("fit").click();
+    await page.waitForFunction(
+      () => / s\.$/.test(document.querySelector("[data-testid=fit-words]")?.textContent ?? ""),
+      null,
+      { timeout: 60_000 },
+    );
+    const words = await page.getByTestId("fit-words").innerText();
+    // Two seconds where nothing else runs; tests run beside each other.
+    assert.ok(Number(words.match(/([\d.]+) s\.$/)?.[1]) < 8, words);
+    assert.notEqual(await alpha.innerText(), before, "the couplings were taken over");
+    await page.getByTestId("keep-combination").click();
+    await page.waitForFunction(
+      () => /** @type {any} */ (document.querySelector("pg-walk")).library.known.info.movements.length === 3,
+    );
+    const { name, text } = await saved(page, "save-library");
+    assert.equal(name, "library.json");
+    assert.deepEqual(
+      JSON.parse(text).movements.map((/** @type {{ name: string }} */ { name }) => name),
+      ["walk", "wave", "walk + wave"],
+    );
+    await page.getByTestId("open-library").setInputFiles({
+      name: "mine.json",
+      mimeType: "application/json",
+      buffer: Buffer.from(text),
+    });
+    await page.getByText("mine.json").waitFor();
+    await page.getByTestId("library-undo").click();
+    await page.getByText("A library of made walks").waitFor();
+
+    const model = await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).app.model.id);
+    await page.getByTestId("put-on-stage").click();
+    await page.getByTestId("stage").waitFor();
+    const next = await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).app.model.id);
+    assert.notEqual(next, model);
+    assert.match(page.url(), /^[^#]*#?((?!view=).)*$/, "the view Play");
+    // As it was left.
+    await page.getByTestId("view-primitives").click();
+    await page.getByTestId("combination-title").waitFor();
+    await page.getByTestId("open-library").setInputFiles({
+      name: "no.json",
+      mimeType: "application/json",
+      buffer: Buffer.from("{}"),
+    });
+    await page.locator("pg-primitives [data-testid=notice]").waitFor();
+    assert.equal(await page.getByTestId("combination").count(), 4, "the library stays");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("maps tempo against coupling, and moves a part from one primitive to another", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
+    await opened(page);
+    const start = Date.now();
+    await page.getByTestId("locking-make").click();
+    await page.waitForFunction(
+      () =>
+        document.querySelectorAll(".locking .point").length === 143 &&
+        document.querySelectorAll(".locking .point.waiting").length === 0,
+      null,
+      { timeout: 60_000 },
+    );
+    assert.ok(Date.now() - start < 60_000);
+    const values = await page
+      .locator(".locking .point")
+      .evaluateAll((points) =>
+        points.map((point) => Number(point.getAttribute("aria-label")?.match(/locking ([\d.]+)/)?.[1])),
+      );
+    assert.ok(values.every((value) => value >= 0 && value <= 1));
+    assert.ok(Math.max(...values) > 0.9 && Math.min(...values) < 0.3, "locked here, not there");
+    await page.getByTestId("locking-12-0").click();
+    assert.equal(await page.getByTestId("locking-12-0").getAttribute("aria-pressed"), "true");
+    assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.3");
+    // Back to what was learned: arms that run away have no way back that is not fast.
+    await page.getByTestId("locking-6-6").click();
+    assert.equal(await page.getByTestId("tempo-1").inputValue(), "1");
+    await goOn(page, 60);
+    await page.getByTestId("morph-1").fill("0.5");
+    await goOn(page, 45);
+    const { largest } = await walked(page, 45);
+    assert.ok(largest < LARGEST_STEP, `a step of ${largest} m`);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("learns a library from clips in groups, which can be taken back", async () => {
+    const { page, problems, leave } = await site.visit({
+      settings: "view=primitives&fps=15&iterations=20&dynamics=6&poses=8",
+    });
+    await ready(page);
+    await opened(page);
+    await page.getByTestId("share-0-same").click();
+    await page.getByTestId("learn").click();
+    await page.getByText("The library learned here").waitFor({ timeout: 120_000 });
+    await opened(page);
+    assert.equal(await page.getByTestId("combination").count(), 2, "one primitive of the legs, two of the arms");
+    assert.match(await page.getByTestId("learn-words").innerText(), /^Learned\. /);
+    await page.getByTestId("library-undo").click();
+    await page.getByText("A library of made walks").waitFor();
+    await opened(page);
+    assert.equal(await page.getByTestId("combination").count(), 4);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("goes by keyboard alone", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
+    await opened(page);
+    const tabTo = async (/** @type {string} */ id) => {
+      for (let i = 0; i < 60; i++) {
+        await page.keyboard.press("Tab");
+        if (await page.evaluate((id) => document.activeElement?.getAttribute("data-testid") === id, id)) return;
+      }
+      assert.fail(`the Tab key does not reach ${id}`);
+    };
+    await tabTo("primitive-1-2");
+    await page.keyboard.press("Enter");
+    assert.equal(await recorded(page), "Recorded as walk");
+    await tabTo("walk-play");
+    await page.keyboard.press("Enter");
+    await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+    const before = await page.getByTestId("walk-alpha-0-1").innerText();
+    await tabTo("walk-coupling-0-1");
+    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("ArrowLeft");
+    assert.notEqual(await page.getByTestId("walk-alpha-0-1").innerText(), before);
+    await page.keyboard.press("Delete");
+    assert.equal(await page.getByTestId("walk-alpha-0-1").innerText(), before);
+    await tabTo("locking-make");
+    await page.keyboard.press("Enter");
+    await page.locator(".locking [tabindex='0']:not(.waiting)").waitFor({ timeout: 60_000 });
+    await page.locator(".locking [tabindex='0']").focus();
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "locking-7-7");
+    await page.keyboard.press("Enter");
+    assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.05");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    it(`keeps nobody out, on a desk or a phone, in ${colorScheme} colours`, async () => {
+      for (const viewport of [
+        { width: 1280, height: 800 },
+        { width: 390, height: 844 },
+      ]) {
+        const { page, problems, leave } = await site.visit({ settings: "view=primitives", colorScheme, viewport });
+        await ready(page);
+        await opened(page);
+        assert.deepEqual(await barriers(page), []);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= viewport.width, `${wide} pixels wide`);
+        assert.deepEqual(problems, []);
+        await leave();
+      }
+    });
+  }
+});

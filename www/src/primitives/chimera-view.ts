@@ -1,0 +1,135 @@
+// Each part at a tempo of its own, and a map of when one part still keeps step with another.
+import { html, nothing } from "lit";
+import { partColour } from "../ui/palette";
+import { partStyle, styled } from "../ui/styled";
+import { sentence, short } from "../ui/format";
+import { View } from "../ui/view";
+import type { LibraryStore } from "./library-store";
+import { type LockingStore, type LockingMap, STRENGTHS, TEMPOS } from "./locking-store";
+
+/** How far an arrow key goes in the map: tempos up, strengths to the right. */
+const STEPS: Record<string, [number, number]> = {
+  ArrowUp: [1, 0],
+  ArrowDown: [-1, 0],
+  ArrowLeft: [0, -1],
+  ArrowRight: [0, 1],
+};
+
+const times = (strength: number) => (strength < 1 ? `1/${1 / strength}` : String(strength));
+
+export class ChimeraView extends View {
+  static override properties = { at: { state: true } };
+  declare library: LibraryStore;
+  declare locking: LockingStore;
+  /** The point that the Tab key leads to: tempo and strength. */
+  declare at: readonly [number, number];
+
+  constructor() {
+    super();
+    this.at = [TEMPOS.indexOf(1), STRENGTHS.indexOf(1)];
+  }
+
+  protected override stores() {
+    return [this.library, this.locking];
+  }
+
+  #name(part: number): string {
+    return this.library.known?.info.parts[part]?.name ?? "";
+  }
+
+  #tempo(tempo: number, part: number) {
+    const name = this.#name(part);
+    return html`
+      <label class="tempo" style=${partStyle(partColour(part))}>
+        <span class="part-name"><i class="swatch"></i>${name}</span>
+        <input type="range" min="0.5" max="2" step="0.05" .value=${String(tempo)} data-testid="tempo-${part}"
+          aria-label="Tempo of ${name}" aria-valuetext="${tempo.toFixed(2)} times as learned"
+          @input=${(event: Event) => this.library.setTempo(part, (event.target as HTMLInputElement).valueAsNumber)}
+          @dblclick=${() => this.library.setTempo(part, 1)} />
+        <output>${tempo.toFixed(2)}</output>
+      </label>`;
+  }
+
+  #keys(event: KeyboardEvent): void {
+    const step = STEPS[event.key];
+    if (!step) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const within = (index: number, length: number) => Math.min(length - 1, Math.max(0, index));
+    this.at = [within(this.at[0] + step[0], TEMPOS.length), within(this.at[1] + step[1], STRENGTHS.length)];
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(".locking [tabindex='0']")?.focus());
+  }
+
+  #cell(map: LockingMap, k: number, l: number) {
+    const [tempo = 1, strength = 1] = [TEMPOS[k], STRENGTHS[l]];
+    const value = map.rows[k]?.[l];
+    const { taken } = this.locking;
+    const on = taken?.tempo === tempo && taken.strength === strength;
+    const words = value === undefined ? "not there yet" : `locking ${value.toFixed(2)}`;
+    return html`
+      <td><button class=${value === undefined ? "point waiting" : "point"} data-testid="locking-${k}-${l}" aria-pressed=${on ? "true" : "false"}
+        tabindex=${this.at[0] === k && this.at[1] === l ? 0 : -1} style=${styled({ "--at": (value ?? 0).toFixed(3) })}
+        aria-label="Tempo ${tempo.toFixed(2)}, coupling times ${times(strength)}: ${words}" title="Tempo ${tempo.toFixed(2)}, coupling × ${times(strength)}: ${words}"
+        @click=${() => {
+          this.at = [k, l];
+          this.locking.take(tempo, strength);
+        }}></button></td>`;
+  }
+
+  #map(map: LockingMap) {
+    const target = this.#name(map.target);
+    const tempos = [...TEMPOS.keys()].reverse();
+    return html`
+      <table class="locking" style=${partStyle(partColour(map.target))} @keydown=${this.#keys}
+        aria-label="How firmly ${target} is locked to ${this.#name(map.source)}, for each tempo and strength. Arrow keys go from point to point.">
+        <tbody>
+          ${tempos.map((k) => html`<tr><th scope="row">${(TEMPOS[k] ?? 1).toFixed(2)}</th>${STRENGTHS.map((_, l) => this.#cell(map, k, l))}</tr>`)}
+          <tr><td></td>${STRENGTHS.map((strength) => html`<th scope="col">${times(strength)}</th>`)}</tr>
+        </tbody>
+      </table>
+      <p class="hint axes">Up: tempo of ${target}. To the right: how much stronger the coupling from ${this.#name(map.source)} to ${target} is than as learned;
+        its α, ${short(map.alpha[map.source]?.[map.target] ?? 1)}, is divided by this. Colour: 1 where the difference of their phases never changes, 0 where it takes all values alike.</p>
+      <p class="hint legend" style=${partStyle(partColour(map.target))}><span>goes its own way</span><i class="shade"></i><span>keeps in step</span></p>`;
+  }
+
+  #pair() {
+    const { locking } = this;
+    const parts = this.library.known?.info.parts ?? [];
+    const choice = (label: string, chosen: number, other: number, take: (part: number) => void) => html`
+      <label>${label} <select aria-label=${label} @change=${(event: Event) => take(Number((event.target as HTMLSelectElement).value))}>
+        ${parts.map(({ name }, part) => html`<option value=${part} ?selected=${part === chosen} ?disabled=${part === other}>${name}</option>`)}
+      </select></label>`;
+    return html`
+      ${choice("Leads", locking.source, locking.target, (part) => locking.choose(part, locking.target))}
+      ${choice("Follows", locking.target, locking.source, (part) => locking.choose(locking.source, part))}`;
+  }
+
+  protected override render() {
+    const { library, locking } = this;
+    if (!library.known) return nothing;
+    const { busy, map, problem, fraction } = locking;
+    const several = library.known.info.parts.length > 1;
+    return html`
+      <h2>Chimera: two tempos in one body</h2>
+      <p class="hint">Let each part go through its own time slower or faster; 1 is as learned. The tempo is ours, not the papers’.</p>
+      ${library.tempos.map((tempo, part) => this.#tempo(tempo, part))}
+      ${
+        several
+          ? html`
+          <div class="fit-row">${this.#pair()}
+            <button class="small" data-testid=${busy ? "locking-cancel" : "locking-make"} @click=${() => (busy ? locking.cancel() : void locking.make())}>${busy ? "Cancel" : "Make the map"}</button></div>
+          <progress max="1" .value=${busy ? fraction : 0} aria-label="The map" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+          ${
+            map
+              ? this.#map(map)
+              : html`<p class=${problem ? "bad" : "hint"} role="status">${
+                  problem
+                    ? sentence(problem)
+                    : "When does one part still keep step with the other? The map tries all tempos and strengths; press a point to see it walk."
+                }</p>`
+          }`
+          : nothing
+      }`;
+  }
+}
+customElements.define("pg-chimera", ChimeraView);

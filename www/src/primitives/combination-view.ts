@@ -1,0 +1,75 @@
+// The combination that walks: its couplings, fitted or by hand; kept in the library, or put on the stage.
+import { html, nothing } from "lit";
+import type { ClipsStore } from "../clips/clips-store";
+import { sentence } from "../ui/format";
+import { View } from "../ui/view";
+import "../terms/term";
+import { couplingsTable } from "./couplings-table";
+import type { FittingStore } from "./fitting-store";
+import type { LibraryStore } from "./library-store";
+
+export class CombinationView extends View {
+  static override properties = { clip: { state: true } };
+  declare library: LibraryStore;
+  declare fitting: FittingStore;
+  declare clips: ClipsStore;
+  /** The key of the clip to fit to; empty: the first. */
+  declare clip: string;
+
+  constructor() {
+    super();
+    this.clip = "";
+  }
+
+  protected override stores() {
+    return [this.library, this.fitting, this.clips];
+  }
+
+  #fit() {
+    const { fitting, clips } = this;
+    const { busy, status } = fitting;
+    const key = clips.all.some((clip) => clip.key === this.clip) ? this.clip : (clips.all[0]?.key ?? "");
+    const words = busy
+      ? `Iteration ${fitting.iteration}`
+      : fitting.ending.words
+        ? `${sentence(fitting.ending.words)}${fitting.ending.failed ? "" : ` ${fitting.elapsed.toFixed(1)} s.`}`
+        : "Learns the couplings alone; the primitives stay.";
+    return html`
+      <div class="fit-row">
+        <label>Clip <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
+          this.clip = (event.target as HTMLSelectElement).value;
+        }}>${clips.all.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
+        <button class="small" data-testid=${busy ? "fit-cancel" : "fit"} ?disabled=${busy ? status === "cancelling" : key === ""}
+          @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? "Cancel" : "Fit to this clip"}</button>
+      </div>
+      <progress max="1" .value=${busy ? fitting.fraction : 0} aria-label="Fitting" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+      <p class=${fitting.ending.failed ? "bad" : "hint"} role="status" data-testid="fit-words">${words}</p>`;
+  }
+
+  protected override render() {
+    const { library } = this;
+    if (!library.known) return nothing;
+    const movements = library.known.info.movements;
+    return html`
+      <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
+        <button class="small" ?disabled=${!library.altered} @click=${() => library.resetCouplings()}>Reset</button></header>
+      <p class="hint">Right is strong. In a new combination each part keeps what it learned about the others.</p>
+      ${couplingsTable(library)}
+      ${this.#fit()}
+      <div class="button-row">
+        <button class="small" data-testid="keep-combination" title="As a movement of the library, with these couplings"
+          @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>Add to the library</button>
+        <button class="small primary" data-testid="put-on-stage" title="As a model, with these couplings, in the view Play"
+          @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>Put on the stage</button>
+      </div>`;
+  }
+
+  /** A name that no movement has. */
+  #name(taken: readonly string[]): string {
+    const { known, uses } = this.library;
+    const words = uses.map((primitive) => known?.info.primitives[primitive]?.name ?? "").join(" + ");
+    if (!taken.includes(words)) return words;
+    for (let number = 2; ; number++) if (!taken.includes(`${words} ${number}`)) return `${words} ${number}`;
+  }
+}
+customElements.define("pg-combination", CombinationView);

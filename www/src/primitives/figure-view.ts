@@ -1,0 +1,69 @@
+// An element with a small moving figure: all of it in colour, or one part only.
+import { html } from "lit";
+import type { Motion } from "../engine/protocol";
+import type { Body } from "../scene/columns";
+import { cleared } from "../ui/canvas";
+import { onThemeChange, partColour, theme } from "../ui/palette";
+import { View } from "../ui/view";
+import { SmallFigure } from "./small-figure";
+
+/** Milliseconds between two pictures: small figures need no more. */
+const BETWEEN = 40;
+
+export class FigureView extends View {
+  static override properties = { motion: {}, body: {}, accent: {}, playing: {} };
+  declare body: Body;
+  /** Null until it is there. */
+  declare motion: Motion | null;
+  /** The part in colour; null: all. */
+  declare accent: number | null;
+  declare playing: boolean;
+  #figure: SmallFigure | null = null;
+  /** Milliseconds that it has walked. */
+  #walked = 0;
+  #drawn = -BETWEEN;
+
+  protected override stores() {
+    return [];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(onThemeChange(() => this.#draw()));
+    this.watchSize(this, () => this.#draw());
+    let before = performance.now();
+    let timer = 0;
+    const tick = (now: number) => {
+      timer = requestAnimationFrame(tick);
+      if (this.playing) this.#walked += Math.min(250, now - before);
+      before = now;
+      if (this.#walked - this.#drawn >= BETWEEN) this.#draw();
+    };
+    timer = requestAnimationFrame(tick);
+    this.whenLeaving(() => cancelAnimationFrame(timer));
+  }
+
+  override willUpdate(changed: Map<string, unknown>): void {
+    if (!changed.has("motion") && !changed.has("body")) return;
+    this.#figure = this.motion && new SmallFigure(this.body, this.motion);
+  }
+
+  protected override updated(): void {
+    this.#draw();
+  }
+
+  #draw(): void {
+    const canvas = this.querySelector("canvas");
+    const surface = canvas && canvas.clientWidth > 0 ? cleared(canvas) : null;
+    if (!surface || !this.#figure) return;
+    this.#drawn = this.#walked;
+    const pale = theme().dark ? "#3d444b" : "#d3d5d6";
+    const colourOf = (part: number) =>
+      part >= 0 && (this.accent === null || this.accent === part) ? partColour(part) : pale;
+    this.#figure.draw(surface.draw, surface, this.#walked / 1000, colourOf);
+  }
+
+  protected override render() {
+    return html`<canvas aria-hidden="true"></canvas>`;
+  }
+}
+customElements.define("pg-small-figure", FigureView);

@@ -1,0 +1,37 @@
+// All combinations of a library's primitives, each a small figure that opens when it is pressed.
+import { html, nothing } from "lit";
+import { View } from "../ui/view";
+import { isSame, recordedAs, titleOf } from "./combinations";
+import "./figure-view";
+import type { LibraryStore } from "./library-store";
+
+export class GalleryView extends View {
+  static override properties = { playing: {} };
+  declare library: LibraryStore;
+  declare playing: boolean;
+
+  protected override stores() {
+    return [this.library];
+  }
+
+  protected override render() {
+    const { library } = this;
+    const info = library.known?.info;
+    if (!info) return html``;
+    const card = (uses: number[]) => {
+      const recorded = recordedAs(info, uses);
+      return html`
+        <button class="combination" data-testid="combination" aria-pressed=${isSame(uses, library.uses) ? "true" : "false"}
+          @click=${() => library.take(uses)}>
+          <pg-small-figure .body=${library.body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
+          <span>${titleOf(info, uses)}</span>
+          <small>${recorded === null ? "never recorded" : `recorded as ${recorded}`}</small>
+        </button>`;
+    };
+    return html`
+      <h2>All combinations</h2>
+      <div class="gallery">${library.combinations.map(card)}</div>
+      ${library.notShown > 0 ? html`<p class="hint">${library.notShown} more have no room here. Put them together on the body.</p>` : nothing}`;
+  }
+}
+customElements.define("pg-gallery", GalleryView);

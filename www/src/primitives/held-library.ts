@@ -1,0 +1,51 @@
+// The library that a worker holds for the page. A worker that had to be replaced is given it again.
+import type { LibraryInfo } from "../engine/library-protocol";
+import type { Couplings } from "../engine/protocol";
+import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+
+export class HeldLibrary {
+  readonly #whole: WholeProgram;
+  #text = "";
+  #holder: WholeProgramWorker | null = null;
+
+  constructor(whole: WholeProgram) {
+    this.#whole = whole;
+  }
+
+  /** The document of the library; empty before there is one. */
+  get text(): string {
+    return this.#text;
+  }
+
+  /** Takes another library up; the one before stays where that fails. */
+  async open(text: string): Promise<LibraryInfo> {
+    const { library } = await this.#whole.load();
+    this.#holder = null;
+    const info = await library.run(async (worker) => {
+      const info = await worker.openLibrary(text);
+      this.#holder = worker;
+      return info;
+    });
+    this.#text = text;
+    return info;
+  }
+
+  /** Adds a combination as a movement of that name; answers the library with it. */
+  async add(name: string, uses: readonly number[], alpha: Couplings): Promise<{ text: string; info: LibraryInfo }> {
+    const added = await this.ask((worker) => worker.addCombination(name, [...uses], alpha));
+    this.#text = added.text;
+    return added;
+  }
+
+  /** Asks the worker that holds the library. */
+  async ask<Answer>(question: (worker: WholeProgramWorker) => Promise<Answer>): Promise<Answer> {
+    const { library } = await this.#whole.load();
+    return library.run(async (worker) => {
+      if (worker !== this.#holder) {
+        await worker.openLibrary(this.#text);
+        this.#holder = worker;
+      }
+      return question(worker);
+    });
+  }
+}

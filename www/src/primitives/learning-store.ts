@@ -1,0 +1,137 @@
+// A library that is learned here: clips in named groups, one a movement, and parts that are the same in all of them or not.
+import type { ClipEntry, ClipsStore } from "../clips/clips-store";
+import { partsFor } from "../clips/parts";
+import type { EngineStore } from "../engine/engine-store";
+import type { PartSpec } from "../engine/protocol";
+import type { WholeProgram } from "../engine/whole-engine";
+import type { SettingsStore } from "../settings/settings-store";
+import type { LibraryStore } from "./library-store";
+import { ProgressStore } from "./progress-store";
+
+/** So many made clips of a movement are chosen where nobody chose: more take longer. */
+const MADE_CHOSEN = 2;
+
+export interface LearningClip {
+  key: string;
+  title: string;
+  chosen: boolean;
+  /** The name of its group. */
+  movement: string;
+}
+
+export class LearningStore extends ProgressStore<string> {
+  readonly #whole: WholeProgram;
+  readonly #engine: Pick<EngineStore, "samples">;
+  readonly #settings: Pick<SettingsStore, "values" | "on">;
+  readonly #clips: Pick<ClipsStore, "all" | "on">;
+  readonly #library: LibraryStore;
+  /** What the visitor has said, by the keys of the clips. */
+  readonly #chosen = new Map<string, boolean>();
+  readonly #named = new Map<string, string>();
+  /** The names of the parts that are the same in all movements. */
+  readonly #shared = new Set<string>();
+
+  constructor(
+    whole: WholeProgram,
+    engine: Pick<EngineStore, "samples">,
+    settings: Pick<SettingsStore, "values" | "on">,
+    clips: Pick<ClipsStore, "all" | "on">,
+    library: LibraryStore,
+  ) {
+    super();
+    this.#whole = whole;
+    this.#engine = engine;
+    this.#settings = settings;
+    this.#clips = clips;
+    this.#library = library;
+    clips.on(() => this.changed());
+    settings.on(() => this.changed());
+  }
+
+  /** All clips, with the groups that they are in. */
+  get clips(): LearningClip[] {
+    const all = this.#clips.all;
+    const own = all.some(({ origin }) => origin === "own");
+    const counts = new Map<string, number>();
+    return all.map((clip) => {
+      const first = this.#movementOf(clip);
+      const movement = this.#named.get(clip.key) ?? first;
+      const count = (counts.get(first) ?? 0) + 1;
+      counts.set(first, count);
+      const unasked = own ? clip.origin === "own" : count <= MADE_CHOSEN;
+      return { key: clip.key, title: clip.title, movement, chosen: this.#chosen.get(clip.key) ?? unasked };
+    });
+  }
+
+  choose(key: string, chosen: boolean): void {
+    this.#chosen.set(key, chosen);
+    this.changed();
+  }
+
+  /** Puts a clip into a group; without a name it goes back to its first one. */
+  rename(key: string, movement: string): void {
+    if (movement.trim() === "") this.#named.delete(key);
+    else this.#named.set(key, movement.trim());
+    this.changed();
+  }
+
+  /** The parts of the first chosen clip's body. */
+  get parts(): PartSpec[] {
+    const [first] = this.#groups().flatMap(({ clips }) => clips);
+    const { parts, split } = this.#settings.values;
+    return first ? partsFor(first.loaded.info, parts, split) : [];
+  }
+
+  isShared(part: string): boolean {
+    return this.#shared.has(part);
+  }
+
+  setShared(part: string, shared: boolean): void {
+    if (shared) this.#shared.add(part);
+    else this.#shared.delete(part);
+    this.changed();
+  }
+
+  /** Why it cannot be learned now; empty when it can. */
+  get whyNot(): string {
+    const groups = this.#groups();
+    if (groups.length === 0) return "Choose clips of two movements.";
+    return groups.length < 2 ? "Choose clips of another movement too." : "";
+  }
+
+  /** Learns the library, which takes the place of the one that is looked at. */
+  async learn(): Promise<void> {
+    if (this.busy || this.whyNot) return;
+    const groups = this.#groups();
+    const parts = this.parts;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const job = {
+      clips: groups.flatMap(({ clips }) =>
+        clips.map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end })),
+      ),
+      settings: { parts, latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations },
+      movements: groups.map(({ name, clips }) => ({ name, sequences: clips.length })),
+      shared: parts.map(({ name }) => this.isShared(name)),
+    };
+    const text = await this.run(async (report, signal) => {
+      const { pool } = await this.#whole.load();
+      return pool.run((worker) => worker.learnLibrary(job, report, signal), signal);
+    });
+    if (text !== null) await this.#library.open(text, "The library learned here", true);
+  }
+
+  #movementOf({ source, title }: ClipEntry): string {
+    if (!("sample" in source)) return title;
+    return this.#engine.samples.find(({ id }) => id === source.sample)?.movement ?? title;
+  }
+
+  /** The chosen clips, group by group. */
+  #groups(): { name: string; clips: ClipEntry[] }[] {
+    const groups = new Map<string, ClipEntry[]>();
+    for (const { key, chosen, movement } of this.clips) {
+      const clip = this.#clips.all.find((clip) => clip.key === key);
+      if (chosen && clip) groups.set(movement, [...(groups.get(movement) ?? []), clip]);
+    }
+    return [...groups].map(([name, clips]) => ({ name, clips }));
+  }
+}

@@ -1,0 +1,75 @@
+// Learning a library: which clips, in which groups, and which parts are the same in all groups.
+import { html } from "lit";
+import { restOf } from "../training/runs";
+import { sentence, timeLeft } from "../ui/format";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import { View } from "../ui/view";
+import type { LearningClip, LearningStore } from "./learning-store";
+
+export class LearningView extends View {
+  declare learning: LearningStore;
+
+  protected override stores() {
+    return [this.learning];
+  }
+
+  #clip({ key, title, chosen, movement }: LearningClip) {
+    const { learning } = this;
+    return html`
+      <li class="learning-clip">
+        <label><input type="checkbox" .checked=${chosen} ?disabled=${learning.busy} aria-label="Learn from ${title}"
+          @change=${(event: Event) => learning.choose(key, (event.target as HTMLInputElement).checked)} /> <span>${title}</span></label>
+        <input type="text" .value=${movement} ?disabled=${learning.busy || !chosen} aria-label="Movement of ${title}"
+          @change=${(event: Event) => learning.rename(key, (event.target as HTMLInputElement).value)} />
+      </li>`;
+  }
+
+  #part(name: string, part: number) {
+    const { learning } = this;
+    const choice = (shared: boolean, words: string) => html`
+      <button aria-pressed=${learning.isShared(name) === shared ? "true" : "false"} ?disabled=${learning.busy} data-testid="share-${part}-${shared ? "same" : "own"}"
+        @click=${() => learning.setShared(name, shared)}>${words}</button>`;
+    return html`
+      <div class="learning-part" role="group" aria-label="Primitives of ${name}" style=${partStyle(partColour(part))}>
+        <span class="part-name"><i class="swatch"></i>${name}</span>
+        <span class="segments">${choice(true, "same")}${choice(false, "own")}</span>
+      </div>`;
+  }
+
+  #words() {
+    const { status, busy, iteration, elapsed, fraction, ending, whyNot } = this.learning;
+    if (status === "cancelling") return "Stopping";
+    if (busy && iteration === 0) return "Setting up";
+    if (busy) {
+      const left = timeLeft(restOf([{ state: "running", elapsed, fraction }], 1));
+      return html`<span>Iteration ${iteration}</span><span>${sentence(left)}</span>`;
+    }
+    if (ending.failed) return html`<span class="bad">${sentence(ending.words)}</span>`;
+    if (ending.words) return `Learned. ${sentence(ending.words)}`;
+    return whyNot || "It takes the place of the library above, which can be brought back.";
+  }
+
+  protected override render() {
+    const { learning } = this;
+    const { busy, status, whyNot, fraction } = learning;
+    return html`
+      <h2>Learn a library</h2>
+      <p class="hint">Clips with the same name are one movement. A part that is the <em>same</em> has one primitive for all movements;
+        with <em>own</em> it has one in each. All other settings are those of training, in the view Play.</p>
+      <div class="learning">
+        <ul class="learning-clips">${learning.clips.map((clip) => this.#clip(clip))}</ul>
+        <div>
+          ${learning.parts.map(({ name }, part) => this.#part(name, part))}
+          <div class="train-row">
+            <button class="primary big" data-testid=${busy ? "learn-cancel" : "learn"} title=${busy ? "Stops here and keeps the best so far" : whyNot}
+              ?disabled=${busy ? status === "cancelling" : whyNot !== ""} @click=${() => (busy ? learning.cancel() : void learning.learn())}>${busy ? "Cancel" : "Learn"}</button>
+            <p class="hint words" data-testid="learn-words">${this.#words()}</p>
+          </div>
+          <progress max="1" .value=${busy ? fraction : 0} aria-label="Learning" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+          <div class="visually-hidden" role="status">${busy ? `Learning, ${Math.floor(fraction * 10) * 10} per cent done` : ""}</div>
+        </div>
+      </div>`;
+  }
+}
+customElements.define("pg-learning", LearningView);

@@ -1,0 +1,151 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { libraryText } from "../engine/library.fake";
+import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { NoticesStore } from "../ui/notices-store";
+import { LibraryStore } from "./library-store";
+
+let program: FakeProgram;
+let notices: NoticesStore;
+let library: LibraryStore;
+let first: () => Promise<string>;
+beforeEach(() => {
+  [program, notices] = [new FakeProgram(), new NoticesStore()];
+  first = async () => libraryText("first");
+  library = new LibraryStore(program, notices, () => first());
+});
+
+/** Lets so many seconds of the visitor's time pass. */
+async function pass(seconds: number): Promise<void> {
+  for (let k = 0; k < seconds * 60; k++) {
+    library.walk.advance(1 / 60);
+    await settled();
+  }
+}
+
+/** The first library is open, and its figure walks. */
+async function opened(): Promise<void> {
+  await library.openFirst();
+  await settled();
+  library.walk.player.play();
+}
+
+describe("a library", () => {
+  it("opens with a combination that was never recorded, and with the figures of all", async () => {
+    await opened();
+    expect(library.uses).toEqual([0, 3]);
+    expect(library.recorded).toBeNull();
+    expect(library.title).toBe("lower: walk, upper: wave");
+    expect(program.libraries.walks).toEqual([[0, 3]]);
+    await settled();
+    expect(library.combinations.map((uses) => library.motionOf(uses)?.frames)).toEqual([120, 120, 120, 120]);
+    await library.openFirst();
+    expect(program.libraries.opened).toHaveLength(1);
+  });
+
+  it("says why it cannot be opened, and is opened at the next try", async () => {
+    first = () => Promise.reject(new Error("no such file"));
+    await library.openFirst();
+    expect(library.problem).toBe("no such file");
+    first = async () => libraryText("first");
+    await opened();
+    expect(library.problem).toBe("");
+    expect(library.known?.title).toBe("");
+  });
+
+  it("makes place for another, which can be undone; one that is refused changes nothing", async () => {
+    await opened();
+    await library.open(libraryText("second"), "second.json");
+    expect(library.known?.title).toBe("second.json");
+    program.libraries.refused = "expected a library";
+    await expect(library.open("{}", "bad.json")).rejects.toThrow("expected a library");
+    program.libraries.refused = "";
+    expect(library.known?.title).toBe("second.json");
+    // The worker that refused it was replaced: the next has the library that the page shows.
+    expect(JSON.parse(await library.combinationText())).toMatchObject({ library: libraryText("second") });
+    await library.undo();
+    expect(library.known?.text).toBe(libraryText("first"));
+    expect(library.before).toBeNull();
+  });
+
+  it("takes a combination in, while the figure goes on", async () => {
+    await opened();
+    await library.keep("mine");
+    expect(library.known?.info.movements.map(({ name }) => name)).toEqual(["walk", "wave", "mine"]);
+    expect(library.known?.unsaved).toBe(true);
+    expect(program.libraries.walks).toHaveLength(1);
+    expect(library.save()).toBe(libraryText("first", ["mine"]));
+    expect(library.known?.unsaved).toBe(false);
+  });
+});
+
+describe("the combination that walks", () => {
+  it("goes on with another primitive, under the couplings of the nearest movement", async () => {
+    await opened();
+    library.setCoupling(0, 1, 9);
+    expect(library.altered).toBe(true);
+    library.choose(1, 2);
+    await pass(0.5);
+    expect(library.uses).toEqual([0, 2]);
+    expect(library.recorded).toBe("walk");
+    expect(library.altered).toBe(false);
+    expect(program.libraries.changes.slice(-2)).toMatchObject([
+      { kind: "use", part: 1, primitive: 2 },
+      { kind: "couplings", alpha: library.nearest },
+    ]);
+    expect(program.libraries.walks).toHaveLength(1);
+    library.choose(1, 0);
+    expect(library.uses).toEqual([0, 2]);
+  });
+
+  it("goes on without a jump", async () => {
+    await opened();
+    await pass(0.5);
+    library.take([1, 2]);
+    library.take([1, 3]);
+    await pass(2);
+    const { positions, frames, nodes } = library.walk.track?.motion ?? { positions: [], frames: 0, nodes: 1 };
+    let largest = 0;
+    for (let i = 3 * nodes; i < frames * nodes * 3; i++)
+      largest = Math.max(largest, Math.abs((positions[i] ?? 0) - (positions[i - 3 * nodes] ?? 0)));
+    // From 3 to 4 over fifteen frames.
+    expect(positions[3 * nodes * frames - 1]).toBeCloseTo(4);
+    expect(largest).toBeLessThan(0.11);
+    expect(largest).toBeGreaterThan(0.05);
+  });
+
+  it("takes couplings, tempos and mixes over, of each the newest", async () => {
+    await opened();
+    for (const alpha of [5, 6, 7]) library.setCoupling(0, 1, alpha);
+    library.setTempo(1, 1.2);
+    library.setTempo(1, 1.3);
+    library.setTempo(0, 0.9);
+    library.setMix(1, 2, 0.4);
+    await pass(1);
+    const couplings = [
+      [1, 7],
+      [3, 4],
+    ];
+    const mixes = program.libraries.changes.filter((change) => change.kind === "mix");
+    const shares = mixes.map(({ share }) => share);
+    expect(mixes.at(-1)).toEqual({ kind: "mix", part: 1, other: 2, share: 0.4 });
+    // Little by little.
+    expect(Math.max(...shares.map((share, i) => share - (shares[i - 1] ?? 0)))).toBeLessThan(0.2);
+    expect(program.libraries.changes.filter((change) => change.kind !== "mix")).toEqual([
+      { kind: "couplings", alpha: couplings },
+      { kind: "tempo", part: 1, tempo: 1.3 },
+      { kind: "tempo", part: 0, tempo: 0.9 },
+    ]);
+    expect(library.mixes).toEqual([null, { other: 2, share: 0.4 }]);
+    expect(JSON.parse(await library.combinationText())).toMatchObject({ uses: [0, 3], alpha: couplings });
+    library.resetCouplings();
+    expect(library.altered).toBe(false);
+  });
+
+  it("says when it stops", async () => {
+    await opened();
+    program.libraries.broken = "no longer finite";
+    await pass(0.3);
+    expect(library.walk.track).toBeNull();
+    expect(notices.all.at(-1)?.title).toBe("The figure has stopped");
+  });
+});

@@ -1,0 +1,297 @@
+// The library that is looked at, and the combination of its primitives that walks.
+import type { LibraryInfo } from "../engine/library-protocol";
+import { Latest } from "../engine/latest";
+import type { Couplings, Motion } from "../engine/protocol";
+import type { WholeProgram } from "../engine/whole-engine";
+import type { Body } from "../scene/columns";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
+import { HeldLibrary } from "./held-library";
+import { WalkStore } from "./walk-store";
+
+/** More combinations have no room in the gallery. */
+const MOST_SHOWN = 36;
+/** Frames of a small figure, which walks them again and again. */
+const SMALL_FRAMES = 120;
+
+/** A library, and where it comes from. */
+export interface KnownLibrary {
+  text: string;
+  info: LibraryInfo;
+  /** "the library that comes with this page", or the name of its file. */
+  title: string;
+  /** Whether it would be lost: it was learned or changed here, and not saved since. */
+  unsaved: boolean;
+}
+
+/** A part that is on its way to another of its primitives. */
+export interface Mix {
+  other: number;
+  /** 0 to 1 */
+  share: number;
+}
+
+export class LibraryStore extends Store {
+  readonly walk: WalkStore;
+  readonly #held: HeldLibrary;
+  readonly #notices: NoticesStore;
+  readonly #fetchFirst: () => Promise<string>;
+  #known: KnownLibrary | null = null;
+  /** The one before, which a new one has taken the place of. */
+  #before: KnownLibrary | null = null;
+  #opening: Promise<void> | null = null;
+  #problem = "";
+  #uses: readonly number[] = [];
+  #alpha: Couplings = [];
+  /** Those that the primitives were learned with, or fitted. */
+  #nearest: Couplings = [];
+  #tempos: readonly number[] = [];
+  #mixes: readonly (Mix | null)[] = [];
+  /** Of the small figures; another library has others. */
+  #motions = new Map<string, Motion>();
+  #body: Body | null = null;
+  readonly #couplings: Latest<readonly number[], Couplings>;
+
+  /** `fetchFirst`: the document of the library that comes with the page. */
+  constructor(whole: WholeProgram, notices: NoticesStore, fetchFirst: () => Promise<string>) {
+    super();
+    this.#held = new HeldLibrary(whole);
+    this.walk = new WalkStore(this.#held, notices);
+    this.#notices = notices;
+    this.#fetchFirst = fetchFirst;
+    this.#couplings = new Latest(
+      (uses) => this.nearestTo(uses),
+      (alpha, uses) => {
+        if (isSame(uses, this.#uses)) this.#takeNearest(alpha);
+      },
+      (problem) => this.#notices.addError("These primitives could not be put together", messageOf(problem)),
+    );
+  }
+
+  get known(): KnownLibrary | null {
+    return this.#known;
+  }
+
+  get before(): KnownLibrary | null {
+    return this.#before;
+  }
+
+  /** Why there is no library; empty when there is one, or soon will be. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /** The primitive of each part. */
+  get uses(): readonly number[] {
+    return this.#uses;
+  }
+
+  /** The movement that was recorded with these primitives; null: never recorded. */
+  get recorded(): string | null {
+    return this.#known && recordedAs(this.#known.info, this.#uses);
+  }
+
+  get title(): string {
+    return this.#known ? titleOf(this.#known.info, this.#uses) : "";
+  }
+
+  get alpha(): Couplings {
+    return this.#alpha;
+  }
+
+  get nearest(): Couplings {
+    return this.#nearest;
+  }
+
+  get altered(): boolean {
+    return JSON.stringify(this.#alpha) !== JSON.stringify(this.#nearest);
+  }
+
+  get tempos(): readonly number[] {
+    return this.#tempos;
+  }
+
+  get mixes(): readonly (Mix | null)[] {
+    return this.#mixes;
+  }
+
+  /** The combinations of the gallery. */
+  get combinations(): number[][] {
+    return this.#known ? combinationsOf(this.#known.info, MOST_SHOWN) : [];
+  }
+
+  /** How many combinations the gallery has no room for. */
+  get notShown(): number {
+    return this.#known ? Math.max(0, countOf(this.#known.info) - MOST_SHOWN) : 0;
+  }
+
+  /** The body of the library; null before there is one. */
+  get body(): Body | null {
+    return this.#body;
+  }
+
+  /** The first frames of a combination; null until they are there. */
+  motionOf(uses: readonly number[]): Motion | null {
+    return this.#motions.get(uses.join()) ?? null;
+  }
+
+  /** Opens the library that comes with the page, at the first time. */
+  openFirst(): Promise<void> {
+    if (this.#known) return Promise.resolve();
+    this.#opening ??= this.#openFirst().finally(() => {
+      this.#opening = null;
+    });
+    return this.#opening;
+  }
+
+  async #openFirst(): Promise<void> {
+    this.#problem = "";
+    this.changed();
+    try {
+      const text = await this.#fetchFirst();
+      // The visitor's own may have come first.
+      if (!this.#known) await this.open(text, "");
+    } catch (problem) {
+      this.#problem = messageOf(problem);
+      this.changed();
+    }
+  }
+
+  /** Takes a library up from its document. The one before can be brought back. */
+  async open(text: string, title: string, unsaved = false): Promise<void> {
+    const info = await this.#held.open(text);
+    await this.#takeUp({ text, info, title, unsaved });
+  }
+
+  /** Back to the library before this one. */
+  async undo(): Promise<void> {
+    const before = this.#before;
+    if (!before) return;
+    await this.#held.open(before.text);
+    await this.#takeUp(before);
+    this.#before = null;
+    this.changed();
+  }
+
+  async #takeUp(library: KnownLibrary): Promise<void> {
+    this.#before = this.#known;
+    this.#known = library;
+    this.#problem = "";
+    this.#motions = new Map();
+    const { figure, parts, joints } = library.info;
+    this.#body = { figure, parts, joints: joints.map(({ name }) => name) };
+    this.#mixes = library.info.parts.map(() => null);
+    this.#tempos = library.info.parts.map(() => 1);
+    this.#uses = firstOf(library.info, this.combinations);
+    this.#takeNearest(await this.nearestTo(this.#uses));
+    await this.walk.start(library.info, this.#uses);
+    this.changed();
+    void this.#rollOutSmall(library.info);
+  }
+
+  /** Another of its primitives for one part; the others go on. */
+  choose(part: number, primitive: number): void {
+    if (this.#known?.info.primitives[primitive]?.part !== part) return;
+    this.take(this.#uses.map((before, other) => (other === part ? primitive : before)));
+  }
+
+  /** Goes on with another combination, under the couplings that its primitives were learned with. */
+  take(uses: readonly number[]): void {
+    if (isSame(uses, this.#uses) && this.#mixes.every((mix) => mix === null)) return;
+    uses.forEach((primitive, part) => {
+      const mixed = this.#mixes[part] !== null;
+      if (mixed) this.walk.change({ kind: "mix", part, other: this.#uses[part] ?? primitive, share: 0 });
+      if (primitive !== this.#uses[part]) this.walk.change({ kind: "use", part, primitive });
+    });
+    this.#uses = uses;
+    this.#mixes = uses.map(() => null);
+    this.#couplings.request(uses);
+    this.changed();
+  }
+
+  setCoupling(source: number, target: number, alpha: number): void {
+    this.takeCouplings(
+      this.#alpha.map((row, i) => row.map((value, j) => (i === source && j === target ? alpha : value))),
+    );
+  }
+
+  /** They act from the next frame on. */
+  takeCouplings(alpha: Couplings): void {
+    this.#alpha = alpha;
+    this.walk.change({ kind: "couplings", alpha });
+    this.changed();
+  }
+
+  /** Couplings that were fitted for this combination: what the sliders go back to. */
+  takeFitted(uses: readonly number[], alpha: Couplings): void {
+    if (isSame(uses, this.#uses)) this.#takeNearest(alpha);
+  }
+
+  resetCouplings(): void {
+    this.takeCouplings(this.#nearest);
+  }
+
+  setTempo(part: number, tempo: number): void {
+    this.#tempos = this.#tempos.map((before, other) => (other === part ? tempo : before));
+    this.walk.change({ kind: "tempo", part, tempo });
+    this.changed();
+  }
+
+  /** Moves a part so far, 0 to 1, to another of its primitives. */
+  setMix(part: number, other: number, share: number): void {
+    this.#mixes = this.#mixes.map((mix, index) => (index === part ? { other, share } : mix));
+    this.walk.change({ kind: "mix", part, other, share });
+    this.changed();
+  }
+
+  /** The couplings that the primitives of a combination were learned with. */
+  nearestTo(uses: readonly number[]): Promise<Couplings> {
+    return this.#held.ask((worker) => worker.nearestCouplings([...uses]));
+  }
+
+  /** The document of the combination as a model of its own. */
+  combinationText(): Promise<string> {
+    return this.#held.ask((worker) => worker.combinationText([...this.#uses], this.#alpha));
+  }
+
+  /** Adds the combination, under these couplings, to the library as a movement of this name. */
+  async keep(name: string): Promise<void> {
+    const known = this.#known;
+    if (!known) return;
+    const { text, info } = await this.#held.add(name, this.#uses, this.#alpha);
+    this.#known = { ...known, text, info, unsaved: true };
+    this.changed();
+  }
+
+  /** The document, which now is on the visitor's disk. */
+  save(): string {
+    if (!this.#known) return "";
+    this.#known = { ...this.#known, unsaved: false };
+    this.changed();
+    return this.#known.text;
+  }
+
+  #takeNearest(alpha: Couplings): void {
+    this.#nearest = alpha;
+    this.takeCouplings(alpha);
+  }
+
+  /** The motions of the small figures, one after the other. */
+  async #rollOutSmall(info: LibraryInfo): Promise<void> {
+    const motions = this.#motions;
+    const examples = info.primitives.map((_, primitive) => exampleOf(info, primitive));
+    for (const uses of [...examples, ...this.combinations]) {
+      if (this.#motions !== motions) return;
+      if (motions.has(uses.join())) continue;
+      try {
+        const motion = await this.#held.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+        motions.set(uses.join(), motion);
+      } catch (problem) {
+        this.#notices.addError(`${titleOf(info, uses)} does not move`, messageOf(problem));
+      }
+      this.changedSoon();
+    }
+  }
+}

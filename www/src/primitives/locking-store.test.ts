@@ -1,0 +1,53 @@
+import { beforeEach, expect, it } from "vitest";
+import { libraryText } from "../engine/library.fake";
+import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { NoticesStore } from "../ui/notices-store";
+import { LibraryStore } from "./library-store";
+import { LockingStore, STRENGTHS, TEMPOS } from "./locking-store";
+
+let program: FakeProgram;
+let library: LibraryStore;
+let locking: LockingStore;
+beforeEach(async () => {
+  program = new FakeProgram();
+  library = new LibraryStore(program, new NoticesStore(), async () => libraryText("first"));
+  locking = new LockingStore(program, library);
+  await library.openFirst();
+});
+
+it("asks for a row a tempo, and has the learned coupling and tempo among its points", async () => {
+  await locking.make();
+  expect(program.libraries.rows.map(({ tempo }) => tempo)).toEqual(TEMPOS);
+  expect(program.libraries.rows[0]).toMatchObject({ uses: [0, 3], source: 0, target: 1, strengths: STRENGTHS });
+  expect([TEMPOS.includes(1), STRENGTHS.includes(1)]).toEqual([true, true]);
+  expect(locking.fraction).toBe(1);
+  expect(locking.busy).toBe(false);
+  expect(locking.map?.rows[0]?.length).toBe(STRENGTHS.length);
+  expect(locking.taken).toEqual({ tempo: 1, strength: 1 });
+});
+
+it("gives the figure the tempo and the coupling of a point", async () => {
+  await locking.make();
+  library.setTempo(0, 0.8);
+  locking.take(1.3, 4);
+  expect(library.tempos).toEqual([1, 1.3]);
+  expect(library.alpha).toEqual([
+    [1, 0.5],
+    [3, 4],
+  ]);
+  expect(locking.taken).toEqual({ tempo: 1.3, strength: 4 });
+  library.setTempo(1, 0.61);
+  expect(locking.taken).toBeNull();
+});
+
+it("is gone with another combination or pair of parts", async () => {
+  await locking.make();
+  library.choose(1, 2);
+  expect(locking.map).toBeNull();
+  await locking.make();
+  locking.choose(1, 0);
+  expect(locking.map).toBeNull();
+  await locking.make();
+  await settled();
+  expect(program.libraries.rows.at(-1)).toMatchObject({ uses: [0, 2], source: 1, target: 0 });
+});

@@ -1,0 +1,54 @@
+// A part on its way from one of its primitives to another.
+import { html, nothing } from "lit";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import { View } from "../ui/view";
+import { primitivesOf } from "./combinations";
+import type { LibraryStore } from "./library-store";
+
+export class MorphView extends View {
+  declare library: LibraryStore;
+
+  protected override stores() {
+    return [this.library];
+  }
+
+  #slider(part: number) {
+    const { library } = this;
+    const info = library.known?.info;
+    if (!info) return nothing;
+    const from = library.uses[part] ?? 0;
+    const others = primitivesOf(info, part).filter((primitive) => primitive !== from);
+    const mix = library.mixes[part];
+    const other = mix?.other ?? others[0];
+    if (other === undefined) return nothing;
+    const share = mix?.share ?? 0;
+    const name = (primitive: number) => info.primitives[primitive]?.name ?? "";
+    const title = info.parts[part]?.name ?? "";
+    return html`
+      <div class="morph" style=${partStyle(partColour(part))}>
+        <span class="part-name"><i class="swatch"></i>${title}</span>
+        <span>${name(from)}</span>
+        <input type="range" min="0" max="1" step="0.01" .value=${String(share)} data-testid="morph-${part}"
+          aria-label="${title}: from ${name(from)} to ${name(other)}" aria-valuetext="${Math.round(100 * share)} per cent ${name(other)}"
+          @input=${(event: Event) => library.setMix(part, other, (event.target as HTMLInputElement).valueAsNumber)}
+          @dblclick=${() => library.setMix(part, other, 0)} />
+        ${
+          others.length === 1
+            ? html`<span>${name(other)}</span>`
+            : html`<select aria-label="${title}: towards" @change=${(event: Event) =>
+                library.setMix(part, Number((event.target as HTMLSelectElement).value), share)}>
+                ${others.map((one) => html`<option value=${one} ?selected=${one === other}>${name(one)}</option>`)}</select>`
+        }
+      </div>`;
+  }
+
+  protected override render() {
+    const parts = this.library.known?.info.parts ?? [];
+    return html`
+      <h2>Morph</h2>
+      <p class="hint">Moves what a part predicts from one of its primitives to another, little by little.</p>
+      ${parts.map((_, part) => this.#slider(part))}`;
+  }
+}
+customElements.define("pg-morph", MorphView);

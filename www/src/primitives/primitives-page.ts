@@ -1,0 +1,120 @@
+// The view of a library of primitives: what each part has learned to do, put together in new ways.
+import { html, nothing } from "lit";
+import { duration, sentence } from "../ui/format";
+import { download } from "../ui/download";
+import { fileButton } from "../ui/file-button";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { noticeCard } from "../ui/notices-view";
+import { View } from "../ui/view";
+import type { ClipsStore } from "../clips/clips-store";
+import "./chimera-view";
+import "./combination-view";
+import "./drawer-view";
+import "./gallery-view";
+import "./learning-view";
+import "./morph-view";
+import type { Primitives } from "./primitives";
+import "./primitives.css";
+import "./walk-view";
+
+export class PrimitivesPage extends View {
+  declare primitives: Primitives;
+  declare clips: ClipsStore;
+  declare notices: NoticesStore;
+
+  private get library() {
+    return this.primitives.library;
+  }
+
+  protected override stores() {
+    return [this.library, this.library.walk, this.notices];
+  }
+
+  protected override arrived(): void {
+    void this.library.openFirst();
+    this.listen(this, "put-on-stage", (event) => {
+      // Its own, with the document in it, goes on to the page.
+      if (event instanceof CustomEvent && event.detail === null) void this.#putOnStage(event);
+    });
+  }
+
+  async #putOnStage(event: Event): Promise<void> {
+    event.stopPropagation();
+    try {
+      const detail = await this.library.combinationText();
+      this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    } catch (problem) {
+      this.notices.addError("This combination was not taken up", messageOf(problem));
+    }
+  }
+
+  async #open(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      await this.library.open(await file.text(), file.name);
+    } catch (problem) {
+      this.notices.addError(file.name, messageOf(problem));
+    }
+  }
+
+  #save(): void {
+    download("library.json", new Blob([this.library.save()], { type: "application/json" }));
+  }
+
+  /** What library this is, and what can be done with it as a whole. */
+  #head() {
+    const { known, before } = this.library;
+    if (!known) return nothing;
+    const { movements, frameTime } = known.info;
+    const learned = movements.filter(({ learned }) => learned);
+    const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
+    const names = learned.map(({ name }) => name).join(", ");
+    return html`
+      <section class="panel library-head" aria-label="The library">
+        <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>
+          <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
+          ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}
+          ${known.unsaved ? "It is not saved yet." : nothing}</span></p>
+        <div class="button-row">
+          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.library.undo()}>Back to the library before</button>` : nothing}
+          <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
+          ${fileButton({
+            label: "Open a library",
+            meaning: "Open a library of primitives (.json)",
+            testId: "open-library",
+            accept: ".json,application/json",
+            multiple: false,
+            disabled: false,
+            chosen: ([file]) => void this.#open(file),
+          })}
+        </div>
+      </section>`;
+  }
+
+  protected override render() {
+    const { clips } = this;
+    const { library, fitting, locking, learning } = this.primitives;
+    const { playing } = library.walk.player;
+    const here = this.notices.all.filter(({ at }) => at === null);
+    if (!library.known) {
+      return library.problem
+        ? html`<p class="empty" role="alert">The library could not be opened: ${sentence(library.problem)}
+          <button class="small" @click=${() => void library.openFirst()}>Try again</button></p>`
+        : html`<p class="empty" role="status">Loading</p>`;
+    }
+    return html`
+      <div class="primitives">
+        ${this.#head()}
+        ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice))}</div>` : nothing}
+        <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing}></pg-drawer></section>
+        <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
+        <section class="panel combination-panel" aria-label="Couplings and morph"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination>
+          <pg-morph .library=${library}></pg-morph></section>
+        <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+        <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+        <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
+      </div>`;
+  }
+}
+customElements.define("pg-primitives", PrimitivesPage);

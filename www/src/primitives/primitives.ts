@@ -1,0 +1,38 @@
+// The stores of this room, which belong together.
+import type { ClipsStore } from "../clips/clips-store";
+import type { EngineStore } from "../engine/engine-store";
+import type { WholeProgram } from "../engine/whole-engine";
+import type { SettingsStore } from "../settings/settings-store";
+import type { NoticesStore } from "../ui/notices-store";
+import { FittingStore } from "./fitting-store";
+import { LearningStore } from "./learning-store";
+import { LibraryStore } from "./library-store";
+import { LockingStore } from "./locking-store";
+
+/** All stores of the view. */
+export type Primitives = ReturnType<typeof openPrimitives>;
+
+/** The document of the library that comes with the page. */
+async function fetchLibrary(): Promise<string> {
+  const answer = await fetch(new URL("primitives/library.json", document.baseURI));
+  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  return answer.text();
+}
+
+export function openPrimitives(
+  whole: WholeProgram,
+  engine: EngineStore,
+  settings: SettingsStore,
+  clips: ClipsStore,
+  notices: NoticesStore,
+) {
+  const library = new LibraryStore(whole, notices, fetchLibrary);
+  // At first; later it plays, or not, as it was left.
+  library.walk.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  return {
+    library,
+    fitting: new FittingStore(whole, clips, library),
+    locking: new LockingStore(whole, library),
+    learning: new LearningStore(whole, engine, settings, clips, library),
+  };
+}

@@ -1,0 +1,80 @@
+// One training of this view: a fit of couplings, or a library that is learned. How far it is, and how it ended.
+import type { LibraryReport } from "../engine/library-protocol";
+import type { TrainingOutcome } from "../engine/protocol";
+import { endingWords } from "../training/words";
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+
+/** Carries the training out, and tells how far it is. */
+export type Work<Found> = (
+  report: (report: LibraryReport<Found>) => void,
+  signal: AbortSignal,
+) => Promise<TrainingOutcome>;
+
+export class ProgressStore<Found> extends Store {
+  #status: "idle" | "running" | "cancelling" = "idle";
+  #report: LibraryReport<Found> | null = null;
+  #ending = { words: "", failed: false };
+  #stop = new AbortController();
+
+  get status(): "idle" | "running" | "cancelling" {
+    return this.#status;
+  }
+
+  get busy(): boolean {
+    return this.#status !== "idle";
+  }
+
+  get iteration(): number {
+    return this.#report?.progress.iteration ?? 0;
+  }
+
+  /** The share of its iterations that is behind it. */
+  get fraction(): number {
+    return this.#report?.progress.fraction ?? 0;
+  }
+
+  /** Seconds that it has taken. */
+  get elapsed(): number {
+    return this.#report?.elapsed ?? 0;
+  }
+
+  /** How the last one ended; empty before. */
+  get ending(): { words: string; failed: boolean } {
+    return this.#ending;
+  }
+
+  /** Answers what was found, also where it was cancelled; null where it failed. */
+  async run(work: Work<Found>): Promise<Found | null> {
+    if (this.busy) return null;
+    this.#status = "running";
+    this.#report = null;
+    this.#ending = { words: "", failed: false };
+    this.#stop = new AbortController();
+    this.changed();
+    let found: Found | null = null;
+    try {
+      const outcome = await work((report) => {
+        this.#report = report;
+        found = report.found ?? found;
+        this.changedSoon();
+      }, this.#stop.signal);
+      this.#ending = { words: endingWords(outcome), failed: false };
+    } catch (problem) {
+      found = null;
+      const left = problem === this.#stop.signal.reason;
+      this.#ending = left ? { words: "", failed: false } : { words: messageOf(problem), failed: true };
+    }
+    this.#status = "idle";
+    this.changed();
+    return found;
+  }
+
+  /** Stops; the best so far is kept. */
+  cancel(): void {
+    if (this.#status !== "running") return;
+    this.#status = "cancelling";
+    this.#stop.abort();
+    this.changed();
+  }
+}

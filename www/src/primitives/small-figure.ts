@@ -1,0 +1,123 @@
+// A small figure on a canvas of its own, drawn as thick lines: many of them cost little. It walks on the spot.
+import type { Motion, PartSpec } from "../engine/protocol";
+import { type Shape, shapeOf } from "../scene/body-shape";
+import type { Body } from "../scene/columns";
+import { FADE, findLoop, HERE, type Loop, poseAt, blendInto, placeOnto } from "../scene/motion";
+import { partOfJoints } from "../scene/part-of-joints";
+import { floorOf, headingOf } from "../scene/standing";
+
+/** What is seen of a body with a hand over its head, metres. */
+const HEIGHT = 2.15;
+/** Below the feet, metres. */
+const BELOW = 0.08;
+/** The figure is seen half from its side. */
+const SIDE = 0.95;
+
+/** A line of a figure, in pixels, with the part that it belongs to. */
+export interface Stroke {
+  part: number;
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+  width: number;
+  /** How near it is; farther ones are drawn first. */
+  depth: number;
+}
+
+/** The lines of a pose [nodes x 3] in a picture, the farthest first. `floor`: the height of the ground; `turn`: what is seen, radians. */
+export function strokesOf(
+  shape: Shape,
+  parts: Int16Array,
+  pose: Float32Array,
+  picture: { width: number; height: number; floor: number; turn: number },
+): Stroke[] {
+  const scale = picture.height / HEIGHT;
+  const [c, s] = [Math.cos(picture.turn), Math.sin(picture.turn)];
+  const [rootX = 0, , rootZ = 0] = pose;
+  const at = (node: number) => {
+    const [x = 0, y = 0, z = 0] = pose.subarray(3 * node);
+    const [dx, dz] = [x - rootX, z - rootZ];
+    return {
+      x: picture.width / 2 + scale * (c * dx - s * dz),
+      y: picture.height - scale * (y - picture.floor + BELOW),
+      depth: s * dx + c * dz,
+    };
+  };
+  const strokes = shape.capsules.map(({ from, to, r0, r1, joint }): Stroke => {
+    const [a, b] = [at(from), at(to)];
+    const width = Math.max(1.5, scale * (r0 + r1));
+    return { part: parts[joint] ?? -1, x0: a.x, y0: a.y, x1: b.x, y1: b.y, width, depth: (a.depth + b.depth) / 2 };
+  });
+  for (const { node, towards, radius, joint } of shape.balls) {
+    const a = at(node);
+    const b = towards === null ? a : at(towards);
+    const [x, y] = [(a.x + b.x) / 2, (a.y + b.y) / 2];
+    strokes.push({
+      part: parts[joint] ?? -1,
+      x0: x,
+      y0: y,
+      x1: x,
+      y1: y - 0.1,
+      width: 2 * scale * radius,
+      depth: a.depth,
+    });
+  }
+  return strokes.sort((a, b) => a.depth - b.depth);
+}
+
+/** A motion that walks on the spot, again and again. */
+export class SmallFigure {
+  readonly #motion: Motion;
+  readonly #loop: Loop;
+  readonly #shape: Shape;
+  readonly #parts: Int16Array;
+  readonly #floor: number;
+  readonly #turn: number;
+  readonly #pose: Float32Array;
+  readonly #other: Float32Array;
+
+  constructor({ figure, joints, parts }: Body, motion: Motion) {
+    this.#motion = motion;
+    this.#loop = findLoop(motion);
+    this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
+    this.#other = this.#pose.slice();
+    this.#shape = shapeOf(figure, joints, this.#pose);
+    this.#parts = partOfJoints(joints.length, parts as PartSpec[]);
+    this.#floor = floorOf(motion);
+    this.#turn = headingOf(motion) + SIDE;
+  }
+
+  /** Draws it after so many seconds, in these colours: of a part, and of what has none. */
+  draw(
+    draw: CanvasRenderingContext2D,
+    size: { width: number; height: number },
+    seconds: number,
+    colourOf: (part: number) => string,
+  ): void {
+    const pose = this.#poseAfter(seconds);
+    draw.lineCap = "round";
+    const picture = { ...size, floor: this.#floor, turn: this.#turn };
+    for (const { part, x0, y0, x1, y1, width } of strokesOf(this.#shape, this.#parts, pose, picture)) {
+      draw.strokeStyle = colourOf(part);
+      draw.lineWidth = width;
+      draw.beginPath();
+      draw.moveTo(x0, y0);
+      draw.lineTo(x1, y1);
+      draw.stroke();
+    }
+  }
+
+  /** Where one lap meets the next they fade into each other. */
+  #poseAfter(seconds: number): Float32Array {
+    const { end } = this.#loop;
+    const frame = end > 0 ? (seconds / this.#motion.frameTime) % end : 0;
+    const pose = poseAt(this.#motion, frame, HERE, this.#pose);
+    if (frame < FADE && seconds / this.#motion.frameTime >= end) {
+      const before = poseAt(this.#motion, end + frame, HERE, this.#other);
+      const onto = placeOnto(before, pose);
+      blendInto(pose, poseAt(this.#motion, end + frame, onto, this.#other), 1 - frame / FADE);
+    }
+    return pose;
+  }
+}

@@ -1,0 +1,152 @@
+// The large figure, with a slot on the body for each part's primitive.
+import { html, nothing, svg } from "lit";
+import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "../couplings/body-layout";
+import type { Motion } from "../engine/protocol";
+import { Columns } from "../scene/columns";
+import type { LiveTrack } from "../scene/live-track";
+import { icon } from "../ui/icons";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import { View } from "../ui/view";
+import { exampleOf } from "./combinations";
+import { DRAGGED } from "./dragged";
+import type { LibraryStore } from "./library-store";
+
+export class WalkView extends View {
+  static override properties = { over: { state: true } };
+  declare library: LibraryStore;
+  /** The part over which something is dragged. */
+  declare over: number | null;
+  #columns: Columns | null = null;
+  #problem = "";
+  #shown: LiveTrack | null = null;
+  #drawnAt = -1;
+  #map: { key: unknown; body: MapBody } | null = null;
+
+  constructor() {
+    super();
+    this.over = null;
+  }
+
+  protected override stores() {
+    return [this.library, this.library.walk];
+  }
+
+  /** What the keys for play and step work on. */
+  togglePlay(): void {
+    this.library.walk.togglePlay();
+  }
+
+  step(direction: 1 | -1): void {
+    this.library.walk.step(direction);
+  }
+
+  protected override arrived(): void {
+    const canvas = this.querySelector("canvas");
+    try {
+      if (canvas) this.#columns = new Columns(canvas);
+    } catch {
+      this.#problem = "This browser shows no 3-D graphics (WebGL), so only the small figures are drawn.";
+      this.requestUpdate();
+    }
+    let before = performance.now();
+    let timer = 0;
+    const tick = (now: number) => {
+      timer = requestAnimationFrame(tick);
+      this.#tick(Math.min(0.25, (now - before) / 1000));
+      before = now;
+    };
+    timer = requestAnimationFrame(tick);
+    this.whenLeaving(() => {
+      cancelAnimationFrame(timer);
+      this.#columns?.dispose();
+      this.#columns = null;
+      this.#shown = null;
+    });
+  }
+
+  #tick(seconds: number): void {
+    const { walk, known } = this.library;
+    const { track, player } = walk;
+    walk.advance(seconds);
+    if (!track || !known || !this.#columns) return;
+    if (track !== this.#shown) this.#show(track);
+    const changed = player.frame !== this.#drawnAt;
+    this.#drawnAt = player.frame;
+    this.#columns.draw(player.frame - track.first, changed, seconds, player.playing);
+  }
+
+  #show(track: LiveTrack): void {
+    const { body } = this.library;
+    const ground = this.#example();
+    if (!body || !ground) return;
+    this.#shown = track;
+    this.#columns?.show(body, [{ motion: track.motion, ghost: null, ground }]);
+  }
+
+  /** A motion of this body from its beginning: it says where the ground lies. */
+  #example(): Motion | null {
+    const { known, uses } = this.library;
+    return known && this.library.motionOf(exampleOf(known.info, uses[0] ?? 0));
+  }
+
+  /** The primitive that is dragged over a slot falls into it where it is of that part. */
+  #drop(event: DragEvent, part: number): void {
+    this.over = null;
+    const primitive = Number(event.dataTransfer?.getData(DRAGGED) || Number.NaN);
+    if (!Number.isInteger(primitive)) return;
+    event.preventDefault();
+    this.library.choose(part, primitive);
+  }
+
+  #slots() {
+    const { library } = this;
+    const info = library.known?.info;
+    const motion = this.#example();
+    if (!info || !motion) return nothing;
+    if (this.#map?.key !== motion) this.#map = { key: motion, body: bodyOf(info, motion) };
+    const { spots, bones } = this.#map.body;
+    const accepts = (event: DragEvent, part: number) => {
+      if (!event.dataTransfer?.types.includes(DRAGGED)) return;
+      event.preventDefault();
+      this.over = part;
+    };
+    return html`
+      <svg class="slots" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="Slots: ${library.title}">
+        ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${partStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
+        ${info.parts.map(({ name }, part) => {
+          const spot = spots[part];
+          const primitive = info.primitives[library.uses[part] ?? -1]?.name ?? "";
+          if (!spot) return nothing;
+          return svg`
+            <g class=${this.over === part ? "slot over" : "slot"} data-testid="slot-${part}" style=${partStyle(partColour(part))}
+              @dragover=${(event: DragEvent) => accepts(event, part)} @dragleave=${() => {
+                this.over = null;
+              }} @drop=${(event: DragEvent) => this.#drop(event, part)}>
+              <title>${name}: ${primitive}</title>
+              <circle class="slot-reach" cx=${spot.x} cy=${spot.y} r=${2.4 * NODE} />
+              <circle class="map-node" cx=${spot.x} cy=${spot.y} r=${NODE} />
+              <text x=${spot.x} y=${spot.y + 2.3 * NODE}>${primitive}</text>
+            </g>`;
+        })}
+      </svg>`;
+  }
+
+  protected override render() {
+    const { library } = this;
+    const { playing } = library.walk.player;
+    const { recorded } = library;
+    return html`
+      <div class="walk-box">
+        <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="walk"
+          aria-label="A figure that goes on without an end: ${library.title}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+        ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
+        ${this.#slots()}
+        <p class="walk-words"><strong data-testid="combination-title">${library.title}</strong>
+          <span data-testid="recorded">${recorded === null ? "Never recorded" : `Recorded as ${recorded}`}</span></p>
+        <button class="round primary walk-play" data-testid="walk-play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+          @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
+      </div>`;
+  }
+}
+customElements.define("pg-walk", WalkView);
