@@ -65,7 +65,7 @@ export class PairClock {
     const left = this.#movement - moved;
     if (this.#over === null && left > this.#half()) {
       const taken = median(this.#recent) ?? 0;
-      this.#holds ||= frame !== null && taken > SLOW * frame && left < SLOW * taken;
+      this.#holds ||= frame !== null && taken > SLOW * frame && left < SLOW * Math.max(...this.#recent);
       if (this.#holds) this.#dropped += 1;
       return { phase: "movement", seconds: moved / 1000, hold: this.#holds };
     }

@@ -48,8 +48,10 @@ export class PerceptionPage extends View {
 
   #begin(simulated: boolean): void {
     const field = this.querySelector<HTMLInputElement>("[data-testid=participant-name]");
-    void this.perception.begin(field?.value ?? "", simulated);
-    if (field) field.value = "";
+    // What was typed stays until somebody sits there by that name.
+    void this.perception.begin(field?.value ?? "", simulated).then(() => {
+      if (field && this.perception.sitting) field.value = "";
+    });
   }
 
   #setup() {
