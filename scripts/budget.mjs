@@ -5,7 +5,7 @@ export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
   whenAsked: 70_000,
-  onDemand: 670_000,
+  onDemand: 720_000,
   perception: 50_000,
   study: 170_000,
   primitives: 70_000,

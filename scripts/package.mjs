@@ -106,7 +106,7 @@ export function completePackage(/** @type {string} */ place) {
   change(join(web, "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
   writeFileSync(join(web, "vcgpdm.js"), WEB);
   const types = readFileSync(join(web, "vcgpdm.d.ts"), "utf8");
-  const loader = /\/\*\*\n \* If `module_or_path`[^]*?export default function __wbg_init[^;]*;\n/;
+  const loader = /\/\*\*\n \* If `module_or_path`[\s\S]*?export default function __wbg_init[^;]*;\n/;
   if (!loader.test(types)) throw new Failure("the types of web/ have no loader: has wasm-bindgen changed?");
   writeFileSync(
     join(web, "vcgpdm.d.ts"),
@@ -127,7 +127,7 @@ export function completePackage(/** @type {string} */ place) {
   if (!wasm.equals(readFileSync(join(node, "vcgpdm_bg.wasm"))))
     throw new Failure("the wasm for Node is another than that for browsers");
   rmSync(join(node, "vcgpdm_bg.wasm"));
-  change(join(node, "vcgpdm.js"), "`${__dirname}/vcgpdm_bg.wasm`", "`${__dirname}/../web/vcgpdm_bg.wasm`");
+  change(join(node, "vcgpdm.js"), "/vcgpdm_bg.wasm`", "/../web/vcgpdm_bg.wasm`");
   writeFileSync(join(node, "vcgpdm.js"), readFileSync(join(node, "vcgpdm.js"), "utf8") + NODE);
   const plain = readFileSync(join(node, "vcgpdm.d.ts"), "utf8");
   writeFileSync(join(node, "vcgpdm.d.ts"), `${plain}${INIT_TYPES}export function initSync(wasm?: unknown): void;\n`);
@@ -157,7 +157,6 @@ export const entries = {
   type: "module",
   main: "./node/vcgpdm.js",
   module: "./web/vcgpdm.js",
-  browser: "./web/vcgpdm.js",
   types: "./node/vcgpdm.d.ts",
   exports: {
     ".": { node: inNode, default: entry("web") },

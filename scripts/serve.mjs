@@ -21,10 +21,10 @@ const TYPES = {
 /**
  * Serves a folder below `prefix` ("/" or "/some/where/"), on the first free port from `port` on (0: any).
  * @param {string} folder
- * @param {{ port?: number, prefix?: string, before?: (path: string) => unknown, onSend?: (path: string, bytes: number) => void }} [options]
+ * @param {{ port?: number, prefix?: string, withPolicy?: boolean, before?: (path: string) => unknown, onSend?: (path: string, bytes: number) => void }} [options]
  *   `before` may hold a file back until its promise is kept; `onSend` is told of each file sent and of its size on the wire (gzipped)
  */
-export async function serve(folder, { port = 0, prefix = "/", before, onSend } = {}) {
+export async function serve(folder, { port = 0, prefix = "/", withPolicy = true, before, onSend } = {}) {
   const server = createServer(async (request, response) => {
     const path = pathOf(request.url ?? "/");
     const file = path.startsWith(prefix)
@@ -41,7 +41,7 @@ export async function serve(folder, { port = 0, prefix = "/", before, onSend } =
       "content-type": TYPES[extname(file)] ?? "application/octet-stream",
       "content-length": body.length,
       "cache-control": "no-cache",
-      "content-security-policy": policy,
+      ...(withPolicy && { "content-security-policy": policy }),
       ...(zip && { "content-encoding": "gzip" }),
     });
     response.end(request.method === "HEAD" ? undefined : body);

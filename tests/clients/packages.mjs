@@ -3,7 +3,7 @@ import { execFile, execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
-import { promisify } from "node:util";
+import { promisify, stripVTControlCharacters } from "node:util";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
@@ -94,7 +94,8 @@ export async function titleOf(/** @type {string} */ address) {
 
 /** The title of the page in a folder. */
 export async function titleIn(/** @type {string} */ folder) {
-  const server = await serve(folder);
+  // Parcel puts scripts into the page.
+  const server = await serve(folder, { withPolicy: false });
   try {
     return await titleOf(server.address);
   } finally {
@@ -115,7 +116,7 @@ export async function withServer(
       let text = "";
       const read = (/** @type {Buffer} */ data) => {
         // Without what colours it.
-        text += data.toString().replace(/\u001b\[\d*m/g, "");
+        text += stripVTControlCharacters(data.toString());
         const found = text.match(/http:\/\/(localhost|127\.0\.0\.1):\d+\//);
         if (found) resolve(found[0]);
       };

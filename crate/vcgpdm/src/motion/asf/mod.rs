@@ -4,27 +4,20 @@
 //! end of its parent bone, under the name that the usual BVH conversions of these recordings give it. Lengths are in the file's units.
 
 mod error;
+mod file;
 mod motion;
 mod skeleton;
 #[cfg(test)]
 mod tests;
 
 pub use error::AsfError;
+pub use file::File;
 
 use crate::motion::clip::sha256;
 use crate::motion::recording::Recording;
 
 /// Frames a second of the CMU recordings. The files themselves do not say it.
 pub const CMU_RATE: f64 = 120.0;
-
-/// A file by its name.
-#[derive(Clone, Copy, Debug)]
-pub struct File<'a> {
-    /// For messages.
-    pub name: &'a str,
-    /// What stands in it.
-    pub bytes: &'a [u8],
-}
 
 /// Reads a motion (AMC) of a skeleton (ASF), `rate` frames a second. The recording has the motion's name; its hash is that of both files,
 /// one after the other.

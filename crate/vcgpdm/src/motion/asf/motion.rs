@@ -1,7 +1,7 @@
 //! The rows of an AMC file.
 
-use crate::motion::asf::File;
-use crate::motion::asf::error::{AsfError, Line, lines};
+use crate::motion::asf::error::AsfError;
+use crate::motion::asf::file::{File, Line, lines};
 use crate::motion::asf::skeleton::{AsfBody, Dof, turned};
 use crate::motion::rotation;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};

@@ -1,7 +1,7 @@
 //! A skeleton from an ASF file.
 
-use crate::motion::asf::File;
-use crate::motion::asf::error::{AsfError, Line, lines};
+use crate::motion::asf::error::AsfError;
+use crate::motion::asf::file::{File, Line, lines};
 use crate::motion::rotation;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,0 +1,49 @@
+//! A file, and its lines as words.
+
+use crate::motion::asf::error::AsfError;
+
+/// A file by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct File<'a> {
+    /// For messages.
+    pub name: &'a str,
+    /// What stands in it.
+    pub bytes: &'a [u8],
+}
+
+/// A line of a file, as words.
+#[derive(Clone, Debug)]
+pub(super) struct Line<'a> {
+    pub(super) file: &'a str,
+    pub(super) number: usize,
+    pub(super) words: Vec<&'a str>,
+}
+
+impl<'a> Line<'a> {
+    pub(super) fn error(&self, expected: impl Into<String>) -> AsfError {
+        let words: String = self.words.join(" ").chars().take(60).collect();
+        let found = if words.is_empty() { "the end of the file".to_owned() } else { format!("{words:?}") };
+        AsfError { file: self.file.to_owned(), line: self.number, expected: expected.into(), found }
+    }
+
+    /// Numbers after the first word, as many.
+    pub(super) fn numbers(&self, count: usize) -> Result<Vec<f64>, AsfError> {
+        let read = |word: &&str| word.parse::<f64>().ok().filter(|number| number.abs() < 1e9);
+        let numbers: Option<Vec<f64>> = self.words.iter().skip(1).take(count).map(read).collect();
+        let numbers = numbers.filter(|numbers| numbers.len() == count);
+        let first = self.words.first().copied().unwrap_or_default();
+        numbers.ok_or_else(|| self.error(format!("{first:?} and {count} numbers")))
+    }
+}
+
+/// All lines with words, without comments; and one without, which is the end.
+pub(super) fn lines<'a>(file: &'a str, text: &'a str) -> Vec<Line<'a>> {
+    let line = |(k, line): (usize, &'a str)| {
+        let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
+        Line { file, number: k + 1, words }
+    };
+    let mut lines: Vec<Line> =
+        text.lines().enumerate().map(line).filter(|line| !line.words.is_empty()).collect();
+    lines.push(Line { file, number: text.lines().count() + 1, words: Vec::new() });
+    lines
+}
