@@ -139,6 +139,10 @@ describe("the combination that walks", () => {
     expect(JSON.parse(await library.combinationText())).toMatchObject({ uses: [0, 3], alpha: couplings });
     library.resetCouplings();
     expect(library.altered).toBe(false);
+    // The combination itself again.
+    library.take([0, 3]);
+    await pass(1);
+    expect(program.libraries.changes.findLast(({ kind }) => kind === "mix")).toMatchObject({ other: 2, share: 0 });
   });
 
   it("says when it stops", async () => {

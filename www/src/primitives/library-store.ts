@@ -44,6 +44,8 @@ export class LibraryStore extends Store {
   #opening: Promise<void> | null = null;
   #problem = "";
   #uses: readonly number[] = [];
+  /** Those of the large figure, which follows. */
+  #walking: readonly number[] = [];
   #alpha: Couplings = [];
   /** Those that the primitives were learned with, or fitted. */
   #nearest: Couplings = [];
@@ -64,7 +66,9 @@ export class LibraryStore extends Store {
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
-        if (isSame(uses, this.#uses)) this.#takeNearest(alpha);
+        if (!isSame(uses, this.#uses)) return;
+        this.#exchange(uses);
+        this.#takeNearest(alpha);
       },
       (problem) => this.#notices.addError("These primitives could not be put together", messageOf(problem)),
     );
@@ -185,6 +189,7 @@ export class LibraryStore extends Store {
     this.#mixes = library.info.parts.map(() => null);
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
+    this.#walking = this.#uses;
     this.#takeNearest(await this.nearestTo(this.#uses));
     await this.walk.start(library.info, this.#uses);
     this.changed();
@@ -200,10 +205,8 @@ export class LibraryStore extends Store {
   /** Goes on with another combination, under the couplings that its primitives were learned with. */
   take(uses: readonly number[]): void {
     if (isSame(uses, this.#uses) && this.#mixes.every((mix) => mix === null)) return;
-    uses.forEach((primitive, part) => {
-      const mixed = this.#mixes[part] !== null;
-      if (mixed) this.walk.change({ kind: "mix", part, other: this.#uses[part] ?? primitive, share: 0 });
-      if (primitive !== this.#uses[part]) this.walk.change({ kind: "use", part, primitive });
+    this.#mixes.forEach((mix, part) => {
+      if (mix) this.walk.change({ kind: "mix", part, other: mix.other, share: 0 });
     });
     this.#uses = uses;
     this.#mixes = uses.map(() => null);
@@ -212,16 +215,14 @@ export class LibraryStore extends Store {
   }
 
   setCoupling(source: number, target: number, alpha: number): void {
-    this.takeCouplings(
-      this.#alpha.map((row, i) => row.map((value, j) => (i === source && j === target ? alpha : value))),
-    );
+    const changed = (row: readonly number[], i: number) =>
+      row.map((value, j) => (i === source && j === target ? alpha : value));
+    this.#setCouplings(this.#alpha.map(changed), false);
   }
 
   /** They act from the next frame on. */
   takeCouplings(alpha: Couplings): void {
-    this.#alpha = alpha;
-    this.walk.change({ kind: "couplings", alpha });
-    this.changed();
+    this.#setCouplings(alpha, true);
   }
 
   /** Couplings that were fitted for this combination: what the sliders go back to. */
@@ -271,6 +272,20 @@ export class LibraryStore extends Store {
     this.#known = { ...this.#known, unsaved: false };
     this.changed();
     return this.#known.text;
+  }
+
+  /** Gives the figure these primitives: together with their couplings, so that it has to catch itself only once. */
+  #exchange(uses: readonly number[]): void {
+    uses.forEach((primitive, part) => {
+      if (primitive !== this.#walking[part]) this.walk.change({ kind: "use", part, primitive });
+    });
+    this.#walking = uses;
+  }
+
+  #setCouplings(alpha: Couplings, leaps: boolean): void {
+    this.#alpha = alpha;
+    this.walk.change({ kind: "couplings", alpha }, leaps);
+    this.changed();
   }
 
   #takeNearest(alpha: Couplings): void {

@@ -17,11 +17,6 @@ export class Seam {
   #last: Float32Array | null = null;
   #before: Float32Array | null = null;
 
-  /** Whether something is left of a jump. */
-  get closing(): boolean {
-    return this.#jump !== null;
-  }
-
   /** The next frame comes from elsewhere. */
   open(): void {
     this.#jump = null;

@@ -37,6 +37,8 @@ export class WalkStore extends Store {
   #seam = new Seam();
   #changes: WalkChange[] = [];
   readonly #mixing = new Map<number, Mixing>();
+  /** Whether one of them would make the figure jump. */
+  #leaps = false;
   #busy = false;
   /** Grows with every walk: answers for an older one are dropped. */
   #walks = 0;
@@ -74,8 +76,12 @@ export class WalkStore extends Store {
     this.changed();
   }
 
-  /** From the next frame on. Of changes of one thing only the newest counts. */
-  change(change: WalkChange): void {
+  /**
+   * From the next frame on. Of changes of one thing only the newest counts. `leaps`: it is a large one, not a step of a slider that is
+   * dragged.
+   */
+  change(change: WalkChange, leaps = change.kind === "use"): void {
+    this.#leaps ||= leaps;
     if (change.kind === "mix") {
       const { part, other, share: goal } = change;
       const before = this.#mixing.get(part);
@@ -132,12 +138,12 @@ export class WalkStore extends Store {
     const walks = this.#walks;
     const changes = [...this.#changes, ...this.#mixOn(frames)];
     this.#changes = [];
+    const leaps = this.#leaps;
+    this.#leaps = false;
     try {
       const motion = await this.#held.ask((worker) => worker.advanceWalk(changes, frames));
       if (walks !== this.#walks) return;
-      const kinds = changes.map(({ kind }) => kind);
-      // While a slider is dragged couplings change with every frame, by little.
-      if (kinds.includes("use") || (kinds.includes("couplings") && !this.#seam.closing)) this.#seam.open();
+      if (leaps) this.#seam.open();
       this.#seam.pass(motion.positions, motion.frames);
       track.append(motion);
       this.player.follow(track.last, track.motion.frameTime);
