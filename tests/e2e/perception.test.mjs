@@ -18,11 +18,7 @@ let site;
 /** @type {string[]} */
 let sent = [];
 before(async () => {
-  site = await openSite({
-    onSend: (path) => {
-      sent.push(path);
-    },
-  });
+  site = await openSite({ onSend: (path) => void sent.push(path) });
 });
 after(() => site?.close());
 

@@ -17,7 +17,7 @@ const UNEVEN: f64 = 0.05;
 
 impl Table {
     /// A trial of numbers [rows x columns] that a program has at hand, `frame_time` seconds from row to row. It is known by the hash of
-    /// what [`write`](write) makes of it.
+    /// what [`write`](write()) makes of it.
     pub fn new(name: &str, columns: Vec<String>, values: DMatrix<f64>, frame_time: f64) -> Table {
         let sha256 = sha256(write(&columns, &values, frame_time).as_bytes());
         Table { name: name.to_owned(), sha256, columns, values, frame_time: Some(frame_time) }

@@ -55,15 +55,15 @@ fn errors_name_file_and_line() {
         (
             "length 7\n",
             "length seven\n",
-            "body.asf, line 24: expected \"length\" and 1 numbers, found \"length seven\"",
+            "body.asf, line 25: expected \"length\" and 1 numbers, found \"length seven\"",
         ),
-        ("dof rx\n", "dof rw\n", "body.asf, line 36: expected some of TX, TY"),
-        ("axis 0 0 20 XYZ", "axis 0 0 20 XXZ", "body.asf, line 35: expected the three axes"),
+        ("dof rx\n", "dof rw\n", "body.asf, line 38: expected some of TX, TY"),
+        ("axis 0 0 20 XYZ", "axis 0 0 20 XXZ", "body.asf, line 37: expected the three axes"),
         (":hierarchy", ":hier", "expected a section :hierarchy, found the end of the file"),
         (
             "lfemur ltibia",
             "lfemur tail",
-            "body.asf, line 42: expected bones of :bonedata, each once, not \"tail\"",
+            "body.asf, line 44: expected bones of :bonedata, each once, not \"tail\"",
         ),
     ] {
         let asf = ASF.replacen(from, to, 1);

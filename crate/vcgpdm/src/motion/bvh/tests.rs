@@ -279,7 +279,13 @@ proptest! {
     fn any_clip_is_read_back_as_it_was_written(clip in any_clip()) {
         let again = read("random.bvh", write(&clip).as_bytes()).unwrap();
         prop_assert_eq!(&again.values, &clip.values);
-        prop_assert_eq!(&again.skeleton, &clip.skeleton);
+        // Where a root has places of its own, its offset means nothing, and is left out.
+        let mut skeleton = clip.skeleton.clone();
+        let root = &mut skeleton.joints[0];
+        if root.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3 {
+            root.offset = [0.0; 3];
+        }
+        prop_assert_eq!(&again.skeleton, &skeleton);
         prop_assert_eq!(again.frame_time, clip.frame_time);
         prop_assert_eq!(again.sha256, clip.sha256);
     }
