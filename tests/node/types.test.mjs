@@ -136,6 +136,9 @@ describe("the declared types", () => {
       if (kind !== "series") assert.equal(rolled.toClip().info().frames, 7);
     }
 
+    const library = readFileSync(at("crate/vcgpdm/tests/library/documents/library.json"), "utf8");
+    hold("Library.info", installed.vcgpdm.Library.fromJson(library).info());
+
     const { Study, analysePerception, perceptionFigures } = installed.vcgpdm;
     const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
     const study = Study.fromJson(text);
@@ -145,8 +148,17 @@ describe("the declared types", () => {
     hold("analysePerception", analysePerception(text, given, { draws: 100 }));
     hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
 
-    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "MadeMovement", "PerceptionOptions", "Plan"];
-    inputs.push("Reading", "RolloutOptions", "StudyPreset", "TablePart", "TableTrainingSettings", "VcgpdmError");
+    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "LibraryPlan", "MadeMovement"];
+    inputs.push(
+      "PerceptionOptions",
+      "Plan",
+      "Reading",
+      "RolloutOptions",
+      "StudyPreset",
+      "TablePart",
+      "TableTrainingSettings",
+      "VcgpdmError",
+    );
     const unseen = [...types.keys()].filter((name) => !seen.has(name));
     assert.deepEqual(unseen.sort(), inputs, "every other type was held against a value");
   });

@@ -115,7 +115,10 @@ fn answers_say_what_they_say_from_node_too() {
     analyse.extend(["--figures", text(&figures)]);
     let tables = prints(&analyse);
     // The same file as the test of the npm package holds its numbers against.
-    assert_close(&read(&out), &read(&of_project("tests/perception/results.json")), "results");
+    let mut stored = read(&of_project("tests/perception/results.json"));
+    // Whatever version wrote it.
+    stored["engine"] = vcgpdm::models::ENGINE.into();
+    assert_close(&read(&out), &stored, "results");
     for words in [
         "| p1 | 52 | 0 | 4 of 4 |",
         "2 participants, 0 left out",

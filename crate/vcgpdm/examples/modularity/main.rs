@@ -78,6 +78,19 @@ fn together(
     (Came { error: outcome.score.dtw_mse, bound, seconds, numbers: outcome.stored_numbers }, library)
 }
 
+/// Of three seeds the training of the highest bound: alone, and as a library.
+fn held_out_trial(
+    movements: &[MovementTrials],
+    (m, held_out): (usize, usize),
+    parts: &[PartSpec],
+) -> (Came, Came, TrainedLibrary) {
+    let own = SEEDS.map(|seed| alone(&movements[m], held_out, parts, seed));
+    let own = own.into_iter().max_by(|a, b| a.bound.total_cmp(&b.bound)).unwrap();
+    let shared = SEEDS.map(|seed| together(movements, (m, held_out), parts, seed));
+    let (shared, library) = shared.into_iter().max_by(|a, b| a.0.bound.total_cmp(&b.0.bound)).unwrap();
+    (own, shared, library)
+}
+
 /// A mean with its standard error, in thousandths.
 fn thousandths(values: &[f64]) -> String {
     let error = standard_error(values).unwrap_or(f64::NAN);
@@ -97,20 +110,23 @@ fn main() {
     let mut drawn = None;
     for (m, of) in movements.iter().enumerate() {
         let (mut own, mut shared) = (Vec::new(), Vec::new());
-        for held_out in 1..=of.trials.len() {
-            let alone = SEEDS.map(|seed| alone(of, held_out, &parts, seed));
-            own.extend(alone.into_iter().max_by(|a, b| a.bound.total_cmp(&b.bound)));
-            let together = SEEDS.map(|seed| together(&movements, (m, held_out), &parts, seed));
-            let best = together.into_iter().max_by(|a, b| a.0.bound.total_cmp(&b.0.bound));
-            let Some((came, library)) = best else { continue };
-            eprintln!(
-                "{} {held_out}: alone {:.5}, library {:.5}",
-                of.name,
-                own[held_out - 1].error,
-                came.error
-            );
-            shared.push(came);
-            drawn.get_or_insert(library);
+        // Two trials at a time: each training has a core of its own, and its seconds are its own.
+        let trials: Vec<usize> = (1..=of.trials.len()).collect();
+        for pair in trials.chunks(2) {
+            let came: Vec<_> = std::thread::scope(|scope| {
+                let one = |held_out: usize| {
+                    let (movements, parts) = (&movements, &parts);
+                    scope.spawn(move || held_out_trial(movements, (m, held_out), parts))
+                };
+                let threads: Vec<_> = pair.iter().map(|held_out| one(*held_out)).collect();
+                threads.into_iter().map(|thread| thread.join().unwrap()).collect()
+            });
+            for (alone, together, library) in came {
+                eprintln!("{}: alone {:.5}, library {:.5}", of.name, alone.error, together.error);
+                own.push(alone);
+                shared.push(together);
+                drawn.get_or_insert(library);
+            }
         }
         let errors = |came: &[Came]| came.iter().map(|came| came.error).collect::<Vec<_>>();
         let (a, b) = (errors(&own), errors(&shared));
