@@ -192,6 +192,8 @@ describe("several trainings", () => {
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
     assert.equal(await most(), 2);
+    // The best is known once the models of both have arrived.
+    await page.waitForFunction(() => document.querySelector("[data-testid=run] .best") !== null);
     const rows = await table(page);
     assert.deepEqual(
       rows.map(({ state }) => state),
