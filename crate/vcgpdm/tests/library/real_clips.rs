@@ -48,7 +48,14 @@ const ALL: [&str; 3] = ["cmu-walk", "varied", "tricky"];
 fn written_clips_read_back_the_same() {
     for (path, clip) in clips(&ALL).unwrap_or_default() {
         let again = bvh::read("again.bvh", bvh::write(&clip).as_bytes()).unwrap();
-        assert_eq!(again.skeleton, clip.skeleton, "{path}");
+        // A root with places of its own is written without its offset, which means nothing to us.
+        let mut skeleton = clip.skeleton.clone();
+        let root = &mut skeleton.joints[0];
+        if root.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3 {
+            root.offset = [0.0; 3];
+        }
+        assert_eq!(again.skeleton, skeleton, "{path}");
+        assert_eq!(again.clone().into_clip().world_pose(0).positions, clip.world_pose(0).positions, "{path}");
         assert_eq!(again.values, clip.values, "{path}");
         assert_eq!(again.frame_time, clip.frame_time, "{path}");
     }
