@@ -62,7 +62,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let movements = asked
         .iter()
         .map(|movement| PlannedMovement { name: movement.name.to_owned(), sequences: movement.clips.len() });
-    let plan = LibraryPlan::new(movements.collect(), shared).map_err(|error| usage(error.to_string()))?;
+    let plan = LibraryPlan::new(movements.collect(), shared)
+        .map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
     let ModelSettings::Vcgpdm(settings) = arguments.options.settings(ModelKind::Vcgpdm)? else {
         return Err("expected settings of a vcgpdm".into());
