@@ -1,12 +1,15 @@
 // What a first visit may cost, and what may be loaded after it: what a visitor of the first view may ask for; what compares models; what the
-// graphics Turing test needs besides, with jsPsych; the movements of the study that comes with the page; and the library of primitives with its
-// view. In gzipped bytes. The build, and the page's test in a browser, hold these.
+// graphics Turing test needs besides, with jsPsych; the movements of the study that comes with the page; the library of primitives with its
+// view; the view of time series; and what
+// writes a motion as GLB. In gzipped bytes. The build, and the page's test in a browser, hold these.
 export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
   whenAsked: 70_000,
-  onDemand: 720_000,
+  onDemand: 760_000,
   perception: 50_000,
   study: 170_000,
-  primitives: 70_000,
+  primitives: 75_000,
+  series: 12_000,
+  glb: 25_000,
 };

@@ -1,6 +1,6 @@
 // `npm run golden`: computes the golden cases again with the independent implementation in tests/golden/generator (Python with
 // JAX, installed into .tools/golden) and compares. `npm run golden -- CASE.json ...` checks other cases;
-// `npm run golden -- --out FOLDER [--case K ...] [--seed S] [--movements]` makes new ones.
+// `npm run golden -- --out FOLDER [--case K ...] [--seed S] [--movements | --beside]` makes new ones.
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -34,11 +34,13 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
         case: { type: "string", multiple: true },
         seed: { type: "string" },
         movements: { type: "boolean", default: false },
+        beside: { type: "boolean", default: false },
       },
     });
-    const { out, case: cases = [], seed, movements } = values;
-    if (out === undefined && (cases.length > 0 || seed !== undefined || movements))
-      throw new Failure("--case, --seed and --movements belong to --out FOLDER, which makes new cases");
+    const { out, case: cases = [], seed, movements, beside } = values;
+    if (movements && beside) throw new Failure("either --movements or --beside");
+    if (out === undefined && (cases.length > 0 || seed !== undefined || movements || beside))
+      throw new Failure("--case, --seed, --movements and --beside belong to --out FOLDER, which makes new cases");
     if (out !== undefined && positionals.length > 0)
       throw new Failure("either --out FOLDER makes new cases, or files are checked");
     await step("Python packages in .tools/golden", () => install("golden", requirements));
@@ -48,6 +50,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
         ...cases.flatMap((number) => ["--case", number]),
         ...(seed === undefined ? [] : ["--seed", seed]),
         ...(movements ? ["--movements"] : []),
+        ...(beside ? ["--beside"] : []),
       ];
       await step("new golden cases", () => runGenerator("make_golden.py", out, ...choices));
     }

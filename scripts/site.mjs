@@ -11,7 +11,14 @@ export const dist = at("www", "dist");
 export function buildSite() {
   writeLicences();
   const inputs = filesUnder(
-    [at("www"), at("crate/wasm/pkg"), at("package-lock.json"), at("scripts/site.mjs"), at("scripts/policy.mjs")],
+    [
+      at("www"),
+      at("docs/modularity.svg"),
+      at("crate/wasm/pkg"),
+      at("package-lock.json"),
+      at("scripts/site.mjs"),
+      at("scripts/policy.mjs"),
+    ],
     ["node_modules", "dist"],
   );
   return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>
@@ -35,7 +42,9 @@ export function weigh() {
   const perception = inFolders("assets/perception/");
   const study = inFolders("study/");
   const primitives = inFolders("assets/primitives/", "primitives/");
-  const besides = [...later, ...asked, ...perception, ...study, ...primitives];
+  const series = inFolders("assets/series/");
+  const glb = inFolders("assets/glb/");
+  const besides = [...later, ...asked, ...perception, ...study, ...primitives, ...series, ...glb];
   const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
@@ -47,9 +56,11 @@ export function weigh() {
     ["perception, besides", sum(perception), budget.perception],
     ["study", sum(study), budget.study],
     ["primitives", sum(primitives), budget.primitives],
+    ["time series", sum(series), budget.series],
+    ["motion as GLB", sum(glb), budget.glb],
   ];
 
-  const counted = [...first, ...asked, ...later, ...perception, ...study, ...primitives];
+  const counted = [...first, ...asked, ...later, ...perception, ...study, ...primitives, ...series, ...glb];
   const rows = [...counted.map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);

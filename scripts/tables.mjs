@@ -2,10 +2,9 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { Failure } from "./run.mjs";
 
-const [BEGIN, END] = ["<!-- tables: begin -->", "<!-- tables: end -->"];
-
-/** Puts the tables where the page has its marks, in place of those of the last time. */
-export function putTables(/** @type {string} */ page, /** @type {string} */ tables) {
+/** Puts the tables where the page has its marks of that name, in place of those of the last time. */
+export function putTables(/** @type {string} */ page, /** @type {string} */ tables, name = "tables") {
+  const [BEGIN, END] = [`<!-- ${name}: begin -->`, `<!-- ${name}: end -->`];
   const text = readFileSync(page, "utf8");
   const [begin, end] = [text.indexOf(BEGIN), text.indexOf(END)];
   if (begin < 0 || end < begin) throw new Failure(`${page} has no place for tables, between ${BEGIN} and ${END}`);

@@ -1,14 +1,13 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
 import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
+import { compileTests, NATIVE } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { weigh } from "./site.mjs";
 import { installTools, oldestRust } from "./tools.mjs";
 
 const deny = ["--", "-D", "warnings"];
 const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
-/** The wasm package is for wasm32 alone: it has steps of its own. */
-const NATIVE = ["--workspace", "--exclude", "vcgpdm-wasm"];
 
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
@@ -85,7 +84,8 @@ async function msrv() {
 }
 
 async function files() {
-  await run("cargo", "build", "--package", "vcgpdm-cli");
+  // As for the Rust tests: those have compiled it already.
+  await compileTests();
   await nodeTests("files");
 }
 

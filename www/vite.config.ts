@@ -17,6 +17,7 @@ const WHEN_ASKED = [
   "clips/parts-editor",
   "clips/trim",
   "clips/trim-view",
+  "couplings/model-file",
   "latents/outlook",
   "latents/outlook-drawing",
   "latents/outlook-store",
@@ -35,20 +36,25 @@ const WHEN_ASKED = [
   "training/bound-drawing",
   "training/runs-table",
   "ui/dialog",
+  "ui/unsaved-dialog",
 ];
 const isAsked = (file: string) =>
   file.includes("/uplot/") ||
   WHEN_ASKED.some((name) => (name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`)));
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine)?\.ts$/.test(file);
+  /\/src\/(comparison|experiment|figures)\/|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
+    file,
+  );
 /** The graphics Turing test, with jsPsych. */
 const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(file);
 
 /** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/perception", isPerception],
-  ["assets/primitives", (file) => file.includes("/src/primitives/")],
+  ["assets/primitives", (file) => /\/src\/primitives\/|\/docs\/modularity\.svg$/.test(file)],
+  ["assets/glb", (file) => file.includes("/src/scene/glb.")],
+  ["assets/series", (file) => file.includes("/src/series/")],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
 ];

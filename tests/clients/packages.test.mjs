@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { clear, folderWith, run, titleIn, titleOf, tool, withServer } from "./packages.mjs";
+import { clear, later, run, titleIn, titleOf, tool, withServer } from "./packages.mjs";
 
 after(clear);
 
@@ -33,8 +33,9 @@ worker.postMessage(${settings});
  * @param {(folder: string) => Promise<unknown>} work
  */
 function client(name, tools, files, work) {
+  const installed = later(files, tools);
   it(name, { timeout: 300_000 }, async (test) => {
-    const folder = await folderWith(files, tools);
+    const folder = await installed();
     if (folder === null) return test.skip(`the registry does not give ${tools.join(" ")}`);
     await work(folder);
   });
@@ -139,6 +140,12 @@ describe("runtimes", () => {
       assert.equal(await run(folder, process.execPath, "--input-type=module", "-e", program), "252\n");
     }
   });
+  for (const version of ["20", "22", "24"]) {
+    client(`Node ${version}, as module and by require`, [`node@${version}`], files, async (folder) => {
+      assert.match(await tool(folder, "node", "--version"), new RegExp(`^v${version}\\.`));
+      for (const program of ["app.mjs", "app.cjs"]) assert.equal(await tool(folder, "node", program), "252\n");
+    });
+  }
   client("Bun", ["bun"], files, async (folder) => {
     assert.equal(await tool(folder, "bun", "app.mjs"), "252\n");
     assert.equal(await tool(folder, "bun", "app.cjs"), "252\n");

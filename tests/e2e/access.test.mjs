@@ -1,7 +1,7 @@
 // Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, openSite, ready } from "./site.mjs";
+import { barriers, keepsNobodyOut, openSite, ready } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -13,21 +13,15 @@ before(async () => {
 after(() => site?.close());
 
 describe("accessibility", () => {
-  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    it(`has no serious barrier in ${colorScheme} colours, on a desk or a phone`, async () => {
-      for (const viewport of [
-        { width: 1280, height: 800 },
-        { width: 390, height: 844 },
-      ]) {
-        const { page, leave } = await site.visit({ colorScheme, viewport });
-        await ready(page);
-        assert.deepEqual(await barriers(page), []);
-        await page.getByTestId("help").click();
-        assert.deepEqual(await barriers(page), [], "with the help open");
-        await leave();
-      }
-    });
-  }
+  keepsNobodyOut(
+    (options) => site.visit(options),
+    async (page) => {
+      await ready(page);
+      assert.deepEqual(await barriers(page), []);
+      await page.getByTestId("help").click();
+      assert.deepEqual(await barriers(page), [], "with the help open");
+    },
+  );
 
   it("reaches and works the main controls by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({
@@ -88,6 +82,10 @@ describe("a phone", () => {
     }
     const stage = await page.getByTestId("stage").boundingBox();
     assert.ok(stage && stage.y < 300 && stage.width >= 360 && stage.height >= 200, `stage ${JSON.stringify(stage)}`);
+    const length = page.getByTestId("length");
+    assert.equal(await length.inputValue(), "10", "it says how long the motion is");
+    const box = await length.boundingBox();
+    assert.ok(box && box.x + box.width <= 390);
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -1,7 +1,7 @@
 // Nothing is cut, lies over something else or scrolls into blank, in frames and rooms of all sizes.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, openSite, ready } from "./site.mjs";
+import { barriers, oneVisitor, openSite, ready } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -41,13 +41,14 @@ const overprints = (/** @type {Page} */ page) =>
   });
 
 describe("embedded", () => {
+  const visitor = oneVisitor(() => site.visit({ query: "?embed" }));
   for (const [width, height] of /** @type {[number, number][]} */ ([
     [900, 600],
     [390, 500],
   ])) {
     it(`has its clock in view at ${width}x${height}, and no text over another`, async () => {
-      const { page, leave } = await site.visit({ viewport: { width, height } });
-      await page.goto(page.url().replace("/#", "/?embed#"));
+      const { page } = visitor;
+      await page.setViewportSize({ width, height });
       await page.waitForSelector("html[data-engine=ready]");
       const play = await page.getByTestId("play").boundingBox();
       assert.ok(play && play.y + play.height <= height, `play at ${play?.y}`);
@@ -61,15 +62,28 @@ describe("embedded", () => {
         title && stage && title.y + title.height < stage.y + 0.25 * stage.height,
         "the title is above the head",
       );
-      await leave();
     });
   }
 });
 
-describe("large type", () => {
-  it("keeps the words that say what the table means, and survives a reload", async () => {
-    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 } });
+describe("a window of 1440x900", () => {
+  const visitor = oneVisitor(() => site.visit({ viewport: { width: 1440, height: 900 } }));
+
+  it("has all couplings of the first model in view, with what was measured", async () => {
+    const { page } = visitor;
     await ready(page);
+    for (const preset of ["as-learned", "untrained-advice"]) {
+      await page.getByTestId(`preset-${preset}`).click();
+      await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+      const [needed = Infinity, room = 0] = await page
+        .locator("#panel-couplings")
+        .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
+      assert.ok(needed <= room, `${preset}: ${needed} of ${room} pixels`);
+    }
+  });
+
+  it("in large type keeps the words that say what the table means, after a reload too", async () => {
+    const { page } = visitor;
     await page.keyboard.press("p");
     await page.waitForURL(/large=1/);
     await page.reload();
@@ -77,7 +91,6 @@ describe("large type", () => {
     assert.ok(await page.locator("html").evaluate((root) => root.hasAttribute("data-large")));
     assert.ok(await page.locator(".couplings thead small").first().isVisible());
     assert.deepEqual(await overprints(page), []);
-    await leave();
   });
 });
 
@@ -115,43 +128,21 @@ describe("five parts by hand, trained several times", () => {
   });
 });
 
-describe("the couplings of the first model", () => {
-  it("are all in view in a window of 1440x900, with what was measured", async () => {
-    const { page, leave } = await site.visit({ viewport: { width: 1440, height: 900 } });
-    await ready(page);
-    for (const preset of ["as-learned", "untrained-advice"]) {
-      await page.getByTestId(`preset-${preset}`).click();
-      await page.locator("[data-testid=measured][data-current=yes]").waitFor();
-      const [needed = Infinity, room = 0] = await page
-        .locator("#panel-couplings")
-        .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
-      assert.ok(needed <= room, `${preset}: ${needed} of ${room} pixels`);
-    }
-    await leave();
-  });
-});
-
-describe("a phone", () => {
-  it("says how long the motion is", async () => {
-    const { page, leave } = await site.visit({ viewport: { width: 390, height: 844 } });
-    await ready(page);
-    const length = page.getByTestId("length");
-    assert.equal(await length.inputValue(), "10");
-    const box = await length.boundingBox();
-    assert.ok(box && box.x + box.width <= 390);
-    await leave();
-  });
-});
-
 describe("targets", () => {
   it("are 24 pixels or more, or have that much room", async () => {
-    for (const settings of ["", "view=compare", "view=synthetic", "view=method"]) {
-      const { page, leave } = await site.visit({ settings });
-      if (settings === "") await ready(page);
-      else await page.locator("main.on-demand .panel, main.on-demand .card").first().waitFor();
+    const { page, leave } = await site.visit();
+    await ready(page);
+    for (const [view, element] of /** @type {[string, string][]} */ ([
+      ["play", "pg-stage"],
+      ["compare", "[data-testid=compare]"],
+      ["synthetic", "pg-synthetic .panel-head"],
+      ["method", "pg-method math"],
+    ])) {
+      await page.evaluate((hash) => Object.assign(location, { hash }), view === "play" ? "" : `view=${view}`);
+      await page.locator(element).first().waitFor();
       const small = await barriers(page, ["target-size", "scrollable-region-focusable"]);
-      assert.deepEqual(small, [], settings);
-      await leave();
+      assert.deepEqual(small, [], view);
     }
+    await leave();
   });
 });

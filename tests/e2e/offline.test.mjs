@@ -27,7 +27,7 @@ const kept = (/** @type {import("playwright-core").Page} */ page) =>
 
 describe("after the first visit", () => {
   it("everything works without a network", async () => {
-    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow" });
+    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow", idle: true });
     await ready(page);
     await kept(page);
     await page.context().setOffline(true);
@@ -56,7 +56,7 @@ describe("after the first visit", () => {
   });
 
   it("a new version waits until it is asked for", async () => {
-    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow" });
+    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow", idle: true });
     await ready(page);
     await kept(page);
 

@@ -48,8 +48,9 @@ describe("a page that is closed in the middle of a training", () => {
     assert.equal(whole.iterations, ITERATIONS);
     await page.locator("pg-training").evaluate((view) => /** @type {any} */ (view).training.clear());
 
-    // The same again, and the page is left on the way.
+    // The same again, and the page is left on the way. The model on the stage is in no list any more.
     await page.getByTestId("train").click();
+    await page.getByTestId("unsaved-discard").click();
     await page.waitForFunction(() => {
       const { training } = /** @type {any} */ (document.querySelector("pg-training"));
       const isOnTheWay = training.runs[0]?.steps.length > 10;

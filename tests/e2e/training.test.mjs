@@ -56,6 +56,7 @@ describe("training", () => {
   it("does not block the page, and keeps the best so far when it is cancelled", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
+      seen: true,
       settings: "trainings=1&iterations=5000&dynamics=24&poses=24",
     });
     await ready(page);

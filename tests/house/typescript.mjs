@@ -31,7 +31,7 @@ export function usesOf(imports, files) {
   return (
     imports
       // What is imported as text or as data is no code of the page.
-      .filter(({ source }) => source.startsWith(".") && !/\?raw$|\.json$/.test(source))
+      .filter(({ source }) => source.startsWith(".") && !/\?raw$|\.(json|svg)$/.test(source))
       .map(({ from, source }) => {
         const path = posix.join(posix.dirname(from), source.replace(/\?.*$/, ""));
         const to = [path, `${path}.ts`, `${path}.js`].find((file) => files.has(file));

@@ -13,8 +13,10 @@ export function readDeclarations(/** @type {string} */ text) {
   const source = text.replace(/\/\*[\s\S]*?\*\//g, "");
   /** @type {Map<string, Type>} */
   const types = new Map();
-  for (const { 1: name = "", index } of source.matchAll(/^export interface (\w+)(?: extends \w+)? (?=\{)/gm))
-    types.set(name, readType(source.slice(source.indexOf("{", index))));
+  for (const { 1: name = "", 2: base = "", index } of source.matchAll(
+    /^export interface (\w+)(?: extends ([^{]+?))? (?=\{)/gm,
+  ))
+    types.set(name, extended(readType(source.slice(source.indexOf("{", index))), base, types));
   for (const { 0: start, 1: name = "", index } of source.matchAll(/^export type (\w+) =/gm))
     types.set(name, readType(source.slice(index + start.length)));
   /** @type {Map<string, Type>} */
@@ -28,6 +30,21 @@ export function readDeclarations(/** @type {string} */ text) {
   for (const [, name = "", type = ""] of source.matchAll(/^export function (\w+)\(.*\): (.+);$/gm))
     answers.set(name, readType(type));
   return { types, answers };
+}
+
+/**
+ * With the fields of the type that it extends, which is declared before it: a name, or Omit<name, "field" | "field">.
+ * @param {Type} type
+ * @param {string} base
+ * @param {Map<string, Type>} types
+ * @returns {Type}
+ */
+function extended(type, base, types) {
+  const [, name = base, omitted = ""] = /^Omit<(\w+), (.+)>$/.exec(base) ?? [];
+  const known = types.get(name);
+  if (type.kind !== "object" || known?.kind !== "object") return type;
+  const kept = [...known.fields].filter(([field]) => !omitted.includes(`"${field}"`));
+  return { kind: "object", fields: new Map([...kept, ...type.fields]) };
 }
 
 /** @returns {Type} */

@@ -136,4 +136,139 @@ describe("a library of primitives", () => {
     assert.ok([...walk.advance(40).positions()].every(Number.isFinite));
     assert.throws(() => walk.setTempo(1, 9), { code: "rollout", message: /a tempo from 0.25 to 2, found 9/ });
   });
+
+  it("says where a combination stands still, and to whom its parts listen", () => {
+    const [legs, arms] = library.motion([0, 2]);
+    assert.ok(legs && arms && !legs.still && legs.share > 0.3);
+    assert.deepEqual([arms.leader?.part, arms.leader?.met], [0, true]);
+    assert.equal(library.motion([0, 3])[1]?.leader?.met, false);
+    assert.throws(() => library.motion([0]), { code: "model" });
+  });
+
+  it("begins a walk at a frame of a movement, and changes a primitive together with couplings", () => {
+    const first = library.walk([0, 2], { movement: 0, sequence: 1, frame: 12 }).advance(1).latents(0);
+    const other = library.walk([0, 2]).advance(1).latents(0);
+    assert.notDeepEqual([...first], [...other]);
+    assert.throws(() => library.walk([0, 2], { movement: 0, sequence: 9 }), {
+      message: /a sequence of the movement from 0 to 1, found 9/,
+    });
+    const walk = library.walk([0, 2]);
+    walk.use(1, 3, library.nearestCouplings([0, 3]));
+    assert.throws(() => walk.use(1, 2, [[1]]), { message: /expected coupling variances for 2 x 2 parts/ });
+    const expected = library.walk([0, 2]);
+    expected.use(1, 3);
+    expected.setAlpha(library.nearestCouplings([0, 3]));
+    assert.deepEqual([...walk.advance(5).positions()], [...expected.advance(5).positions()]);
+  });
+
+  it("holds a sample out of the modularity test", () => {
+    const training = new vcgpdm.ModularityTraining({ sample: "walk-wave-2", alone: true, maxIterations: 3 });
+    assert.equal(training.outcome(), null);
+    let progress = training.step();
+    while (!progress.done) progress = training.step();
+    assert.deepEqual([progress.fraction, progress.maxIterations], [1, 6], "two seeds");
+    const outcome = training.outcome();
+    assert.ok(outcome && outcome.movement === "wave" && outcome.score.dtwMse > 0 && Number.isFinite(outcome.bound));
+    assert.throws(() => new vcgpdm.ModularityTraining({ sample: "run-1", alone: true }), {
+      code: "comparison",
+      message: "expected a sample of walking or of walking with waving, found run-1",
+    });
+  });
+
+  it("takes the last frames of a walk back, with what was changed since", () => {
+    const walk = library.walk([0, 2]);
+    const frames = [...walk.advance(10).positions()];
+    walk.use(1, 3);
+    walk.advance(5);
+    walk.rewind(8);
+    const again = [...walk.advance(3).positions()];
+    assert.deepEqual(again, frames.slice(-again.length));
+    assert.throws(() => walk.rewind(11), { code: "rollout", message: /frames to take back from 0 to 10, found 11/ });
+  });
+
+  it("maps locking under couplings of the caller", () => {
+    const alpha = library.nearestCouplings([0, 2]);
+    const map = (/** @type {number[][] | undefined} */ given) =>
+      library.lockingMap([0, 2], 0, 1, Float64Array.of(1), Float64Array.of(1), given);
+    assert.deepEqual([...map(undefined)], [...map(alpha)]);
+    assert.throws(() => map([[1]]), { message: /2 x 2 parts/ });
+  });
+
+  it("says where couplings of a combination come from that is added", () => {
+    const alpha = [
+      [1, 2],
+      [3, 4],
+    ];
+    const from = (/** @type {import("vcgpdm").CouplingsFrom | undefined} */ couplings) =>
+      library.withCombination("own", [0, 3], alpha, couplings).info().movements.at(-1)?.couplings;
+    assert.deepEqual(from(undefined), { from: "hand" });
+    assert.deepEqual(from({ from: "clips", bound: 3, iterations: 4 }), { from: "clips", bound: 3, iterations: 4 });
+    // @ts-expect-error: of no kind that there is
+    assert.throws(() => from({ from: "afar" }), { code: "model" });
+  });
+});
+
+/** Takes steps until the end. */
+function finish(/** @type {{ step(): import("vcgpdm").TrainingProgress }} */ trainer) {
+  let progress = trainer.step();
+  while (!progress.done) progress = trainer.step();
+  return progress;
+}
+
+describe("primitives on their way", () => {
+  it("are saved alone and come back into what was left of their library", () => {
+    const arms = vcgpdm.Library.fromJson(library.select([3]).toJson());
+    assert.deepEqual(
+      arms.info().primitives.map(({ part, name, origin }) => [part, name, origin.seed, origin.clips.length]),
+      [[1, "wave", 1, 2]],
+    );
+    const rest = library.select([0, 1, 2]);
+    assert.equal(rest.misfit(arms), null);
+    const walk = rest.walk([0, 2]);
+    walk.advance(5);
+    const whole = rest.add(arms);
+    assert.deepEqual(
+      whole.info().primitives.map(({ name }) => name),
+      ["walk", "wave", "walk", "wave"],
+    );
+    assert.deepEqual(whole.nearestCouplings([0, 3])[1], library.nearestCouplings([0, 3])[1]);
+    assert.throws(() => walk.use(1, 3), { message: /expected a primitive of part 1, found primitive 3/ });
+    walk.setLibrary(whole);
+    walk.use(1, 3);
+    assert.ok([...walk.advance(20).positions()].every(Number.isFinite));
+    assert.throws(() => walk.setLibrary(arms), { message: /expected a library with all primitives of the one before/ });
+    assert.throws(() => library.select([]), { code: "model", message: /one or more, found none/ });
+  });
+
+  it("of another training are refused with the reason, and learned again", () => {
+    const { settings } = library.info().provenance;
+    const plan = { movements: [{ name: "stroll", sequences: 1 }], shared: [false, false] };
+    const trainer = new vcgpdm.LibraryTrainer(set(["walk-3"]), { ...settings, latent: 3, maxIterations: 40 }, plan);
+    finish(trainer);
+    const legs = trainer.library().select([0]);
+    assert.deepEqual(library.misfit(legs), {
+      reason: "the latent dimensions of lower differ: expected 2, found 3",
+      canBeRelearned: true,
+    });
+    assert.throws(() => library.add(legs), { code: "model", message: /latent dimensions of lower differ/ });
+    assert.deepEqual(library.companions(legs), [0, 2]);
+    const imported = new vcgpdm.ImportTrainer(library, legs, { maxIterations: 30, seed: 2 });
+    const first = imported.step().bound;
+    assert.ok(finish(imported).best > first);
+    assert.ok([...imported.lost()].every((share) => share >= 0 && share < 1));
+    const grown = imported.library();
+    const last = grown.info().primitives.at(-1);
+    assert.deepEqual([last?.part, last?.name, last?.origin.seed], [0, "stroll", 2]);
+    assert.equal(last?.origin.relearned?.frames, "remembered");
+    assert.equal(last?.origin.relearned?.clips[0]?.name, "walk-3 (made by this project).bvh");
+    // What was learned comes into the library that it was learned for, as any file.
+    assert.equal(library.add(grown).info().primitives.length, 5);
+    const fromClips = vcgpdm.ImportTrainer.fromClips(library, legs, set(["walk-3"]), { maxIterations: 2, seed: 2 });
+    finish(fromClips);
+    assert.equal(fromClips.library().info().primitives.at(-1)?.origin.relearned?.frames, "clips");
+    assert.throws(() => new vcgpdm.ImportTrainer(library, legs, { maxIterations: 9, seed: 1, companions: [0, null] }), {
+      code: "model",
+      message: /expected a primitive of upper in this library/,
+    });
+  });
 });

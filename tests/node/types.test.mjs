@@ -67,6 +67,10 @@ describe("the declared types", () => {
       seed: 1,
       maxIterations: 16,
     };
+    const { parts: _, framesPerSecond: __, seed: ___, ...size } = settings;
+    const cost = installed.vcgpdm.trainingCost(size, 100, [30, 33]);
+    hold("trainingCost", cost);
+    assert.ok(cost.seconds > 0 && cost.bytes > 0);
     const trainer = new Trainer(clips, settings);
     const phases = new Set();
     for (let done = false; !done; ) {
@@ -137,7 +141,23 @@ describe("the declared types", () => {
     }
 
     const library = readFileSync(at("crate/vcgpdm/tests/library/documents/library.json"), "utf8");
-    hold("Library.info", installed.vcgpdm.Library.fromJson(library).info());
+    const { Library } = installed.vcgpdm;
+    const [whole, some] = [
+      library,
+      readFileSync(at("crate/vcgpdm/tests/library/documents/primitives.json"), "utf8"),
+    ].map((text) => Library.fromJson(text));
+    assert.ok(whole && some);
+    // The second has primitives that were learned again.
+    for (const one of [whole, some]) hold("Library.info", one.info());
+    hold("Library.motion", whole.motion([0, 1]));
+    const elsewhere = JSON.parse(library);
+    elsewhere.column_means[0] += 1;
+    hold("Library.misfit", whole.misfit(Library.fromJson(JSON.stringify(elsewhere))));
+
+    const { ModularityTraining } = installed.vcgpdm;
+    const fold = new ModularityTraining({ sample: "walk-wave-2", alone: true, maxIterations: 2 });
+    for (let done = false; !done; done = fold.step().done);
+    hold("ModularityTraining.outcome", fold.outcome());
 
     const { Study, analysePerception, perceptionFigures } = installed.vcgpdm;
     const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
@@ -148,8 +168,9 @@ describe("the declared types", () => {
     hold("analysePerception", analysePerception(text, given, { draws: 100 }));
     hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
 
-    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "LibraryPlan", "MadeMovement"];
+    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "ImportRequest", "LibraryPlan", "MadeMovement"];
     inputs.push(
+      "ModularityFold",
       "PerceptionOptions",
       "Plan",
       "Reading",
@@ -157,7 +178,10 @@ describe("the declared types", () => {
       "StudyPreset",
       "TablePart",
       "TableTrainingSettings",
+      // Its fields are held where it is extended.
+      "VariationalSettings",
       "VcgpdmError",
+      "WalkStart",
     );
     const unseen = [...types.keys()].filter((name) => !seen.has(name));
     assert.deepEqual(unseen.sort(), inputs, "every other type was held against a value");

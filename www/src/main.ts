@@ -10,6 +10,7 @@ import { listenToKeys } from "./app/keyboard";
 import { openFiles } from "./app/open-files";
 import "./app/page";
 import type { PageView } from "./app/page";
+import { wouldLose } from "./app/unsaved-work";
 import { startEngine } from "./engine/engine";
 import { browserAddressBar } from "./settings/address";
 import { isEmbedded } from "./settings/settings";
@@ -41,6 +42,8 @@ listenToKeys({
 });
 listenToDrops((files, at) => void openFiles(app, files, at));
 addEventListener("hashchange", () => app.followAddress());
+// The browser asks whether to leave.
+addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
 const start = () => app.start(startEngine, fetchFirstModel());
 // What could not be loaded may be there now.

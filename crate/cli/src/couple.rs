@@ -74,9 +74,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             json!({ "from": "clips", "bound": bound, "iterations": iterations, "reason": reason })
         }
         CouplingsFrom::Movement(name) => json!({ "from": "movement", "movement": name }),
+        CouplingsFrom::Hand => json!({ "from": "hand" }),
         CouplingsFrom::Nothing => json!({ "from": "nothing" }),
     };
-    let alpha: Vec<Vec<f64>> = movement.alpha.row_iter().map(|row| row.iter().copied().collect()).collect();
+    let alpha = files::rows(&movement.alpha);
     let model = trained.movement(index)?;
     files::write_text(&arguments.out, &model.to_json()?)?;
     let mut outs = vec![arguments.out.as_path()];

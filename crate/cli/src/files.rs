@@ -1,6 +1,7 @@
 //! Reading and writing for all commands; every error names the file. A file called `-` is stdin or stdout.
 
 use crate::usage::usage;
+use nalgebra::DMatrix;
 use serde::Serialize;
 use std::error::Error;
 use std::fs::{self, File};
@@ -152,6 +153,11 @@ pub fn shown(text: &str) -> String {
 /// Prints one JSON object and a line end.
 pub fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string(value)? + "\n"))
+}
+
+/// The rows of a matrix, as a summary shows it.
+pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 /// Prints what was done as one JSON object: to stderr where one of the files written went to stdout.

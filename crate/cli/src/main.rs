@@ -11,6 +11,7 @@ mod files;
 mod interrupt;
 mod merge;
 mod perception;
+mod primitives;
 mod progress;
 mod report;
 mod reproduce;
@@ -50,6 +51,7 @@ enum Command {
     Clip(clip::Arguments),
     Train(train::Arguments),
     Couple(couple::Arguments),
+    Primitives(primitives::Arguments),
     Reproduce(reproduce::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
@@ -103,6 +105,7 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
         Command::Couple(arguments) => couple::run(&arguments),
+        Command::Primitives(arguments) => primitives::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),

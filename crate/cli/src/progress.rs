@@ -33,7 +33,7 @@ impl Progress {
         match &mut self.log {
             Some(log) => {
                 if log.is_due(Instant::now()) {
-                    line(&words());
+                    say(&words());
                 }
             }
             None => {
@@ -47,8 +47,13 @@ impl Progress {
     pub fn ended(&mut self, words: impl FnOnce() -> String) {
         if let Some(log) = &mut self.log {
             log.last = Instant::now();
-            line(&words());
+            say(&words());
         }
+    }
+
+    /// Says something once, beside the bar.
+    pub fn note(&self, words: &str) {
+        self.bar.suspend(|| say(words));
     }
 
     /// Takes the bar away.
@@ -57,7 +62,8 @@ impl Progress {
     }
 }
 
-fn line(words: &str) {
+/// A line on stderr, beside whatever bar there is.
+pub fn say(words: &str) {
     // Nobody is left to tell when stderr is closed.
     let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::shown(words));
 }

@@ -14,7 +14,7 @@ use vcgpdm::evaluation::{Fold, Job, Outcome, Results, Trial};
 use vcgpdm::models::{Body, with_bones_of};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
-use vcgpdm::perception::{Look, Maker, Preset, Scores, Shown, Study, TrialKind};
+use vcgpdm::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
 
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more natural?
 ///
@@ -164,7 +164,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
         let (positions, outcome) = prediction;
         let trial = &setting.trials[job.held_out - 1].name;
         let shown = Shown { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
-        maker.generated(&shown, &job.candidate, job.seed, Scores::of(&outcome))?;
+        maker.generated(&shown, &job.candidate, job.seed, &outcome)?;
     }
     let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
     let look = Look::Figure;
@@ -207,7 +207,7 @@ fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box
             (&other.0.candidate, other.0.held_out) == (&job.candidate, job.held_out)
         };
         match best.iter_mut().find(same) {
-            Some(known) if known.1.objective < outcome.objective => *known = (job.clone(), outcome),
+            Some(known) if outcome.is_better_seed(known.1) => *known = (job.clone(), outcome),
             Some(_) => {}
             None => best.push((job.clone(), outcome)),
         }

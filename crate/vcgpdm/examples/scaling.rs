@@ -1,5 +1,5 @@
-//! Prints, as Markdown, how the time of one bound with its gradient and the memory of a training grow with frames, parts and
-//! inducing points:
+//! Prints, as Markdown, how the time of one bound with its gradient and the memory of a training grow with frames, parts, inducing
+//! points and latent dimensions, beside what is estimated before a training begins:
 //!
 //! ```sh
 //! cargo run --release --example scaling
@@ -25,9 +25,10 @@ struct Size {
     frames: usize,
     parts: usize,
     ips: usize,
+    latent: usize,
 }
 
-const BASE: Size = Size { frames: 500, parts: 2, ips: 12 };
+const BASE: Size = Size { frames: 500, parts: 2, ips: 12, latent: 3 };
 
 /// All columns of the bundled walks, repeated to exactly so many frames, and the sequences' lengths.
 fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
@@ -60,18 +61,24 @@ fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
     (0..parts).map(|i| y.columns(place(i), place(i + 1) - place(i)).into_owned()).collect()
 }
 
-/// Milliseconds of one bound with its gradient.
-fn measure(size: Size) -> f64 {
-    let (y, lengths) = walks(size.frames);
-    let settings = VariationalSettings {
+fn settings(size: Size) -> VariationalSettings {
+    VariationalSettings {
+        latent: size.latent,
         dynamics_ips: size.ips,
         pose_ips: size.ips,
         max_iterations: ITERATIONS,
         ..VariationalSettings::default()
-    };
-    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
+    }
+}
+
+/// Milliseconds of one bound with its gradient.
+fn measure(size: Size) -> f64 {
+    let (y, lengths) = walks(size.frames);
+    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings(size), 0).unwrap();
     while !trainer.step().done {}
-    let (objective, params) = (trainer.objective(), trainer.best());
+    let (objective, params) = (trainer.objective().clone(), trainer.best());
+    // Its memory is that of a training alone.
+    drop(trainer);
     let mut workspace = objective.workspace(&params);
     let mut times = Vec::new();
     let begin = Instant::now();
@@ -93,7 +100,7 @@ fn peak_memory() -> Option<f64> {
 
 /// Time in milliseconds and memory in MB, from a process of its own.
 fn in_a_process(size: Size) -> (f64, Option<f64>) {
-    let numbers = [size.frames, size.parts, size.ips].map(|n| n.to_string());
+    let numbers = [size.frames, size.parts, size.ips, size.latent].map(|n| n.to_string());
     let output = Command::new(std::env::current_exe().unwrap()).args(numbers).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -103,10 +110,15 @@ fn in_a_process(size: Size) -> (f64, Option<f64>) {
 
 /// Prints a table; gives the points (varied number, milliseconds).
 fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f64)> {
-    println!("| {title} | ms | largest memory, MB |\n|---|---|---|");
+    println!("| {title} | ms | estimated | largest memory, MB | estimated |\n|---|---|---|---|---|");
     let points = sizes.map(|(number, size)| {
         let (ms, memory) = in_a_process(size);
-        println!("| {number} | {ms:.2} | {} |", memory.map_or(String::new(), |m| format!("{m:.0}")));
+        let columns: Vec<usize> =
+            split(&walks(size.frames).0, size.parts).iter().map(DMatrix::ncols).collect();
+        let cost = settings(size).cost(size.frames, &columns);
+        let (estimated, bytes) = (1e3 * cost.evaluation_seconds, cost.bytes / f64::from(1 << 20));
+        let memory = memory.map_or(String::new(), |m| format!("{m:.0}"));
+        println!("| {number} | {ms:.2} | {estimated:.2} | {memory} | {bytes:.0} |");
         (number as f64, ms)
     });
     let points = points.collect();
@@ -116,8 +128,8 @@ fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f
 
 fn main() {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().unwrap()).collect();
-    if let [frames, parts, ips] = numbers[..] {
-        let ms = measure(Size { frames, parts, ips });
+    if let [frames, parts, ips, latent] = numbers[..] {
+        let ms = measure(Size { frames, parts, ips, latent });
         println!("{ms} {}", peak_memory().map_or("-".to_owned(), |m| m.to_string()));
         return;
     }
@@ -128,5 +140,8 @@ fn main() {
     println!("{} frames, {} + {} inducing points:\n", BASE.frames, BASE.ips, BASE.ips);
     table("parts", (1..=5).map(|parts| (parts, Size { parts, ..BASE })));
     println!("{} frames, {} parts:\n", BASE.frames, BASE.parts);
-    table("inducing points", [8, 12, 16, 24, 32, 40].map(|ips| (ips, Size { ips, ..BASE })).into_iter());
+    let ips = [8, 12, 16, 24, 32, 40, 80];
+    table("inducing points", ips.map(|ips| (ips, Size { ips, ..BASE })).into_iter());
+    println!("{} frames, {} parts, {} + {} inducing points:\n", BASE.frames, BASE.parts, BASE.ips, BASE.ips);
+    table("latent dimensions", [2, 3, 4, 6, 8].map(|latent| (latent, Size { latent, ..BASE })).into_iter());
 }

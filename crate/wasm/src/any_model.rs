@@ -2,7 +2,7 @@
 
 use crate::body::BodyInfo;
 use crate::clip::Clip;
-use crate::convert::{flat, from_js, to_js};
+use crate::convert::{flat, from_js, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use crate::model::Model;
@@ -29,6 +29,8 @@ export interface AnyModelInfo {
     /** Seconds from one frame to the next. */
     frameTime: number;
     sequences: SequenceInfo[];
+    /** Coupling variances as learned, `alpha[source][target]`, of a vCGPDM or vGPDM; null for other kinds. */
+    alpha: number[][] | null;
     /** The body; null for a model of tables. */
     body: { joints: JointInfo[]; figure: Figure } | null;
     provenance: {
@@ -62,6 +64,7 @@ struct AnyModelInfo<'a> {
     columns: Vec<String>,
     frame_time: f64,
     sequences: &'a [SequenceInfo],
+    alpha: Option<Vec<Vec<f64>>>,
     body: Option<BodyInfo>,
     provenance: Made<'a>,
 }
@@ -127,8 +130,8 @@ impl AnyModel {
             Any::Body(model) => (roll(model, &request)?, model.body.frame_time, Some(Rc::clone(model))),
             Any::Series(model) => (roll(model, &request)?, model.body.frame_time, None),
         };
-        let Rolled { y, latents, columns } = rolled;
-        Ok(AnyRollout { y, latents, columns, frame_time, body })
+        let Rolled { y, latents, weights, columns } = rolled;
+        Ok(AnyRollout { y, latents, weights, columns, frame_time, body })
     }
 }
 
@@ -143,6 +146,10 @@ fn info<'a, S: Observed>(
         columns: names(body),
         frame_time: body.frame_time,
         sequences: &body.sequences,
+        alpha: match &trained.model {
+            FittedModel::Vcgpdm(model) => Some(rows(&model.alpha)),
+            _ => None,
+        },
         body: figure,
         provenance: Made {
             engine: &made.engine,
@@ -163,6 +170,7 @@ fn names<S: Observed>(body: &Body<S>) -> Vec<String> {
 struct Rolled {
     y: DMatrix<f64>,
     latents: Vec<DMatrix<f64>>,
+    weights: Option<DMatrix<f64>>,
     columns: Vec<String>,
 }
 
@@ -174,7 +182,7 @@ fn roll<S: Observed>(
     match model.clone().into_vcgpdm() {
         Ok(model) => {
             let rolled = model.rollout(request)?;
-            Ok(Rolled { y: rolled.y, latents: rolled.latents, columns })
+            Ok(Rolled { y: rolled.y, latents: rolled.latents, weights: Some(rolled.weights), columns })
         }
         Err(model) if request.alpha.is_some() || request.frame > 0 => {
             let words = format_args!(
@@ -185,7 +193,7 @@ fn roll<S: Observed>(
         }
         Err(model) => {
             let y = model.rollout(request.sequence, request.frames)?;
-            Ok(Rolled { y, latents: Vec::new(), columns })
+            Ok(Rolled { y, latents: Vec::new(), weights: None, columns })
         }
     }
 }
@@ -195,6 +203,7 @@ fn roll<S: Observed>(
 pub struct AnyRollout {
     y: DMatrix<f64>,
     latents: Vec<DMatrix<f64>>,
+    weights: Option<DMatrix<f64>>,
     columns: Vec<String>,
     frame_time: f64,
     body: Option<Rc<TrainedModel>>,
@@ -217,6 +226,12 @@ impl AnyRollout {
             );
             VcgpdmError::new(ErrorCode::Rollout, &words)
         })
+    }
+
+    /// The weights `w[source][target]` that the couplings give the experts, of a vCGPDM or vGPDM; null for other kinds.
+    #[wasm_bindgen(unchecked_return_type = "number[][] | null")]
+    pub fn weights(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.weights.as_ref().map(rows))
     }
 
     /// The columns as CSV: frame, time in seconds, and a column for each.

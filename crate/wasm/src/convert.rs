@@ -103,6 +103,15 @@ pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -
     value.map_err(|reason| refused(code, what, plain(&reason.to_string())))
 }
 
+/// A matrix from its rows.
+#[cfg(feature = "training")]
+pub fn matrix(alpha: &[Vec<f64>]) -> DMatrix<f64> {
+    // What is missing is no number, which the library refuses.
+    let at = |j: usize, i: usize| alpha.get(j).and_then(|row: &Vec<f64>| row.get(i)).copied();
+    let columns = alpha.iter().map(Vec::len).max().unwrap_or(0);
+    DMatrix::from_fn(alpha.len(), columns, |j, i| at(j, i).unwrap_or(f64::NAN))
+}
+
 /// The numbers of a matrix, row after row.
 pub fn flat(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()

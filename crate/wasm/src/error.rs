@@ -7,7 +7,9 @@ use vcgpdm::document::DocumentError;
 use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
 #[cfg(feature = "training")]
-use vcgpdm::models::library::{CombinationError, LibraryError as PrimitivesError, WalkError};
+use vcgpdm::models::library::{
+    CombinationError, ImportError, LibraryError as PrimitivesError, TakeInError, WalkError,
+};
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
@@ -247,6 +249,30 @@ impl LibraryError for PrimitivesError {
             PrimitivesError::Pose { reason, .. } => reason.code(),
             PrimitivesError::Combination(reason) => reason.code(),
             PrimitivesError::Training(reason) => reason.code(),
+            _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for TakeInError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            TakeInError::Combination(reason) => reason.code(),
+            _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for ImportError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            ImportError::Combination(reason) => reason.code(),
+            ImportError::Clips(reason) => reason.code(),
+            ImportError::Rollout(reason) => reason.code(),
+            ImportError::Training(reason) => reason.code(),
+            ImportError::Pose(_) | ImportError::Numerics(_) => ErrorCode::Numerics,
             _ => ErrorCode::Model,
         }
     }

@@ -2,6 +2,7 @@
 //! memory that is not its own, and a word in the place of a number would be taken for 0.
 
 use crate::error::{ErrorCode, VcgpdmError};
+use vcgpdm::models::variational::InducingError;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -34,6 +35,12 @@ impl Whole {
     /// The same, as a number of things or the place of one.
     pub fn count(&self, code: ErrorCode, what: &str) -> Result<usize, VcgpdmError> {
         Ok(self.get(code, what)? as usize)
+    }
+
+    /// What belongs to the part of this number, one of `all`.
+    pub fn part_of<'a, T>(&self, code: ErrorCode, all: &'a [T]) -> Result<&'a T, VcgpdmError> {
+        let found = self.count(code, "the part")?;
+        Ok(all.get(found).ok_or(InducingError::Part { count: all.len(), found })?)
     }
 }
 

@@ -17,13 +17,23 @@ mod evaluation;
 mod given;
 #[cfg(feature = "training")]
 mod library;
+#[cfg(feature = "training")]
+mod library_trainers;
+#[cfg(feature = "training")]
+mod library_walk;
 mod live;
 #[cfg(feature = "training")]
 mod maker;
 mod model;
 #[cfg(feature = "training")]
+mod modularity;
+#[cfg(feature = "training")]
+mod origin;
+#[cfg(feature = "training")]
 mod perception;
 mod predictions;
+#[cfg(feature = "training")]
+mod primitives;
 #[cfg(feature = "training")]
 mod results;
 mod rollout;

@@ -6,7 +6,7 @@ use crate::given::Whole;
 use crate::rollout::Rollout;
 use nalgebra::DMatrix;
 use std::rc::Rc;
-use vcgpdm::models::variational::{CyclePlace, InducingError, Vcgpdm};
+use vcgpdm::models::variational::{CyclePlace, Vcgpdm};
 use vcgpdm::models::{LatentDynamics, LiveFrames as MotionFrames, Push, Reading, TrainedModel};
 use wasm_bindgen::prelude::*;
 
@@ -90,9 +90,7 @@ pub struct LiveFrames(MotionFrames);
 impl LiveFrames {
     /// The latent path of a part [frames x Q].
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let part = part.count(ErrorCode::Rollout, "the part")?;
-        let paths = &self.0.latents;
-        Ok(flat(paths.get(part).ok_or(InducingError::Part { count: paths.len(), found: part })?))
+        Ok(flat(part.part_of(ErrorCode::Rollout, &self.0.latents)?))
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.

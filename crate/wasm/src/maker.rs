@@ -8,7 +8,7 @@ use crate::study::{Study, look, preset};
 use serde::Deserialize;
 use vcgpdm::evaluation::{Outcome, START_FRAMES};
 use vcgpdm::models::ModelSettings;
-use vcgpdm::perception::{Maker, Scores, Shown};
+use vcgpdm::perception::{Maker, Shown};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -64,7 +64,8 @@ impl StudyMaker {
         Ok(self.maker.natural(&shown, seen)?)
     }
 
-    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it.
+    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it. Of several seeds of a candidate that of the
+    /// highest `outcome.objective` stays.
     #[wasm_bindgen(js_name = addGenerated)]
     pub fn add_generated(
         &mut self,
@@ -79,7 +80,7 @@ impl StudyMaker {
         let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
         let seed = seed.get(ErrorCode::Study, "the seed")?;
         let shown = Shown { number: trial, trial: &name, positions, frame_time };
-        Ok(self.maker.generated(&shown, &candidate, seed, Scores::of(&outcome))?)
+        Ok(self.maker.generated(&shown, &candidate, seed, &outcome)?)
     }
 
     /// The study of the movements so far.

@@ -93,16 +93,12 @@ pub struct Moments(pub(crate) LatentMoments);
 impl Moments {
     /// Means of a part's latents [frames x Q].
     pub fn means(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let part = part.count(ErrorCode::Rollout, "the part")?;
-        let means = &self.0.means;
-        Ok(flat(means.get(part).ok_or(InducingError::Part { count: means.len(), found: part })?))
+        Ok(flat(part.part_of(ErrorCode::Rollout, &self.0.means)?))
     }
 
     /// Covariances of a part's latents [frames x Q x Q].
     pub fn covariances(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let part = part.count(ErrorCode::Rollout, "the part")?;
-        let all = &self.0.covariances;
-        let frames = all.get(part).ok_or(InducingError::Part { count: all.len(), found: part })?;
+        let frames = part.part_of(ErrorCode::Rollout, &self.0.covariances)?;
         Ok(frames.iter().flat_map(|covariance| covariance.iter().copied()).collect())
     }
 }

@@ -6,7 +6,6 @@ use crate::given::Whole;
 use crate::predictions::Predictions;
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::variational::Vcgpdm;
 use vcgpdm::models::{Health, Rollout as MotionRollout, RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
@@ -131,9 +130,7 @@ impl Rollout {
 
     /// The latent path of a part [frames x Q].
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let part = part.count(ErrorCode::Rollout, "the part")?;
-        let paths = &self.rollout.latents;
-        Ok(flat(paths.get(part).ok_or(InducingError::Part { count: paths.len(), found: part })?))
+        Ok(flat(part.part_of(ErrorCode::Rollout, &self.rollout.latents)?))
     }
 
     /// The weights `w[source][target]` that its couplings give the experts; those into each part sum to 1.

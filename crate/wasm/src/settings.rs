@@ -2,10 +2,11 @@
 
 #[cfg(feature = "training")]
 use crate::convert::from_js_beside;
-use crate::convert::to_js_beside;
+use crate::convert::{from_js, to_js, to_js_beside};
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::Whole;
 #[cfg(feature = "training")]
-use crate::error::ErrorCode;
-use crate::error::VcgpdmError;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::VariationalSettings;
 use vcgpdm::motion::parts::PartSpec;
@@ -13,9 +14,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What training is asked to do. */
-export interface TrainingSettings {
-    parts: PartSpec[];
+/** The size of a variational model, and how long it is trained. */
+export interface VariationalSettings {
     /** Latent dimensions Q of every part. */
     latent: number;
     /** Dynamics inducing points K of every expert. */
@@ -24,20 +24,57 @@ export interface TrainingSettings {
     poseIps: number;
     /** Order p of the dynamics. */
     order: number;
+    /** Most iterations of the optimiser. */
+    maxIterations: number;
+}
+
+/** What training is asked to do. */
+export interface TrainingSettings extends VariationalSettings {
+    parts: PartSpec[];
     /** The clips are brought to about this rate. */
     framesPerSecond: number;
     /** The seed of everything random, a whole number from 0 to 4294967295. */
     seed: number;
-    /** Most iterations of the optimiser. */
-    maxIterations: number;
+}
+
+/** What a training will cost here, on one core: good to a factor of two or so. */
+export interface TrainingCost {
+    /** Until all iterations are used; a bound that settles ends the training sooner. */
+    seconds: number;
+    /** Memory. */
+    bytes: number;
 }
 "#;
 
+/// How many times as long as the native program this one takes: docs/training.md has both.
+const SLOWER: f64 = 1.2;
+
+/// What a training will cost, before it begins.
+#[derive(Serialize)]
+struct Cost {
+    seconds: f64,
+    bytes: f64,
+}
+
+/// What a training on so many frames will cost here, of parts with so many columns each (a joint has three). An estimate, good to a factor
+/// of two or so.
+#[wasm_bindgen(js_name = trainingCost, unchecked_return_type = "TrainingCost")]
+pub fn training_cost(
+    #[wasm_bindgen(unchecked_param_type = "VariationalSettings")] settings: JsValue,
+    frames: &Whole,
+    #[wasm_bindgen(unchecked_param_type = "number[]")] columns: JsValue,
+) -> Result<JsValue, VcgpdmError> {
+    let settings: VariationalSettings = from_js(ErrorCode::Settings, "settings", &settings)?;
+    let columns: Vec<usize> = from_js(ErrorCode::Settings, "columns", &columns)?;
+    let cost = settings.cost(frames.count(ErrorCode::Settings, "the number of frames")?, &columns);
+    to_js(&Cost { seconds: SLOWER * cost.seconds, bytes: cost.bytes })
+}
+
 /// What a model's settings are applied to.
 #[derive(Serialize, Deserialize)]
-pub struct Task {
-    /// How the body is split.
-    pub parts: Vec<PartSpec>,
+pub struct Task<P = PartSpec> {
+    /// How the body, or the columns of a table, are split.
+    pub parts: Vec<P>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
     /// The seed of everything random.
@@ -51,6 +88,8 @@ pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsV
 
 /// The settings of a training from JavaScript.
 #[cfg(feature = "training")]
-pub fn settings_from_js(value: &JsValue) -> Result<(Task, VariationalSettings), VcgpdmError> {
+pub fn settings_from_js<P: DeserializeOwned>(
+    value: &JsValue,
+) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
     from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "framesPerSecond", "seed"])
 }

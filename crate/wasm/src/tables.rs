@@ -1,14 +1,15 @@
 //! Time series that are no body: tables, and a training on them.
 
 use crate::any_model::{Any, AnyModel};
-use crate::convert::{flat, from_js_beside, to_js};
+use crate::convert::{flat, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
+use crate::settings::settings_from_js;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::variational::{Trainer as Training, Vcgpdm};
-use vcgpdm::models::{Dataset, SeriesModel, VariationalSettings};
+use vcgpdm::models::{Dataset, SeriesModel};
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table as Series, read};
 use wasm_bindgen::prelude::*;
@@ -32,22 +33,10 @@ export interface TablePart {
 }
 
 /** What a training on tables is asked to do. */
-export interface TableTrainingSettings {
+export interface TableTrainingSettings extends Omit<TrainingSettings, "parts"> {
     parts: TablePart[];
-    /** Latent dimensions Q of every part. */
-    latent: number;
-    /** Dynamics inducing points K of every expert. */
-    dynamicsIps: number;
-    /** Pose inducing points L of every part. */
-    poseIps: number;
-    /** Order p of the dynamics. */
-    order: number;
     /** Rows a second, where the tables have no column of times. */
     framesPerSecond: number;
-    /** The seed of everything random, a whole number from 0 to 4294967295. */
-    seed: number;
-    /** Most iterations of the optimiser. */
-    maxIterations: number;
 }
 "#;
 
@@ -58,14 +47,6 @@ struct TableInfo<'a> {
     columns: &'a [String],
     rows: usize,
     frame_time: Option<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Task {
-    parts: Vec<TablePart>,
-    frames_per_second: f64,
-    seed: u32,
 }
 
 #[derive(Deserialize)]
@@ -167,6 +148,11 @@ impl TableTrainer {
         Ok(())
     }
 
+    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    pub fn notices(&mut self) -> Result<Vec<String>, VcgpdmError> {
+        Ok(self.begin()?.1.notices().to_vec())
+    }
+
     /// The best model so far, at any time.
     pub fn model(&mut self) -> Result<AnyModel, VcgpdmError> {
         let (dataset, training) = self.begin()?;
@@ -174,17 +160,18 @@ impl TableTrainer {
         let model = SeriesModel::<Vcgpdm>::trained(dataset, training, rate)?;
         Ok(AnyModel { model: Any::Series(Rc::new(model.into())) })
     }
+
+    /// Latent means of the training rows at the best so far [rows x Q] of one part, tables one after the other.
+    pub fn latents(&mut self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let parts = &self.begin()?.1.best().parts;
+        Ok(flat(&part.part_of(ErrorCode::Training, parts)?.latents.mean))
+    }
 }
 
 impl TableTrainer {
     fn begin(&mut self) -> Result<&mut (Dataset<Columns>, Training), VcgpdmError> {
         if self.begun.is_none() {
-            let (task, settings): (Task, VariationalSettings) = from_js_beside(
-                ErrorCode::Settings,
-                "settings",
-                &self.settings,
-                &["parts", "framesPerSecond", "seed"],
-            )?;
+            let (task, settings) = settings_from_js::<TablePart>(&self.settings)?;
             let first = self.tables.first().ok_or(SeriesError::Empty)?;
             let mut parts = Vec::with_capacity(task.parts.len());
             for part in task.parts {

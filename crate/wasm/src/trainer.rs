@@ -7,7 +7,7 @@ use crate::given::Whole;
 use crate::model::Model;
 use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
-use vcgpdm::models::variational::{InducingError, Trainer as Training, Vcgpdm};
+use vcgpdm::models::variational::{Trainer as Training, Vcgpdm};
 use vcgpdm::models::{Dataset, Source, TrainedModel};
 use wasm_bindgen::prelude::*;
 
@@ -30,12 +30,22 @@ export type TrainingPhase = "couplings-kernels-inducing-points" | "everything";
 /** Why training ended: the bound no longer rises, or all iterations are used. */
 export type EndReason = "settled" | "iterations";
 
+/** What went wrong in a training and was survived. */
+export interface Setbacks {
+    /** Factorisations of a covariance that failed, and were tried again with jitter on its diagonal. */
+    jittered: number;
+    /** Evaluations that gave no finite number even so: the search turned back there. */
+    turnedBack: number;
+}
+
 /** How far training is. */
 export interface TrainingProgress {
     iteration: number;
     maxIterations: number;
     /** Evaluations of the bound with its gradient. */
     evaluations: number;
+    /** What went wrong so far and was survived. */
+    setbacks: Setbacks;
     /** The bound now, in nats. */
     bound: number;
     /** The best so far. */
@@ -89,6 +99,11 @@ impl Trainer {
         Ok(())
     }
 
+    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    pub fn notices(&self) -> Vec<String> {
+        self.training.notices().to_vec()
+    }
+
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let model = TrainedModel::<Vcgpdm>::trained(&self.dataset, &self.training, self.frames_per_second)?;
@@ -97,10 +112,6 @@ impl Trainer {
 
     /// Latent means of the training frames at the best so far [frames x Q] of one part, sequences one after the other.
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let part = part.count(ErrorCode::Training, "the part")?;
-        let params = self.training.best();
-        let count = params.parts.len();
-        let part = params.parts.get(part).ok_or(InducingError::Part { count, found: part })?;
-        Ok(flat(&part.latents.mean))
+        Ok(flat(&part.part_of(ErrorCode::Training, &self.training.best().parts)?.latents.mean))
     }
 }

@@ -5,6 +5,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
+import beside
 import bound
 import movements
 
@@ -35,19 +36,53 @@ def problem_of(given: Json) -> bound.Problem:
 
 def evaluate(given: Json, rollouts: list[Json]) -> Json:
     """What is expected of a case: `given` is its input; of `rollouts` only alpha, x0 and steps are read."""
+    if "stored" in given:
+        return evaluate_beside(given)
     return evaluate_movements(given) if "movements" in given else evaluate_plain(given, rollouts)
 
 
-def evaluate_movements(given: Json) -> Json:
-    """What is expected of movements that share primitives."""
+def shared_and_params(given: Json) -> tuple[movements.Shared, bound.Params]:
+    """Movements that share primitives, and a point in their parameter space."""
     lengths = [length for movement in given["movements"] for length in movement["lengths"]]
     problem = problem_of({**given, "lengths": lengths})
     owners = [primitive["part"] for primitive in given["params"]["primitives"]]
     shared = movements.Shared(problem, given["movements"], owners)
     # The part of a primitive is a place, not a number to differentiate by.
     experts = [{"dyn": primitive["dyn"]} for primitive in given["params"]["primitives"]]
-    params = arrays({**given["params"], "primitives": experts})
+    return shared, arrays({**given["params"], "primitives": experts})
 
+
+def latents_of(gradient: bound.Params) -> Json:
+    return [{name: plain(part[name]) for name in ("mu", "s")} for part in gradient["parts"]]
+
+
+def evaluate_beside(given: Json) -> Json:
+    """What is expected of new primitives beside stored ones: of what stays as it is there is no gradient."""
+    shared, params = shared_and_params(given)
+    stored, jitter = given["stored"], shared.problem.jitter
+    primitives = stored["primitives"]
+    lower = beside.roots(params, primitives, jitter)
+
+    def whitened(group: Json, roots: list[bound.Array]) -> list[bound.Gaussian]:
+        return [beside.whitened(root, bound.Gaussian(arrays(q["mean"]), arrays(q["cov"]))) for q, root in zip(group, roots)]
+
+    kept = beside.Stored(whitened(stored["kin"], lower.kinematics), whitened(stored["dyn"], lower.dynamics))
+    differentiated = jax.value_and_grad(lambda params: beside.bound_and_terms(params, kept, shared), has_aux=True)
+    (value, terms), gradient = jax.jit(differentiated)(params)
+    return {
+        "elbo": plain(value),
+        "terms": plain(terms),
+        "gradient": {
+            "parts": latents_of(gradient),
+            "alpha": plain(gradient["alpha"]),
+            "dyn": [plain(primitive["dyn"]) for primitive in gradient["primitives"][primitives:]],
+        },
+    }
+
+
+def evaluate_movements(given: Json) -> Json:
+    """What is expected of movements that share primitives."""
+    shared, params = shared_and_params(given)
     differentiated = jax.value_and_grad(lambda params: movements.bound_and_terms(params, shared), has_aux=True)
     (value, terms), gradient = jax.jit(differentiated)(params)
     kept = jax.jit(lambda params: movements.best_gaussians(params, shared))(params)
@@ -69,7 +104,7 @@ def evaluate_movements(given: Json) -> Json:
         "posterior": {"kin": gaussians(posteriors["kinematics"]), "dyn": gaussians(posteriors["dynamics"])},
         "elbo_given": plain(value_given),
         "gradient_given": {
-            "parts": [{name: plain(part[name]) for name in ("mu", "s")} for part in gradient_given["parts"]],
+            "parts": latents_of(gradient_given),
             "alpha": plain(gradient_given["alpha"]),
         },
     }

@@ -1,9 +1,10 @@
 """Makes golden cases: random problems from a seed, with everything that is expected of them.
 
-    python make_golden.py OUT_DIR [--case K ...] [--seed S] [--movements]
+    python make_golden.py OUT_DIR [--case K ...] [--seed S] [--movements | --beside]
 
 writes OUT_DIR/case-K.json, a problem of the same sizes as the stored case K with other numbers. Without --case, all;
-without --seed, the seed of case K is K. With --movements, OUT_DIR/movements-K.json: movements that share primitives.
+without --seed, the seed of case K is K. With --movements, OUT_DIR/movements-K.json: movements that share primitives. With
+--beside, OUT_DIR/beside-K.json: new primitives beside stored ones.
 """
 
 import argparse
@@ -13,6 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+import beside
 import bound
 import case
 
@@ -53,6 +55,13 @@ MOVEMENTS = [
     Sharing([Part(2, 3, 4), Part(1, 3, 4)], 3, [0, 0, 1, 1], [([9], [0, 2]), ([8], [1, 3]), ([7, 7], [0, 3])], 2),
     # One primitive in two movements of one part.
     Sharing([Part(2, 4, 4)], 4, [0], [([8], [0]), ([7], [0])], 1),
+]
+# The same of which the first primitives are stored, as many as the number says.
+BESIDE = [
+    # New arms beside stored legs, in one movement.
+    (Sharing([Part(2, 4, 5), Part(2, 5, 5)], 4, [0, 1], [([10, 8], [0, 1])], 2), 1),
+    # New primitives of both parts, each also beside a stored one of the other part; one stored one is not used.
+    (Sharing([Part(2, 3, 4), Part(1, 3, 4)], 3, [0, 1, 1, 0, 1], [([9], [0, 4]), ([8], [3, 1]), ([7], [3, 4])], 2), 3),
 ]
 STEPS = 20  # of each rollout
 LEAST_EIGENVALUE = 1e-5  # of the covariance of inducing outputs, relative to the signal variance
@@ -139,6 +148,23 @@ def draw_movements(sizes: Sharing, rng: np.random.Generator) -> case.Json:
     }
 
 
+def draw_stored(given: case.Json, primitives: int, rng: np.random.Generator) -> case.Json:
+    """Gaussians of the inducing outputs of the pose maps and the first primitives."""
+    _, params = case.shared_and_params(given)
+    roots = beside.roots(params, primitives, 0.0)
+
+    def gaussian(root: np.ndarray, columns: int) -> case.Json:
+        size = len(root)
+        axes, _ = np.linalg.qr(rng.normal(size=(size, size)))
+        covariance = root @ (axes * rng.uniform(0.05, 0.9, size)) @ axes.T @ root.T
+        mean = root @ rng.normal(size=(size, columns))
+        return {"mean": mean.tolist(), "cov": ((covariance + covariance.T) / 2).tolist()}
+
+    widths = [[len(y[0]) for y in given["y"]], [len(part["mu"][0]) for part in given["params"]["parts"]]]
+    kinematics, dynamics = ([gaussian(np.array(r), c) for r, c in zip(*pair)] for pair in zip(roots, widths))
+    return {"primitives": primitives, "kin": kinematics, "dyn": dynamics}
+
+
 def make(number: int, seed: int) -> case.Json:
     given, rollouts = draw(CASES[number], np.random.default_rng((number, seed)))
     return {
@@ -158,15 +184,34 @@ def make_movements(number: int, seed: int) -> case.Json:
     }
 
 
+def make_beside(number: int, seed: int) -> case.Json:
+    sizes, primitives = BESIDE[number]
+    rng = np.random.default_rng((number, seed, 2))
+    given = draw_movements(sizes, rng)
+    given["stored"] = draw_stored(given, primitives, rng)
+    about = "bound of new primitives beside stored ones, in natural parameters; no jitter"
+    return {
+        "about": f"{about}; tests/golden/generator, beside {number}, seed {seed}",
+        "input": given,
+        "expected": case.evaluate(given, []),
+    }
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description="Makes golden cases of the vCGPDM bound.")
     parser.add_argument("out", type=Path, metavar="OUT_DIR")
     parser.add_argument("--case", type=int, action="append", help="may be given several times")
-    parser.add_argument("--movements", action="store_true", help="movements that share primitives")
+    sorts = parser.add_mutually_exclusive_group()
+    sorts.add_argument("--movements", action="store_true", help="movements that share primitives")
+    sorts.add_argument("--beside", action="store_true", help="new primitives beside stored ones")
     parser.add_argument("--seed", type=int, help="the seed of all cases made; without it, each case has its number as its seed")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
-    sizes, name, make_one = (MOVEMENTS, "movements", make_movements) if arguments.movements else (CASES, "case", make)
+    sizes, name, make_one = CASES, "case", make
+    if arguments.movements:
+        sizes, name, make_one = MOVEMENTS, "movements", make_movements
+    if arguments.beside:
+        sizes, name, make_one = BESIDE, "beside", make_beside
     for number in arguments.case or range(len(sizes)):
         if number not in range(len(sizes)):
             parser.error(f"--case {number}: expected from 0 to {len(sizes) - 1}")

@@ -1,8 +1,14 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { App } from "./app";
-import { openFiles } from "./open-files";
+import { download } from "../ui/download";
+import { visitor } from "../ui/unsaved-dialog.fake";
+import { openFiles, openModel } from "./open-files";
+import { wouldLose } from "./unsaved-work";
+
+vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 let engine: FakeEngine;
 let trainers: FakeTrainers;
@@ -106,4 +112,60 @@ describe("files", () => {
     await openFiles(app, [file("model.json", modelText(9))], null);
     expect([app.training.chosen, app.model.model?.info.provenance.settings.seed]).toEqual([null, 9]);
   });
+});
+
+describe("a model on the stage", () => {
+  const seed = () => app.model.model?.info.provenance.settings.seed;
+  const trained = async () => {
+    const over = app.training.start();
+    await settled();
+    trainers.trainings.at(-1)?.report(2, -5, modelText(5));
+    trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
+    await over;
+  };
+  beforeEach(async () => {
+    visitor.arrives("keep");
+    await start();
+  });
+
+  it("from a file or of a training makes place unasked: the file and the list hold it", async () => {
+    await openModel(app, modelText(9));
+    await trained();
+    await openModel(app, modelText(9));
+    await app.training.choose(app.training.runs[0] ?? expect.fail());
+    await settled();
+    expect([seed(), visitor.asked]).toEqual([5, []]);
+  });
+
+  it("that was put together here makes place for nothing before the visitor was asked", async () => {
+    await openModel(app, modelText(7), true);
+    expect(await openModel(app, modelText(9))).toBe(false);
+    await app.training.start();
+    expect([seed(), app.training.runs.length, visitor.asked.length]).toEqual([7, 0, 2]);
+    visitor.arrives("save");
+    expect(await openModel(app, modelText(9))).toBe(true);
+    expect(vi.mocked(download).mock.calls.map(([name]) => name)).toEqual([expect.stringMatching(/model\.json$/)]);
+    // It is on a disk now, whoever brings it back.
+    await openModel(app, modelText(7), true);
+    expect([await openModel(app, modelText(9)), visitor.asked.length]).toEqual([true, 1]);
+  });
+
+  it("whose training was removed from the list is asked about too", async () => {
+    await trained();
+    app.training.clear();
+    expect(await openModel(app, modelText(9))).toBe(false);
+    expect(visitor.asked).toHaveLength(1);
+  });
+});
+
+it("leaving the page loses work only where nothing keeps it", async () => {
+  visitor.arrives("keep");
+  await start();
+  expect(wouldLose(app)).toBe(false);
+  await openModel(app, modelText(9));
+  expect(wouldLose(app)).toBe(false);
+  await openModel(app, modelText(7), true);
+  expect(wouldLose(app)).toBe(true);
+  const session = { loaded: { keeps: true } };
+  expect(wouldLose({ ...app, session } as unknown as App)).toBe(false);
 });

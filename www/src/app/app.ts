@@ -15,6 +15,8 @@ import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
+import { stageWork } from "../couplings/model-work";
+import { mayLose } from "../ui/unsaved";
 import { Lazy } from "./lazy";
 
 export class App {
@@ -58,7 +60,14 @@ export class App {
 
   readonly primitives = new Lazy(async () => {
     const { openPrimitives } = await import("../primitives/primitives");
-    return openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
+    const primitives = openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
+    primitives.library.on(this.#touched);
+    return primitives;
+  });
+
+  readonly series = new Lazy(async () => {
+    const { openSeries } = await import("../series/series");
+    return openSeries(await this.#whole.get(), this.settings);
   });
 
   readonly experiment = new Lazy(async () => {
@@ -83,10 +92,10 @@ export class App {
 
   readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
 
-  /** Shows a study, of which this is the text. */
-  async openStudy(text: string): Promise<void> {
+  /** Shows a study, of which this is the text. `made`: it was made here. */
+  async openStudy(text: string, made = false): Promise<void> {
     this.settings.change({ view: "perception" });
-    await (await this.perception.get()).openStudy(async () => text);
+    await (await this.perception.get()).openStudy(async () => text, made);
   }
 
   /** The answers of all participants on this machine. */
@@ -115,7 +124,8 @@ export class App {
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);
-    this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices);
+    const mayTakeStage = () => mayLose(stageWork(this.model, this.engine));
+    this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices, mayTakeStage);
   }
 
   /** Whether the stage is to be seen: not a comparison or the synthetic experiment. */

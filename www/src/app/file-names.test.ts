@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { modelName, motionName, plain, type RolledOut } from "./file-names";
+import { modelName, plain } from "../couplings/model-file";
+import { motionName, type RolledOut } from "./file-names";
 
 const sequence = (name: string) => ({
   name,

@@ -1,5 +1,6 @@
 // Names for files that leave the page. BVH has no place for comments that every reader skips, so the name itself tells a motion
 // apart: which model, what was changed, which start, how long.
+import { modelName, plain } from "../couplings/model-file";
 import type { ModelInfo, Reading } from "../engine/protocol";
 import type { ChangedCouplings } from "../settings/settings";
 import { clipTitle } from "../ui/format";
@@ -20,19 +21,7 @@ export interface RolledOut {
   frames: number;
 }
 
-/** Letters, digits and single hyphens: a name on every system. */
-export function plain(text: string): string {
-  return text.replace(/[^\p{L}\p{N}_.]+/gu, "-").replace(/^[-.]+|[-.]+$/g, "");
-}
-
-/** "35_01-2-parts-1a2b3c4d" */
-export function modelName({ info, id }: Pick<RolledOut, "info" | "id">): string {
-  const clip = plain(clipTitle(info.sequences[0]?.name ?? "")) || "model";
-  const parts = info.parts.length === 1 ? "1-part" : `${info.parts.length}-parts`;
-  return `${clip}-${parts}-${id}`;
-}
-
-/** The same, and what tells this motion from others of the model: "...-lower-upper-5-as-35_02-10s". */
+/** The name of the model, and what tells this motion from others of it: "...-lower-upper-5-as-35_02-10s". */
 export function motionName(motion: RolledOut): string {
   const { info, sequence, frame, frames } = motion;
   const start = info.sequences[sequence];

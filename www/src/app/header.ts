@@ -17,12 +17,14 @@ const VIEWS: [Settings["view"], string][] = [
   ["primitives", "Primitives"],
   ["synthetic", "Who drives whom?"],
   ["perception", "Which is natural?"],
+  ["series", "Time series"],
 ];
 
 const LEADS = {
   compare: "Which model foresees a walk best, and what does it cost?",
   primitives: "Parts learned once, put together in new ways: legs of one movement, arms of another.",
   synthetic: "Two made-up systems of which the truth is known: does training find it?",
+  series: "Curves that are no body: which parts they have, and which part drives which.",
   perception: "The graphics Turing test: can people tell a model’s movement from a natural one?",
   method: "The model in equations, and where each symbol is to be seen.",
 };
@@ -44,7 +46,7 @@ export class HeaderView extends View {
     const { settings } = this.app;
     return html`
       <nav class="segments" aria-label="Views">
-        ${VIEWS.map(
+        ${VIEWS.filter(([view]) => view !== "series" || this.hasSeries).map(
           ([view, title]) => html`
           <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.values, view })}`)}
             data-testid="view-${view}" aria-current=${settings.values.view === view ? "page" : "false"}
@@ -55,6 +57,11 @@ export class HeaderView extends View {
             }}>${title}</a>`,
         )}
       </nav>`;
+  }
+
+  /** Few have other data than bodies: the view has a place of its own from when it is first opened. */
+  private get hasSeries(): boolean {
+    return this.app.settings.values.view === "series" || this.app.series.loaded !== null;
   }
 
   private lead() {
@@ -102,9 +109,9 @@ export class HeaderView extends View {
         ${this.newVersion()}
         ${fileButton({
           label: "Open",
-          meaning: "Open a model (.json) or clips (.bvh)",
+          meaning: "Open a model (.json), clips (.bvh) or tables (.csv)",
           testId: "open-model",
-          accept: ".json,.bvh,application/json",
+          accept: ".json,.bvh,.csv,application/json,text/csv",
           multiple: true,
           disabled: false,
           chosen: (files) => this.tell("open-files", files),

@@ -56,6 +56,10 @@ const ON_DEMAND = {
     const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
     return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
+  async series({ series, settings, notices }: App) {
+    const [stores] = await Promise.all([series.get(), import("../series/series-page")]);
+    return () => html`<pg-series .series=${stores} .settings=${settings} .notices=${notices}></pg-series>`;
+  },
   async method() {
     await import("../method/method-page");
     return () => html`<pg-method></pg-method>`;
@@ -149,7 +153,7 @@ export class PageView extends View {
   get clock(): Clock | null {
     return this.app.isPlayView
       ? this.app.playback
-      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk");
+      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk, pg-series");
   }
 
   /** The first time it is loaded. */
@@ -193,7 +197,7 @@ export class PageView extends View {
   private async stageModel(text: string): Promise<void> {
     const { notices, settings } = this.app;
     try {
-      await openModel(this.app, text);
+      if (!(await openModel(this.app, text, true))) return;
       settings.change({ view: "play" });
     } catch (problem) {
       notices.addError("This model was not taken up", messageOf(problem));
@@ -247,7 +251,7 @@ export class PageView extends View {
         <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
         <pg-caption .app=${this.app}></pg-caption>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
-        <div class="live-box">${this.liveView ? this.liveView() : nothing}</div>
+        <div>${this.liveView ? this.liveView() : nothing}</div>
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
       </section>`;
   }
@@ -315,11 +319,11 @@ export class PageView extends View {
     const { foreign } = model;
     const { view } = settings.values;
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod}
+      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod} @show-series=${() => settings.change({ view: "series" })}
         @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
-        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail)}
+        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
         @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
@@ -363,7 +367,7 @@ export class PageView extends View {
         }
         <pg-notices .notices=${notices}></pg-notices>
         <pg-help .model=${model} .engine=${engine}></pg-help>
-        <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh) or a model (.json)</p></div>
+        <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh), tables (.csv) or a model (.json)</p></div>
       </div>`;
   }
 }

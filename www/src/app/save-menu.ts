@@ -52,6 +52,8 @@ export class SaveMenu extends View {
       <button class="small" data-testid="save" popovertarget="save-menu" ?disabled=${!hasModel && !clip}>${icon("save")} Save</button>
       <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.place}>
         ${this.item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
+        ${this.item("glb", "Motion with a skin", "GLB", "For Blender and viewers", hasModel || clip !== null)}
+        ${this.item("positions", "Joint positions", "CSV", "A row a frame, in metres, y up", hasModel || clip !== null)}
         ${this.item("latents", "Latents and weights", "CSV", noRollout || "A row a frame", hasModel && !clip)}
         ${this.item("account", "How the motion was made", "JSON", noRollout || "Model, clips, seed, couplings, start", hasModel && !clip)}
         ${this.item("model", "Model", "JSON", "Opens here and in the terminal", hasModel)}

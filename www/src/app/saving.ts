@@ -1,25 +1,37 @@
 // Files that leave the page, to the visitor's own disk. Loaded when the first is asked for.
 import type { ClipEntry } from "../clips/clips-store";
+import { modelFile, plain } from "../couplings/model-file";
+import type { Figure, JointInfo, Motion, PartSpec } from "../engine/protocol";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
-import { modelName, motionName, plain, type RolledOut } from "./file-names";
+import { motionName } from "./file-names";
 
 /** What can be saved: the clip that is on the stage, or the model's motion and what belongs to it. */
-export type Saved = "model" | "motion" | "latents" | "account";
+export type Saved = "model" | "motion" | "glb" | "positions" | "latents" | "account";
 
 interface File {
   name: string;
   type: string;
-  text(): Promise<string>;
+  content(): Promise<string | ArrayBuffer>;
+}
+
+/** A motion of the stage, which can be saved in three forms. */
+interface Moved {
+  /** Without an ending. */
+  name: string;
+  body: { figure: Figure; joints: readonly JointInfo[]; parts: readonly PartSpec[] };
+  motion(): Promise<Motion>;
+  bvh(): Promise<string>;
 }
 
 export async function save(app: App, what: Saved): Promise<void> {
   const file = fileOf(app, what);
   if (!file) return;
   try {
-    download(file.name, new Blob([await file.text()], { type: file.type }));
+    download(file.name, new Blob([await file.content()], { type: file.type }));
+    if (what === "model") app.model.saved();
   } catch (problem) {
     app.notices.addError(`${file.name} was not saved`, messageOf(problem));
   }
@@ -27,45 +39,79 @@ export async function save(app: App, what: Saved): Promise<void> {
 
 /** Null while there is nothing of the kind. */
 function fileOf(app: App, what: Saved): File | null {
+  if (what === "motion" || what === "glb" || what === "positions") {
+    const moved = movedClip(app) ?? movedModel(app);
+    return moved && motionFile(moved, what);
+  }
   const { engine } = app.engine;
-  const clip = clipOnStage(app);
-  if (engine && clip && what === "motion") {
-    const { loaded, first, end } = clip;
-    return { name: clipFile(clip), type: "text/plain", text: () => engine.clipBvh(loaded.id, first, end) };
-  }
-  const { model, rollout, id } = app.model;
-  if (!engine || !model || !rollout) return null;
-  if (what === "model") {
-    return {
-      name: `${modelName({ ...model, id })}.model.json`,
-      type: "application/json",
-      text: () => engine.modelJson(),
-    };
-  }
+  const { model, rollout } = app.model;
+  const name = rolledOutName(app);
+  if (!engine || !model || !rollout || name === null) return null;
+  if (what === "model") return modelFile(app.model, engine);
   const request = app.model.rolloutRequest();
-  const { alpha, reading } = app.settings.values;
-  const rolledOut: RolledOut = {
-    info: model.info,
-    id,
-    alpha,
-    reading,
-    sequence: request.sequence,
-    frame: request.frame,
-    frames: request.frames,
-  };
-  const name = motionName(rolledOut);
-  if (what === "motion") return { name: `${name}.bvh`, type: "text/plain", text: () => engine.rolloutBvh(request) };
-  const files = () => import("./stage-files");
   if (what === "latents") {
-    const text = async () => (await files()).rolloutCsv(model, await engine.rollout(request));
-    return { name: `${name}.latents.csv`, type: "text/csv", text };
+    const content = async () => (await files()).rolloutCsv(model, await engine.rollout(request));
+    return { name: `${name}.latents.csv`, type: "text/csv", content };
   }
   const about = { version: app.engine.version, file: `${name}.bvh` };
-  const text = async () => (await files()).motionAccount(model, { ...rollout, request }, about);
-  return { name: `${name}.made.json`, type: "application/json", text };
+  const content = async () => (await files()).motionAccount(model, { ...rollout, request }, about);
+  return { name: `${name}.made.json`, type: "application/json", content };
 }
 
-function clipFile({ title, first, end, loaded }: ClipEntry): string {
+const files = () => import("./stage-files");
+
+function motionFile({ name, body, motion, bvh }: Moved, what: "motion" | "glb" | "positions"): File {
+  if (what === "motion") return { name: `${name}.bvh`, type: "text/plain", content: bvh };
+  if (what === "positions") {
+    const content = async () => (await files()).positionsCsv(body, await motion());
+    return { name: `${name}.positions.csv`, type: "text/csv", content };
+  }
+  const content = async () => {
+    const { motionGlb } = await import("../scene/glb");
+    return motionGlb(await bvh(), { ...body, motion: await motion() });
+  };
+  return { name: `${name}.glb`, type: "model/gltf-binary", content };
+}
+
+function movedClip(app: App): Moved | null {
+  const { engine } = app.engine;
+  const clip = clipOnStage(app);
+  const { shown } = app.stage;
+  if (!engine || !clip || shown?.kind !== "clip") return null;
+  const { loaded, first, end } = clip;
+  return {
+    name: clipName(clip),
+    body: { ...loaded.info, parts: shown.parts },
+    // Of the frames that it keeps.
+    motion: async () => shown.motion,
+    bvh: () => engine.clipBvh(loaded.id, first, end),
+  };
+}
+
+function movedModel(app: App): Moved | null {
+  const { engine } = app.engine;
+  const { model } = app.model;
+  const name = rolledOutName(app);
+  if (!engine || !model || name === null) return null;
+  const request = app.model.rolloutRequest();
+  return {
+    name,
+    body: model.info,
+    motion: async () => (await engine.rollout(request)).motion,
+    bvh: () => engine.rolloutBvh(request),
+  };
+}
+
+/** What files of the model's motion are called, without an ending; null while there is none. */
+function rolledOutName(app: App): string | null {
+  const { model, rollout, id } = app.model;
+  if (!model || !rollout) return null;
+  const { alpha, reading } = app.settings.values;
+  const { sequence, frame, frames } = app.model.rolloutRequest();
+  return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames });
+}
+
+function clipName({ title, first, end, loaded }: ClipEntry): string {
   const whole = first === 0 && end === loaded.info.frames;
-  return `${plain(title) || "clip"}${whole ? "" : `-${first + 1}-${end}`}.bvh`;
+  return `${plain(title) || "clip"}${whole ? "" : `-${first + 1}-${end}`}`;
 }

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { FakeEngine, modelHash, modelText } from "../engine/engine.fake";
-import { motionAccount, rolloutCsv } from "./stage-files";
+import { motionAccount, positionsCsv, rolloutCsv } from "./stage-files";
 
 async function rolledOut(alpha: number[][] | null = null) {
   const engine = new FakeEngine();
@@ -46,4 +46,21 @@ it("tells how a motion was made: model, clips, seed, couplings, reading, start",
   const learned = await rolledOut();
   const plain = JSON.parse(motionAccount(learned.model, learned.rollout, { version: "1", file: "b.bvh" }));
   expect([plain.alpha, plain.reading]).toEqual([learned.model.info.alpha, "as learned"]);
+});
+
+it("writes where every joint and end is, a row a frame", () => {
+  const body = {
+    joints: [{ name: "hips" }, { name: "head" }],
+    figure: {
+      nodes: [
+        { joint: 0, parent: null, endSite: false },
+        { joint: 1, parent: 0, endSite: false },
+        { joint: 1, parent: 1, endSite: true },
+      ],
+    },
+  };
+  const positions = Float32Array.from({ length: 18 }, (_, i) => i / 2);
+  const [header, first, second] = positionsCsv(body, { positions, frames: 2, nodes: 3, frameTime: 0.5 }).split("\r\n");
+  expect(header).toBe("frame,time,hips_x,hips_y,hips_z,head_x,head_y,head_z,head_end_x,head_end_y,head_end_z");
+  expect([first, second]).toEqual(["0,0,0,0.5,1,1.5,2,2.5,3,3.5,4", "1,0.5,4.5,5,5.5,6,6.5,7,7.5,8,8.5"]);
 });

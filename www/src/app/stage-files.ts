@@ -1,5 +1,5 @@
 // Tables and accounts of what is on the stage, for files. Loaded when the first is asked for.
-import type { ModelView, Reading, RolloutResult } from "../engine/protocol";
+import type { Figure, JointInfo, ModelView, Motion, Reading, RolloutResult } from "../engine/protocol";
 import { csv } from "../figures/csv";
 
 /** A row a frame: frame, time in seconds, the latents of all parts, and the weights of all experts. */
@@ -23,6 +23,22 @@ export function rolloutCsv({ info }: ModelView, { latents, weights, motion }: Ro
       return [...(latents[part] ?? []).slice(frame * width, (frame + 1) * width)];
     }),
     ...shares,
+  ]);
+  return csv({ header, rows });
+}
+
+/** A row a frame: frame, time in seconds, and where each joint and each end of a limb is, in metres for a body 1.7 m tall, y up. */
+export function positionsCsv(
+  { figure, joints }: { figure: Figure; joints: readonly Pick<JointInfo, "name">[] },
+  { positions, frames, nodes, frameTime }: Motion,
+): string {
+  const names = figure.nodes.map(({ joint, endSite }) => `${joints[joint]?.name ?? joint}${endSite ? "_end" : ""}`);
+  const header = ["frame", "time", ...names.flatMap((name) => ["x", "y", "z"].map((axis) => `${name}_${axis}`))];
+  const width = 3 * nodes;
+  const rows = Array.from({ length: frames }, (_, frame) => [
+    frame,
+    frame * frameTime,
+    ...positions.subarray(frame * width, (frame + 1) * width),
   ]);
   return csv({ header, rows });
 }

@@ -100,9 +100,9 @@ export class ClipsView extends View {
         <h2>Clips</h2>
         ${fileButton({
           label: "Open files",
-          meaning: "Open motion clips (.bvh) or a model (.json)",
+          meaning: "Open motion clips (.bvh), tables (.csv) or a model (.json)",
           testId: "open-files",
-          accept: ".bvh,.json,.BVH,.JSON,application/json",
+          accept: ".bvh,.json,.csv,.BVH,.JSON,.CSV,application/json,text/csv",
           multiple: true,
           disabled: false,
           chosen: (files) => this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true })),
@@ -114,7 +114,9 @@ export class ClipsView extends View {
       ${
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
-          : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.</p>`
+          : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.
+            <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>Time series</button>
+            that are no body (.csv) have a view of their own.</p>`
       }
       ${
         made.length > 0

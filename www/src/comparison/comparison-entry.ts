@@ -1,5 +1,7 @@
 // A comparison as this visit knows it: its results, how far its trainings are, and the motions that models predicted.
 import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
+import { download } from "../ui/download";
+import type { Work } from "../ui/unsaved";
 import type { JobProgress } from "./jobs";
 import type { Question } from "./question";
 
@@ -19,6 +21,8 @@ export interface ComparisonEntry {
   /** What the trials are called. */
   readonly titles: readonly string[];
   results: ResultsView;
+  /** The text of the results that is on a disk; empty: none. */
+  onDisk: string;
   /** What the last press of Compare asked for. */
   jobs: readonly JobProgress[];
   /** What models trained on all other trials predict, by the job's id. */
@@ -34,9 +38,26 @@ export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actu
 };
 
 /** Without a question: from a file. */
-export function newEntry(question: Question | null, results: ResultsView): ComparisonEntry {
+export function newEntry(question: Question | null, results: ResultsView, onDisk = ""): ComparisonEntry {
   const titles = question?.titles ?? results.setting.trials.map(({ name }) => name);
-  return { question, titles, results, jobs: [], predictions: new Map(), actual: new Map() };
+  return { question, titles, results, onDisk, jobs: [], predictions: new Map(), actual: new Map() };
+}
+
+/** Saves the results to the visitor's disk. */
+export function saveResults(entry: ComparisonEntry): void {
+  const { text } = entry.results;
+  download("comparison.results.json", new Blob([text], { type: "application/json" }));
+  entry.onDisk = text;
+}
+
+/** Results that are on no disk. */
+export function workOf(entry: ComparisonEntry | null): Work | null {
+  if (!entry || entry.results.finished.length === 0 || entry.results.text === entry.onDisk) return null;
+  const { length } = entry.results.finished;
+  return {
+    what: `a comparison of ${length} ${length === 1 ? "training" : "trainings"}`,
+    save: () => saveResults(entry),
+  };
 }
 
 /** Keeps the motions of a job to be shown, if its model was trained on all other trials. */

@@ -3,12 +3,12 @@ import { html, nothing } from "lit";
 import { type ClipsStore, LARGEST_FILE } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
-import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
 import { messageOf, sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
+import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../ui/two-columns.css";
 import "../terms/term";
@@ -131,7 +131,6 @@ export class ComparisonPage extends View {
 
   #files() {
     const { busy, shown } = this.comparison;
-    const save = (text: string) => download("comparison.results.json", new Blob([text], { type: "application/json" }));
     const canSave = shown !== null && shown.results.finished.length > 0;
     return html`
       <div class="files">
@@ -144,7 +143,7 @@ export class ComparisonPage extends View {
           disabled: busy,
           chosen: ([file]) => file && void this.#open(file.name, () => chosenResults(file)),
         })}
-        <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => shown && save(shown.results.text)}>${icon("save")} Save results</button>
+        <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => this.comparison.save()}>${icon("save")} Save results</button>
         <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title="All models, ten walks of one person, 30 frames a second"
           @click=${() => void this.#open("Ten recorded walks", recordedWalks)}>${icon("eye")} Ten recorded walks</button>
         <button class="small" data-testid="make-study" ?disabled=${busy || !this.comparison.canMakeStudy} title="Ask people which movement is the more natural: a study of the movements compared here"
@@ -160,8 +159,7 @@ export class ComparisonPage extends View {
         ${this.#button()}
         <p class="hint words" data-testid="compare-progress">${this.#words()}</p>
       </div>
-      <progress max="1" .value=${busy ? share(comparison.shown?.jobs ?? []) : 0} aria-label="Comparing" class=${busy ? "" : "resting"}
-        aria-hidden=${busy ? "false" : "true"}></progress>
+      ${progressBar("Comparing", busy ? share(comparison.shown?.jobs ?? []) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
       <p class="hint">Each trial is <pg-term of="fold" text="held out in turn"></pg-term>. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
       <pg-comparison-choices .comparison=${comparison} .settings=${settings} .clips=${clips}></pg-comparison-choices>

@@ -1,10 +1,13 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { ClipEntry } from "../clips/clips-store";
 import type { PartSpec } from "../engine/protocol";
 import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-engine.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
+import { visitor } from "../ui/unsaved-dialog.fake";
 import { type ClipsNow, ComparisonStore, type EngineState, type SettingsNow } from "./comparison-store";
+
+vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
 
 class FakeEngine extends Store implements EngineState {
   state: EngineState["state"] = "ready";
@@ -43,6 +46,7 @@ let comparison: ComparisonStore;
 beforeEach(() => {
   [program, settings, clips] = [new FakeProgram(), new FakeSettings(), new FakeClips()];
   clips.tick(1, 2, 3);
+  visitor.arrives("discard");
   comparison = new ComparisonStore(new FakeEngine(), settings, clips, program);
 });
 
@@ -279,6 +283,27 @@ describe("opened results", () => {
     expect(comparison.outlook).toMatchObject({ open: 5, goesOn: false });
     await compare();
     expect([comparison.ending, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
+  });
+
+  it("ask before they take the place of what is on no disk", async () => {
+    await comparison.open(saved());
+    await comparison.open(saved());
+    expect(visitor.asked).toEqual([]);
+    await compare();
+    const { shown } = comparison;
+    visitor.answer = "keep";
+    expect(await comparison.open(saved())).toBe(false);
+    expect([visitor.asked, comparison.shown]).toEqual([["a comparison of 6 trainings"], shown]);
+    visitor.answer = "discard";
+    expect(await comparison.open(saved())).toBe(true);
+    // What an earlier visit has left is on no disk, and nothing else holds it: neither a file nor another comparison takes its place.
+    await comparison.open(saved(), false);
+    visitor.answer = "keep";
+    clips.tick(1, 2);
+    await compare();
+    expect(comparison.shown?.question).toBeNull();
+    expect(visitor.asked).toHaveLength(3);
+    expect(comparison.unsaved).toContain(comparison.shown);
   });
 
   it("are refused while a comparison runs, also when it began meanwhile", async () => {

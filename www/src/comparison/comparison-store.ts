@@ -2,12 +2,21 @@
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
+import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
 import type { Evaluated, PlannedComparison } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { type ComparisonEntry, keepMotions, newEntry, type ReadonlyEntry } from "./comparison-entry";
+import { mayLose } from "../ui/unsaved";
+import {
+  type ComparisonEntry,
+  keepMotions,
+  newEntry,
+  type ReadonlyEntry,
+  saveResults,
+  workOf,
+} from "./comparison-entry";
 import { type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type Question, questionOf } from "./question";
 import { studyRequestOf } from "./study-request";
@@ -81,10 +90,7 @@ export class ComparisonStore extends Store {
     this.#clips = clips;
     this.#whole = whole;
     this.#planning = new Latest(
-      async (asked) => {
-        const { desk } = await whole.load();
-        return desk.run((worker) => plan(worker, asked));
-      },
+      (asked) => askDesk(whole, (worker) => plan(worker, asked)),
       (planned, asked) => this.#answered({ asked, planned }, ""),
       // A program that was not loaded or a worker that died says nothing about the plan: Compare can be pressed all the same.
       (problem) => this.#answered(null, isRefusal(problem) ? messageOf(problem) : ""),
@@ -117,8 +123,7 @@ export class ComparisonStore extends Store {
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error("No model was trained here yet.");
-    const { desk } = await this.#whole.load();
-    return desk.run((worker) => worker.makeStudy(request));
+    return askDesk(this.#whole, (worker) => worker.makeStudy(request));
   }
 
   get failed(): boolean {
@@ -198,6 +203,7 @@ export class ComparisonStore extends Store {
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
+      if (!(await mayLose(...this.#lostTo(asked, planned).map(workOf)))) return this.#rest();
       const entry = this.#takeUp(asked, planned);
       const jobs = openJobs(planned.jobs, entry.predictions).map(waiting);
       entry.jobs = jobs;
@@ -209,6 +215,10 @@ export class ComparisonStore extends Store {
       this.#failed = !signal.aborted;
       this.#ending = this.#failed ? messageOf(problem) : "You cancelled before it began.";
     }
+    this.#rest();
+  }
+
+  #rest(): void {
     this.#status = "idle";
     this.#askAnew();
   }
@@ -228,15 +238,32 @@ export class ComparisonStore extends Store {
     this.changed();
   }
 
-  /** Shows the results that a file holds: from this page or from the terminal. What is shown stays when they cannot be opened. */
-  async open(text: string): Promise<void> {
+  /** All results of this visit that are on no disk. */
+  get unsaved(): readonly ReadonlyEntry[] {
+    const entries = new Set(this.#entries.values());
+    if (this.#shown) entries.add(this.#shown);
+    return [...entries].filter((entry) => workOf(entry) !== null);
+  }
+
+  /** Saves the results that are shown to the visitor's disk. */
+  save(): void {
+    if (this.#shown) saveResults(this.#shown);
+    this.changed();
+  }
+
+  /**
+   * Shows the results that a file holds, from this page or from the terminal, and says whether. What is shown stays when they cannot be
+   * opened, or when the visitor keeps it. `onDisk`: the file is on a disk.
+   */
+  async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
-    const { desk } = await this.#whole.load();
-    const results = await desk.run((worker) => worker.openResults(text));
+    const results = await askDesk(this.#whole, (worker) => worker.openResults(text));
+    if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
-    this.#shown = newEntry(null, results);
+    this.#shown = newEntry(null, results, onDisk ? results.text : "");
     [this.#ending, this.#failed] = [`${results.finished.length} results opened.`, false];
     this.#askAnew();
+    return true;
   }
 
   #refuseWhileBusy(): void {
@@ -278,10 +305,18 @@ export class ComparisonStore extends Store {
     this.changed();
   }
 
+  /** What is shown or kept now, and would be neither. */
+  #lostTo({ question, known }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
+    const others = [...this.#entries.values()].filter((entry) => entry.question?.key !== question.key);
+    const oldest = others.slice(0, Math.max(0, others.length + 1 - MOST_ENTRIES));
+    const shown = this.#shown;
+    return shown?.question === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
+  }
+
   /** Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new one. */
   #takeUp({ question, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
     const own = goesOn && known?.question?.key === question.key ? known : null;
-    const entry = own ?? newEntry(question, results);
+    const entry = own ?? newEntry(question, results, (goesOn && known?.onDisk) || "");
     entry.results = results;
     this.#shown = entry;
     this.#entries.delete(question.key);
@@ -341,8 +376,7 @@ export class ComparisonStore extends Store {
 
   #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
     const added = this.#adding.then(async () => {
-      const { desk } = await this.#whole.load();
-      const add = () => desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
+      const add = () => askDesk(this.#whole, (worker) => worker.addOutcome(entry.results.text, job, outcome));
       // The worker may have died: a fresh one needs nothing but the text.
       entry.results = await add().catch(add);
     });

@@ -4,6 +4,7 @@ import { plain } from "../figures/numbers";
 import { type ColumnMotion, Columns } from "../scene/columns";
 import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
+import { eachFrame } from "../ui/each-frame";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { ReadonlyEntry } from "./comparison-entry";
@@ -34,18 +35,8 @@ export class SideBySide extends View {
 
   protected override arrived(): void {
     this.#player.playing = this.comparison.look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    let before = performance.now();
-    let timer = 0;
-    const tick = (now: number) => {
-      timer = requestAnimationFrame(tick);
-      this.#tick(Math.min(0.25, (now - before) / 1000));
-      before = now;
-    };
-    timer = requestAnimationFrame(tick);
-    this.whenLeaving(() => {
-      cancelAnimationFrame(timer);
-      this.#leaveCanvas();
-    });
+    this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
+    this.whenLeaving(() => this.#leaveCanvas());
     this.requestUpdate();
   }
 
@@ -211,7 +202,7 @@ export class SideBySide extends View {
     return html`
       ${this.#choices(shown, folds, fold, chosen)}
       <div class="columns" style=${styled({ "--columns": chosen.length })}>
-        <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
+        <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
           aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         <ol class="column-heads">

@@ -19,13 +19,17 @@ const job = (seed: number, primitives: number): Job => ({
   ...{ candidate: { model: "tmp", primitives }, heldOut: 2, trainingTrials: 1, seed },
 });
 
-it("takes the best seed of each model, with the trial as it was", () => {
-  const jobs = [job(0, 3), job(1, 3), job(2, 3)];
-  const entry = entryOf(jobs, [5, 7, 6]);
+it("takes every model that was trained in this visit, with the trial as it was", () => {
+  const jobs = [job(0, 3), job(1, 3)];
+  const entry = entryOf(jobs, [5, 7]);
   expect(studyRequestOf(entry)).toBe(null);
   entry.results.finished.forEach(({ id, job }) => keepMotions(entry, id, job, evaluated));
   const request = studyRequestOf(entry);
-  expect(request?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([[1, 2, "two"]]);
+  expect(request?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([
+    [0, 2, "two"],
+    [1, 2, "two"],
+  ]);
+  expect(request?.generated.map(({ outcome }) => outcome.objective)).toEqual([5, 7]);
   expect(request?.natural.map(({ trial, name }) => [trial, name])).toEqual([[2, "two"]]);
   expect(request?.body.id).toBe(1);
 });

@@ -1,34 +1,20 @@
 // A study of perceived naturalness from a comparison: its trials, and what the models trained in this visit made of them.
-import type { FinishedJob, GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
+import type { GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
 import type { ReadonlyEntry } from "./comparison-entry";
-
-const objectiveOf = ({ outcome }: FinishedJob) => outcome?.objective ?? -Infinity;
-
-/** Of several seeds of the same model in the same fold the one of the highest objective, as `vcgpdm study` takes it. */
-function bestSeeds(finished: readonly FinishedJob[]): FinishedJob[] {
-  const best = new Map<string, FinishedJob>();
-  for (const job of finished) {
-    const key = JSON.stringify([job.job.candidate, job.job.heldOut]);
-    const known = best.get(key);
-    if (!known || objectiveOf(job) > objectiveOf(known)) best.set(key, job);
-  }
-  return [...best.values()];
-}
 
 /** Null where no model was trained in this visit: results from a file hold no movements. */
 export function studyRequestOf({ question, titles, results, predictions, actual }: ReadonlyEntry): StudyRequest | null {
   const [body] = question?.clips ?? [];
   if (!question || !body) return null;
   const named = (trial: number, frameTime: number) => ({ trial, name: titles[trial - 1] ?? "", frameTime });
-  const generated = bestSeeds(results.finished.filter(({ id }) => predictions.has(id))).flatMap(
-    ({ id, job, outcome }): GeneratedMovement[] => {
-      const predicted = predictions.get(id);
-      if (!predicted || !outcome) return [];
-      const { positions, frameTime } = predicted;
-      const { candidate, seed, heldOut } = job;
-      return [{ ...named(heldOut, frameTime), positions, candidate, seed, outcome }];
-    },
-  );
+  // Of several seeds the study takes the best: the library's rule.
+  const generated = results.finished.flatMap(({ id, job, outcome }): GeneratedMovement[] => {
+    const predicted = predictions.get(id);
+    if (!predicted || !outcome) return [];
+    const { positions, frameTime } = predicted;
+    const { candidate, seed, heldOut } = job;
+    return [{ ...named(heldOut, frameTime), positions, candidate, seed, outcome }];
+  });
   const natural = [...actual].map(([trial, { positions, frameTime }]) => ({ ...named(trial, frameTime), positions }));
   if (generated.length === 0 || natural.length === 0) return null;
   const { framesPerSecond } = question.settings;

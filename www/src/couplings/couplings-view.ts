@@ -4,21 +4,19 @@ import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
-import { clipTitle, short } from "../ui/format";
-import { partColour } from "../ui/palette";
+import { clipTitle } from "../ui/format";
 import "../terms/term";
 import { View } from "../ui/view";
 import "./body-map";
 import type { BodyStore } from "./body-store";
+import { couplingCell } from "./coupling-cell";
 import "./couplings.css";
+import { couplingsTable } from "./couplings-table";
 import type { ModelStore } from "./model-store";
 import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
 import "./share-bar";
-import { isOff, shareWord } from "./shares";
-import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
-import { partStyle, styled } from "../ui/styled";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -32,73 +30,29 @@ export class CouplingsView extends View {
     return [this.model, this.settings, this.engine];
   }
 
-  private keys(source: number, target: number) {
-    return (event: KeyboardEvent) => {
-      if (event.key !== "Backspace" && event.key !== "Delete") return;
-      event.preventDefault();
-      this.model.resetCoupling(source, target);
-    };
-  }
-
   private cell({ parts }: ModelInfo, source: number, target: number) {
     const { model } = this;
-    const learned = model.learnedAlpha(source, target);
-    const alpha = model.alpha(source, target);
-    const w = model.weight(source, target);
-    const changed = model.isChanged(source, target);
-    const name = (part: number) => parts[part]?.name ?? "";
-    const label = `${name(source)} to ${name(target)}`;
-    const classes = `${changed ? "changed" : ""} ${isOff(w) ? "off" : ""}`;
-    return html`
-      <td style=${partStyle(partColour(source))} class=${classes}>
-        <div class="slider">
-          <span class="fill" style=${styled({ "--at": placeOf(alpha).toFixed(4) })}></span>
-          <span class="tick" style=${styled({ "--at": placeOf(learned).toFixed(4) })} title="As learned: ${short(learned)}"></span>
-          <input type="range" min=${WEAKEST} max=${STRONGEST} step="0.01" .value=${strengthOf(alpha).toFixed(2)}
-            aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${shareWord(w)}; learned ${short(learned)}"
-            data-source=${source} data-target=${target} data-testid="coupling-${source}-${target}"
-            title="${label}: drag to change, double click to reset"
-            @input=${(event: Event) => model.setCoupling(source, target, alphaOf((event.target as HTMLInputElement).valueAsNumber))}
-            @keydown=${this.keys(source, target)}
-            @dblclick=${() => model.resetCoupling(source, target)} />
-        </div>
-        <div class="numbers">
-          <span title="alpha, the variance of this prediction: small means influential"><i>α</i> <output data-testid="alpha-${source}-${target}">${short(alpha)}</output></span>
-          <span title="weight of this prediction; the weights into a part sum to 1"><i>w</i> <output data-testid="weight-${source}-${target}">${shareWord(w)}</output></span>
-        </div>
-      </td>`;
+    return couplingCell({
+      source,
+      target,
+      names: [parts[source]?.name ?? "", parts[target]?.name ?? ""],
+      alpha: model.alpha(source, target),
+      before: model.learnedAlpha(source, target),
+      learned: true,
+      weight: model.weight(source, target),
+      changed: model.isChanged(source, target),
+      change: (alpha) => model.setCoupling(source, target, alpha),
+      reset: () => model.resetCoupling(source, target),
+    });
   }
 
   private table(info: ModelInfo) {
-    const { parts } = info;
-    const head = (name: string, part: number) =>
-      html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
-    return html`
-      <table class="couplings" data-parts=${parts.length}>
-        <thead>
-          <tr>
-            <td><small>who decides</small></td>
-            ${parts.map(({ name }, target) => html`<th scope="col"><small>about</small> ${head(name, target)}</th>`)}
-          </tr>
-          ${
-            parts.length > 1
-              ? html`<tr>
-            <td></td>
-            ${parts.map((_, target) => html`<td><pg-share-bar .model=${this.model} .target=${target}></pg-share-bar></td>`)}
-          </tr>`
-              : nothing
-          }
-        </thead>
-        <tbody>
-          ${parts.map(
-            ({ name }, source) => html`
-            <tr>
-              <th scope="row">${head(name, source)}</th>
-              ${parts.map((_, target) => this.cell(info, source, target))}
-            </tr>`,
-          )}
-        </tbody>
-      </table>`;
+    const bar = (target: number) => html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
+    return couplingsTable({
+      parts: info.parts.map(({ name }) => name),
+      cell: (source, target) => this.cell(info, source, target),
+      ...(info.parts.length > 1 ? { above: bar } : {}),
+    });
   }
 
   private starts({ sequences }: ModelInfo) {
@@ -140,7 +94,7 @@ export class CouplingsView extends View {
           <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body}></pg-presets>
           <div class="couplings-body">
             ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
-            <div class="table-box">${this.table(info)}</div>
+            ${this.table(info)}
             <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
           </div>`
           : html`<p class="empty">${

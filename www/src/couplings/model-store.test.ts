@@ -14,10 +14,12 @@ let settings: SettingsStore;
 let stage: StageStore;
 let notices: NoticesStore;
 let model: ModelStore;
+let bar: FakeAddressBar;
 
 async function begin(fragment = "", sequences = 1): Promise<void> {
   engine = new FakeEngine();
-  settings = new SettingsStore(new FakeAddressBar(fragment));
+  bar = new FakeAddressBar(fragment);
+  settings = new SettingsStore(bar);
   stage = new StageStore(new Playback(settings));
   notices = new NoticesStore();
   const store = new EngineStore();
@@ -182,6 +184,20 @@ describe("another model", () => {
     expect(model.model?.info.provenance.settings.seed).toBe(2);
   });
 
+  it("is another page: Back brings the couplings of the one before, for when that is opened again", async () => {
+    await model.open(modelText(3));
+    expect(bar.pages).toHaveLength(1);
+    model.setCoupling(0, 1, 8);
+    await model.open(modelText(2));
+    expect(bar.pages).toEqual([`model=${modelHash(3).slice(0, 8)}&alpha=0.1:8`, ""]);
+    bar.pages.pop();
+    settings.readAddress();
+    model.restart();
+    expect([model.altered, model.foreign]).toEqual([false, modelHash(3).slice(0, 8)]);
+    await model.open(modelText(3));
+    expect(model.alpha(0, 1)).toBe(8);
+  });
+
   it("keeps the couplings and the clip in front when it is asked to", async () => {
     model.setCoupling(0, 1, 8);
     stage.showClip(clip());
@@ -272,7 +288,7 @@ describe("the start", () => {
 });
 
 it("begins anew with couplings from the address", async () => {
-  const bar = new FakeAddressBar("alpha=0.1:50");
+  bar = new FakeAddressBar("alpha=0.1:50");
   settings = new SettingsStore(bar);
   const store = new EngineStore();
   model = new ModelStore(store, settings, stage, notices);

@@ -53,6 +53,10 @@ export class ModelStore extends Store {
   /** The hash of the model that the page opens with. */
   #startModel: string | null = null;
   #text = "";
+  /** Whether it was made here and stands in no list of trainings. */
+  #alone = false;
+  /** The hashes of the models that the visitor has saved. */
+  readonly #saved = new Set<string>();
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #foreign: Foreign | null = null;
@@ -112,6 +116,22 @@ export class ModelStore extends Store {
   /** The document of the model, where it is not the one that the page opens with. */
   get opened(): string | null {
     return this.#model === null || this.#model.sha256 === this.#startModel ? null : this.#text;
+  }
+
+  /** Whether another model on the stage would lose this one: it was made here, is in no list, and is not saved. */
+  get unsaved(): boolean {
+    return this.#alone && this.#model !== null && !this.#saved.has(this.#model.sha256);
+  }
+
+  /** The model was made here, and nothing else holds it. */
+  standsAlone(): void {
+    this.#alone = true;
+    this.changed();
+  }
+
+  /** The model is on the visitor's disk. */
+  saved(): void {
+    if (this.#model) this.#saved.add(this.#model.sha256);
   }
 
   learnedAlpha(source: number, target: number): number {
@@ -174,6 +194,7 @@ export class ModelStore extends Store {
   async open(text: string, keep = KEEP_NOTHING, trainingLatents: Float64Array[] | null = null): Promise<void> {
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
     this.#text = text;
+    this.#alone = false;
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
   }
 
@@ -265,10 +286,10 @@ export class ModelStore extends Store {
   }
 
   /** Changes settings. A link that says something about the model also says which model it is. */
-  #change(change: Partial<Settings>): void {
+  #change(change: Partial<Settings>, turnsPage = false): void {
     const { alpha, start, startFrame } = { ...this.#settings.values, ...change };
     const aboutModel = start + startFrame > 0 || Object.keys(alpha).length > 0;
-    this.#settings.change({ ...change, model: aboutModel ? this.id : "" });
+    this.#settings.change({ ...change, model: aboutModel ? this.id : "" }, turnsPage);
   }
 
   #alphasInto(target: number): number[] {
@@ -348,7 +369,9 @@ export class ModelStore extends Store {
     const { alpha, start, startFrame, model } = this.#settings.values;
     const isForeign = keep.couplings === "link" && model !== "" && model !== this.id;
     if (isForeign) this.#foreign = { model, alpha, start, startFrame };
-    if (isForeign || keep.couplings === "none" || !this.#couplingsFit(info)) this.#change({ alpha: {} });
+    // What the visitor has set for the model before is not lost: Back brings its address.
+    const drops = keep.couplings === "none" || !this.#couplingsFit(info);
+    if (isForeign || drops) this.#change({ alpha: {} }, keep.couplings !== "link" && this.altered);
     if (isForeign || start >= info.sequences.length) this.#change({ start: 0, startFrame: 0 });
     // The link was followed before its model was there.
     if (this.#foreign?.model === this.id) {

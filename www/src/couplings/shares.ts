@@ -15,6 +15,11 @@ export function sharesOf(alphas: readonly number[]): number[] {
   return alphas.map((alpha) => combined / alpha);
 }
 
+/** The weight of one coupling among alpha[source][target]. */
+export function weightOf(alpha: readonly (readonly number[])[], source: number, target: number): number {
+  return sharesOf(alpha.map((row) => row[target] ?? 1))[source] ?? 0;
+}
+
 function combinedOf(alphas: readonly number[]): number {
   return 1 / alphas.reduce((sum, alpha) => sum + 1 / alpha, 0);
 }

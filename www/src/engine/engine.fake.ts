@@ -4,6 +4,7 @@ import { Pool } from "./pool";
 import type {
   Clash,
   ClipInfo,
+  CostQuestion,
   Engine,
   Health,
   LiveChange,
@@ -17,6 +18,7 @@ import type {
   Report,
   RolloutRequest,
   RolloutResult,
+  TrainingCost,
   TrainingJob,
   TrainingOutcome,
   TrainingProgress,
@@ -192,6 +194,11 @@ export class FakeEngine implements Engine {
     return this.#answer("bestToShow", [ranks, bounds], places[0] ?? -1);
   }
 
+  trainingCost({ settings, frames }: CostQuestion): Promise<TrainingCost> {
+    const seconds = (frames * settings.maxIterations) / 1000;
+    return this.#answer("trainingCost", [frames], { seconds, bytes: 1e6 });
+  }
+
   openModel(text: string, frames: number): Promise<OpenedModel> {
     if (!text.startsWith("{")) return Promise.reject(new Error("expected a model"));
     this.text = text;
@@ -324,9 +331,11 @@ export class FakeTrainers {
   }
 }
 
-function progress(iteration: number, bound: number): TrainingProgress {
+/** A step of a training. */
+export function progress(iteration: number, bound = 0): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
-  const rest = { terms, evaluations: iteration, phase: "everything" as const, done: false, reason: null };
+  const setbacks = { jittered: 0, turnedBack: 0 };
+  const rest = { terms, evaluations: iteration, phase: "everything" as const, setbacks, done: false, reason: null };
   return { ...rest, iteration, maxIterations: 100, bound, best: bound, fraction: iteration / 100 } as TrainingProgress;
 }
 

@@ -1,18 +1,40 @@
 // For tests: a library of two parts with two primitives each, in a worker that computes nothing.
-import type { FittingJob, LearningJob, LibraryInfo, LibraryReport, LockingJob, WalkChange } from "./library-protocol";
+import type {
+  CouplingsFrom,
+  Fitted,
+  FittingJob,
+  ImportJob,
+  Imported,
+  LearningJob,
+  LibraryInfo,
+  LibraryReport,
+  LockingJob,
+  Misfit,
+  ModularityFold,
+  ModularityOutcome,
+  PartMotion,
+  PrimitiveOrigin,
+  WalkChange,
+} from "./library-protocol";
 import type { Couplings, Motion, TrainingOutcome } from "./protocol";
 import type { WholeProgramWorker } from "./whole-engine";
 
 type LibraryCalls =
   | "openLibrary"
+  | "isWholeLibrary"
+  | "combinationMoves"
   | "nearestCouplings"
   | "combinationMotion"
   | "combinationText"
   | "addCombination"
+  | "primitivesText"
+  | "addPrimitives"
+  | "importPrimitives"
   | "startWalk"
   | "advanceWalk"
   | "learnLibrary"
   | "fitCouplings"
+  | "holdOut"
   | "lockingRow";
 
 /** Training that a test brings to its end. */
@@ -30,20 +52,34 @@ const figure = {
   ],
 };
 
-/** A library's document: what it is called, and its movements beside the two that were recorded. */
-export function libraryText(name: string, added: readonly string[] = []): string {
-  return JSON.stringify({ name, added });
+/** A library's document: what it is called, its movements beside the two that were recorded, and primitives of the upper body beside the two. */
+export function libraryText(name: string, added: readonly string[] = [], arms: readonly string[] = []): string {
+  return JSON.stringify({ name, added, arms });
 }
 
+/** A file with a primitive of the upper body alone. */
+export const armsText = (name: string) => JSON.stringify({ arms: [name], alone: true });
+
+interface FakeText {
+  name: string;
+  added: string[];
+  arms: string[];
+  alone?: boolean;
+}
+
+const origin: PrimitiveOrigin = {
+  ...{ engine: "vcgpdm", seed: 1, bound: 0, iterations: 9, note: null, clips: [], relearned: null },
+};
+
 function infoOf(text: string): LibraryInfo {
-  const { added } = JSON.parse(text) as { added: string[] };
+  const { added, arms } = JSON.parse(text) as FakeText;
   const movement = (name: string, uses: number[], learned: boolean) => ({
     ...{ name, uses, learned, alpha: COUPLINGS, sequences: [] },
     couplings: { from: "nothing" as const },
   });
   return {
     parts: ["lower", "upper"].map((name, joint) => ({ name, joints: [joint], latent: 2, poseIps: 4 })),
-    primitives: ["walk", "wave", "walk", "wave"].map((name, i) => ({ name, part: i < 2 ? 0 : 1 })),
+    primitives: ["walk", "wave", "walk", "wave", ...arms].map((name, i) => ({ name, part: i < 2 ? 0 : 1, origin })),
     movements: [
       movement("walk", [0, 2], true),
       movement("wave", [1, 3], true),
@@ -68,8 +104,18 @@ export class FakeLibraries {
   /** All changes of walks, and where walks began. */
   readonly changes: WalkChange[] = [];
   readonly walks: number[][] = [];
+  /** What the walks were asked for: frames taken back, and frames. */
+  readonly advances: { back: number; frames: number }[] = [];
   readonly learnings: PendingTraining<LearningJob, string>[] = [];
-  readonly fittings: PendingTraining<FittingJob, Couplings>[] = [];
+  readonly fittings: PendingTraining<FittingJob, Fitted>[] = [];
+  readonly imports: PendingTraining<ImportJob, Imported>[] = [];
+  readonly folds: PendingTraining<ModularityFold, ModularityOutcome>[] = [];
+  /** Where the couplings of combinations came from that were added. */
+  readonly origins: (CouplingsFrom | null)[] = [];
+  /** Why primitives of another file do not fit; null: they do. */
+  misfit: Misfit | null = null;
+  /** What every combination does. */
+  moves: PartMotion[] = [];
   readonly rows: LockingJob[] = [];
   /** Why documents are refused; empty when they are not. */
   refused = "";
@@ -80,6 +126,8 @@ export class FakeLibraries {
   worker(): Pick<WholeProgramWorker, LibraryCalls> {
     let held: string | null = null;
     let uses: readonly number[] | null = null;
+    /** Where the walk began, and its primitives in each frame. */
+    let states: (readonly number[])[] = [];
     const text = () => {
       if (held === null) throw new Error("There is no library yet: open one.");
       return held;
@@ -96,29 +144,56 @@ export class FakeLibraries {
         [held, uses] = [text, null];
         return infoOf(text);
       },
+      isWholeLibrary: async (text) => {
+        if (this.refused) throw new Error(this.refused);
+        return !(JSON.parse(text) as FakeText).alone;
+      },
+      combinationMoves: async () => (text() ? this.moves : []),
       nearestCouplings: async () => (text() ? COUPLINGS : []),
       combinationMotion: async (uses, frames) => (text() ? motion(uses, frames) : motion([], 0)),
       combinationText: async (uses, alpha) => JSON.stringify({ library: text(), uses, alpha }),
-      addCombination: async (name) => {
-        const { name: of, added } = JSON.parse(text()) as { name: string; added: string[] };
-        held = libraryText(of, [...added, name]);
+      addCombination: async (name, _uses, _alpha, from) => {
+        const { name: of, added, arms } = JSON.parse(text()) as FakeText;
+        this.origins.push(from);
+        held = libraryText(of, [...added, name], arms);
         return { text: held, info: infoOf(held) };
       },
+      primitivesText: async (primitives) => {
+        const { primitives: known } = infoOf(text());
+        return armsText(primitives.map((primitive) => known[primitive]?.name).join());
+      },
+      addPrimitives: async (other) => {
+        const { name: of, added, arms } = JSON.parse(text()) as FakeText;
+        const { arms: more, alone } = JSON.parse(other) as FakeText;
+        if (this.misfit && alone) return { misfit: this.misfit };
+        const fresh = more.filter((name) => !arms.includes(name));
+        held = libraryText(of, added, [...arms, ...fresh]);
+        return { text: held, info: infoOf(held), added: fresh.length };
+      },
+      importPrimitives: (job, report, signal) => pending(this.imports, job, report, signal),
       startWalk: async (asked) => {
         text();
         uses = asked;
+        states = [asked];
         this.walks.push(asked);
       },
-      advanceWalk: async (changes, frames) => {
+      advanceWalk: async (back, changes, frames) => {
         if (this.broken) throw new Error(this.broken);
         if (!uses) throw new Error("There is no walk: start one.");
         this.changes.push(...changes);
+        this.advances.push({ back, frames });
+        if (back >= states.length) throw new Error(`expected frames to take back from 0 to ${states.length - 1}`);
+        if (back > 0) states = states.slice(0, -back);
+        let now = back > 0 ? (states.at(-1) ?? uses) : uses;
         for (const change of changes)
-          if (change.kind === "use") uses = uses.map((one, part) => (part === change.part ? change.primitive : one));
+          if (change.kind === "use") now = now.map((one, part) => (part === change.part ? change.primitive : one));
+        uses = now;
+        states.push(...Array.from({ length: frames }, () => now));
         return motion(uses, frames);
       },
       learnLibrary: (job, report, signal) => pending(this.learnings, job, report, signal),
       fitCouplings: (job, report, signal) => pending(this.fittings, job, report, signal),
+      holdOut: (fold, report, signal) => pending(this.folds, fold, report, signal),
       lockingRow: async (job) => {
         this.rows.push(job);
         return Float64Array.from(job.strengths, () => 1 / job.tempo);

@@ -1,5 +1,15 @@
 // What the page and its worker say to each other. Types only.
-import type { ClipInfo, Health, Measures, ModelInfo, SampleInfo, TrainingProgress, TrainingSettings } from "vcgpdm";
+import type {
+  ClipInfo,
+  Health,
+  Measures,
+  ModelInfo,
+  SampleInfo,
+  TrainingCost,
+  TrainingProgress,
+  TrainingSettings,
+  VariationalSettings,
+} from "vcgpdm";
 
 export type {
   ClipInfo,
@@ -13,6 +23,8 @@ export type {
   PartsPreset,
   Provenance,
   SampleInfo,
+  Setbacks,
+  TrainingCost,
   TrainingProgress,
   TrainingSettings,
 } from "vcgpdm";
@@ -199,6 +211,15 @@ export interface TrainingOutcome {
   cancelled: boolean;
   /** Why training ended; null when it was cancelled. */
   reason: TrainingProgress["reason"];
+  /** What was more than the data allow, and was reduced: sentences without a full stop. */
+  notices?: string[];
+}
+
+export interface CostQuestion {
+  settings: VariationalSettings;
+  frames: number;
+  /** Columns of each part. */
+  columns: number[];
 }
 
 export interface TrainingJob {
@@ -229,6 +250,8 @@ export interface Workbench {
   checkTogether(ids: number[], firstBones: boolean): Clash | null;
   /** Which of several models of the same data is to be shown, from the ranks of their rollouts' health and their bounds. */
   bestToShow(ranks: number[], bounds: number[]): number;
+  /** What a training would cost here. */
+  trainingCost(question: CostQuestion): TrainingCost;
   /** `revision` is the number that the model and its rollouts go by. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;

@@ -38,6 +38,7 @@ const STATELESS: Record<
 > = {
   freshSeed: true,
   bestToShow: true,
+  trainingCost: true,
   rollout: true,
   inducing: true,
   modelJson: true,

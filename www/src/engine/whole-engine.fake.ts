@@ -2,6 +2,7 @@
 import { FakeLibraries } from "./library.fake";
 import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
+import { FakeSeries } from "./series.fake";
 import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
 import type {
   AnswersFile,
@@ -124,6 +125,7 @@ export class FakeProgram implements WholeProgram {
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   readonly libraries = new FakeLibraries();
+  readonly series = new FakeSeries();
   /** The next calls for results fail with these, one after the other. */
   readonly failures: Error[] = [];
   /** Why plans are refused; empty when they are not. */
@@ -173,6 +175,7 @@ export class FakeProgram implements WholeProgram {
       new Promise<void>((stop) => signal.addEventListener("abort", () => stop(), { once: true }));
     return {
       ...this.libraries.worker(),
+      ...this.series.worker(),
       planComparison: async (clips, settings, plan, known) => {
         this.plans += 1;
         if (this.refused) throw refusal(this.refused);

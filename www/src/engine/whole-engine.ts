@@ -3,9 +3,7 @@ import * as Comlink from "comlink";
 import { cancellable, openWhole, watched } from "./engine";
 import { type Hired, Pool } from "./pool";
 import { loadWhole } from "./programs";
-import type { FittingJob, LearningJob, LibraryReport } from "./library-protocol";
-import type { Couplings, TrainingOutcome } from "./protocol";
-import type { Evaluated, EvaluationJob, Experiment, ExperimentReport, WholeWorker } from "./whole-protocol";
+import type { WholeWorker } from "./whole-protocol";
 
 /** A call to a worker answers with a promise. */
 type Remote<Call> = Call extends (...given: infer Given) => infer Answer
@@ -20,10 +18,14 @@ const QUESTIONS = [
   "drawExperiment",
   "moments",
   "openLibrary",
+  "isWholeLibrary",
+  "combinationMoves",
   "nearestCouplings",
   "combinationMotion",
   "combinationText",
   "addCombination",
+  "primitivesText",
+  "addPrimitives",
   "startWalk",
   "advanceWalk",
   "lockingRow",
@@ -34,31 +36,37 @@ const QUESTIONS = [
   "analysePerception",
   "perceptionJson",
   "makeStudy",
+  "readTable",
+  "checkTables",
+  "openSeries",
+  "rolloutSeries",
+  "seriesCsv",
 ] as const satisfies (keyof WholeWorker)[];
 type Questions = (typeof QUESTIONS)[number];
 
-/** What the page asks of a worker of the whole program. */
+/** What goes on until its signal comes, each with what brings it to an early end. */
+const TASKS = {
+  evaluate: "cancelEvaluation",
+  trainExperiment: "cancelExperiment",
+  learnLibrary: "cancelLibrary",
+  fitCouplings: "cancelLibrary",
+  importPrimitives: "cancelLibrary",
+  holdOut: "cancelLibrary",
+  trainSeries: "cancelSeries",
+} as const satisfies Partial<Record<keyof WholeWorker, Extract<keyof WholeWorker, `cancel${string}`>>>;
+type Tasks = keyof typeof TASKS;
+
+/** A task is told where to report to, and when to stop. */
+type Cancellable<Call> = Call extends (job: infer Job, report: infer Report) => infer Answer
+  ? (job: Job, report: Report, signal: AbortSignal) => Promise<Awaited<Answer>>
+  : never;
+
+/**
+ * What the page asks of a worker of the whole program. When the signal comes, trainings keep the best so far; an evaluation answers
+ * null, and a fold finds nothing.
+ */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
-  /** Answers null when the signal came first. */
-  evaluate(job: EvaluationJob, report: (fraction: number) => void, signal: AbortSignal): Promise<Evaluated | null>;
-  /** Keeps the best so far when the signal comes. */
-  trainExperiment(
-    experiment: Experiment,
-    report: (report: ExperimentReport) => void,
-    signal: AbortSignal,
-  ): Promise<TrainingOutcome>;
-  /** Keeps the best so far when the signal comes. */
-  learnLibrary(
-    job: LearningJob,
-    report: (report: LibraryReport<string>) => void,
-    signal: AbortSignal,
-  ): Promise<TrainingOutcome>;
-  /** Keeps the best so far when the signal comes. */
-  fitCouplings(
-    job: FittingJob,
-    report: (report: LibraryReport<Couplings>) => void,
-    signal: AbortSignal,
-  ): Promise<TrainingOutcome>;
+  [Task in Tasks]: Cancellable<WholeWorker[Task]>;
 };
 
 export interface WholeProgramWorkers {
@@ -83,33 +91,20 @@ function hire(wasm: WebAssembly.Module): Hired<WholeProgramWorker> {
     const call = remote[question] as (...given: unknown[]) => Promise<unknown>;
     return [question, (...given: unknown[]) => call(...given)];
   });
+  const tasks = Object.entries(TASKS).map(([task, cancel]) => {
+    const work = remote[task as Tasks] as (job: unknown, report: unknown) => Promise<unknown>;
+    const call = (job: unknown, report: (told: never) => void, signal: AbortSignal) =>
+      cancellable(
+        signal,
+        () => remote[cancel](),
+        () => work(job, Comlink.proxy(report)),
+      );
+    return [task, call];
+  });
   return {
     worker: {
       ...(Object.fromEntries(asked) as Pick<WholeProgramWorker, Questions>),
-      evaluate: (job, report, signal) =>
-        cancellable(
-          signal,
-          () => remote.cancelEvaluation(),
-          () => remote.evaluate(job, Comlink.proxy(report)),
-        ),
-      trainExperiment: (experiment, report, signal) =>
-        cancellable(
-          signal,
-          () => remote.cancelExperiment(),
-          () => remote.trainExperiment(experiment, Comlink.proxy(report)),
-        ),
-      learnLibrary: (job, report, signal) =>
-        cancellable(
-          signal,
-          () => remote.cancelLibrary(),
-          () => remote.learnLibrary(job, Comlink.proxy(report)),
-        ),
-      fitCouplings: (job, report, signal) =>
-        cancellable(
-          signal,
-          () => remote.cancelLibrary(),
-          () => remote.fitCouplings(job, Comlink.proxy(report)),
-        ),
+      ...(Object.fromEntries(tasks) as Pick<WholeProgramWorker, Tasks>),
     },
     ready,
     broken: watched(worker, name, ready),

@@ -22,6 +22,7 @@ import type {
 } from "vcgpdm";
 import type { LibraryWorker } from "./library-protocol";
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
+import type { SeriesWorker } from "./series-protocol";
 
 export type {
   AnswersFile,
@@ -212,4 +213,5 @@ export interface WholeWorker
     ExperimentWorker,
     UncertaintyWorker,
     LibraryWorker,
-    PerceptionWorker {}
+    PerceptionWorker,
+    SeriesWorker {}

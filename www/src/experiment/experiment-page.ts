@@ -5,6 +5,8 @@ import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
 import { sentence, timeLeft } from "../ui/format";
 import { onThemeChange } from "../ui/palette";
+import { progressBar } from "../ui/progress-bar";
+import "../ui/two-columns.css";
 import { View } from "../ui/view";
 import "./experiment.css";
 import type { ExperimentStore } from "./experiment-store";
@@ -84,8 +86,7 @@ export class ExperimentPage extends View {
         ${this.#button()}
         <p class="hint words" data-testid="experiment-progress">${this.#words()}</p>
       </div>
-      <progress max="1" .value=${busy ? shareOf(asked) : 0} aria-label="Training" class=${busy ? "" : "resting"}
-        aria-hidden=${busy ? "false" : "true"}></progress>
+      ${progressBar("Training", busy ? shareOf(asked) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
       ${settingField(settings, "drawn", { label: "Seed", hint: "", testId: "experiment-seed", disabled: false })}
       <label class="choice">
@@ -168,8 +169,8 @@ export class ExperimentPage extends View {
   protected override render() {
     const { problem } = this.experiment;
     return html`
-      <section class="panel experiment-setup" aria-label="The experiment">${this.#setup()}</section>
-      <div class="experiment">
+      <section class="panel panels-setup experiment-setup" aria-label="The experiment">${this.#setup()}</section>
+      <div class="panels-found experiment">
         ${
           problem
             ? html`<p class="panel bad" role="alert">The experiment could not be made: ${sentence(problem)}

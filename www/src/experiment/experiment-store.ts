@@ -1,5 +1,6 @@
 // The synthetic experiments of this visit: the data of the one that is looked at, and the trainings on them.
 import { Latest } from "../engine/latest";
+import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -27,7 +28,7 @@ export class ExperimentStore extends Store {
     this.#settings = settings;
     this.#whole = whole;
     this.#drawing = new Latest(
-      async (experiment) => (await whole.load()).desk.run((worker) => worker.drawExperiment(experiment)),
+      (experiment) => askDesk(whole, (worker) => worker.drawExperiment(experiment)),
       (truth, experiment) => {
         this.#drawn = { experiment, truth };
         this.#problem = "";

@@ -3,6 +3,7 @@ import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { RolloutRequest, RolloutResult } from "../engine/protocol";
+import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { PartMoments } from "../engine/whole-protocol";
 import type { StageStore } from "../stage/stage-store";
@@ -119,9 +120,8 @@ export class OutlookStore extends Store {
   }
 
   async #match({ revision, request }: RolloutResult): Promise<Known> {
-    const { desk } = await (await this.#whole()).load();
-    const text = await this.#textOf(revision);
-    return { revision, request, parts: await desk.run((worker) => worker.moments(text, request)) };
+    const [whole, text] = await Promise.all([this.#whole(), this.#textOf(revision)]);
+    return { revision, request, parts: await askDesk(whole, (worker) => worker.moments(text, request)) };
   }
 
   #textOf(revision: number): Promise<string> {

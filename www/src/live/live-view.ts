@@ -96,7 +96,7 @@ export class LiveView extends View {
     const apart = phaseLines(live.trace).map((pieces) => pieces.at(-1)?.at(-1)?.value ?? 0);
     const said =
       wordsOf(live.marks, names) ??
-      "Hold an arrow of the body map to cut that coupling. Drag a hand, a foot or the dot of a latent plot to push that part.";
+      "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.";
     return html`
       <div class="live-strip" data-testid="live" data-frame=${last?.frame ?? 0} data-apart=${apart.map((x) => x.toFixed(3)).join(" ")}
         data-cuts=${live.marks.filter((mark) => mark.kind === "cut" && mark.to === null).length}>
@@ -104,8 +104,8 @@ export class LiveView extends View {
         ${
           cycle
             ? html`
-          <canvas role="img" aria-label="Strip chart: how far ${names.slice(1).join(", ")} ${names.length > 2 ? "are" : "is"} ahead of ${names[0]}, and how far each part is from the learned cycle"></canvas>
-          <p class="strip-legend"><span>ahead of ${names[0]}, in turns</span><span>distance from the learned cycle</span></p>`
+          <p class="strip-legend"><span>ahead of ${names[0]}, in turns</span><span>distance from the learned cycle</span></p>
+          <canvas role="img" aria-label="Strip chart: how far ${names.slice(1).join(", ")} ${names.length > 2 ? "are" : "is"} ahead of ${names[0]}, and how far each part is from the learned cycle"></canvas>`
             : html`<p>This motion does not repeat itself, so there is no phase to show.</p>`
         }
       </div>`;

@@ -23,9 +23,9 @@ function cited(): Record<string, string>[] {
 }
 
 const asCited = (work: Work): Record<string, string> => {
-  const { type, authors, title, year, where, volume, issue, start, end, doi } = work;
+  const { type, authors, title, year, where, volume, issue, start, end, doi, isbn } = work;
   const place = { article: "journal", "conference-paper": "collection-title", thesis: "institution" }[type];
-  const fields = { type, title, year: String(year), [place]: where, volume, issue, start, end, doi };
+  const fields = { type, title, year: String(year), [place]: where, volume, issue, start, end, doi, isbn };
   const known = Object.entries(fields).filter((field): field is [string, string] => field[1] !== undefined);
   return {
     ...Object.fromEntries(known),

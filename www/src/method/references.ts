@@ -15,6 +15,8 @@ export interface Work {
   start?: string;
   end?: string;
   doi?: string;
+  /** Of the book that it stands in. */
+  isbn?: string;
 }
 
 const velychko = { family: "Velychko", given: "Dmytro" };
@@ -41,9 +43,14 @@ export const MODEL_PAPERS: Work[] = [
     authors: [velychko, knopp, endres],
     title: "The Variational Coupled Gaussian Process Dynamical Model",
     year: 2017,
-    where: "Artificial Neural Networks and Machine Learning - ICANN 2017, Proceedings, Part I",
+    where:
+      "Artificial Neural Networks and Machine Learning - ICANN 2017, Proceedings, Part I, Lecture Notes in Computer Science",
+    volume: "10613",
     start: "291",
     end: "299",
+    // That of the volume, which the paper itself names.
+    doi: "10.1007/978-3-319-68600-4",
+    isbn: "978-3-319-68600-4",
   },
   {
     key: "knopp2019",
@@ -109,7 +116,7 @@ const ENTRIES: Record<Work["type"], { entry: string; where: string }> = {
 
 /** A work as a BibTeX entry. */
 export function bibtex(work: Work): string {
-  const { key, type, authors, title, year, volume, issue, start, end, doi } = work;
+  const { key, type, authors, title, year, volume, issue, start, end, doi, isbn } = work;
   const { entry, where } = ENTRIES[type];
   const fields: [string, string | undefined][] = [
     ["author", authors.map(({ family, given }) => `${family}, ${given}`).join(" and ")],
@@ -121,6 +128,7 @@ export function bibtex(work: Work): string {
     ["pages", end ? `${start}--${end}` : start],
     ["year", String(year)],
     ["doi", doi],
+    ["isbn", isbn],
   ];
   const lines = fields.flatMap(([name, value]) => (value === undefined ? [] : [`  ${name} = {${value}},`]));
   return [`@${entry}{${key},`, ...lines, "}"].join("\n");

@@ -1,4 +1,5 @@
 // What people's answers say: the files of participants, and what the library finds in them.
+import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { AnswersFile, PerceptionResults } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
@@ -50,9 +51,8 @@ export class AnalysisStore extends Store {
   }
 
   /** What came of it, as the file that the terminal writes too. */
-  async json(study: string): Promise<string> {
-    const { desk } = await this.#whole.load();
-    return desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
+  json(study: string): Promise<string> {
+    return askDesk(this.#whole, (worker) => worker.perceptionJson(study, [...this.#files]));
   }
 
   /** Analyses these files and no others. */
@@ -66,8 +66,7 @@ export class AnalysisStore extends Store {
     let found: PerceptionResults | null = null;
     let problem = "";
     try {
-      const { desk } = await this.#whole.load();
-      found = await desk.run((worker) => worker.analysePerception(study, [...files]));
+      found = await askDesk(this.#whole, (worker) => worker.analysePerception(study, [...files]));
     } catch (failure) {
       problem = messageOf(failure);
     }

@@ -1,6 +1,7 @@
 // A generated movement beside the natural one of its trial, again and again: to see whether it has failed.
 import { html, nothing } from "lit";
 import type { StudyTrial, StudyView } from "../engine/whole-protocol";
+import { eachFrame } from "../ui/each-frame";
 import { icon } from "../ui/icons";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -55,15 +56,14 @@ export class MovementLook extends View {
   #play(stage: CanvasPair, pair: StudyTrial, seconds: number): void {
     this.querySelector(".pair-scene")?.replaceChildren(stage.element);
     stage.take(pair);
-    const begin = performance.now();
-    let timer = 0;
-    const tick = (now: number) => {
-      stage.draw(((now - begin) / 1000) % seconds, () => {});
-      timer = requestAnimationFrame(tick);
+    let now = 0;
+    const draw = (since: number) => {
+      now += since;
+      stage.draw(now % seconds, () => {});
     };
-    timer = requestAnimationFrame(tick);
+    const stop = eachFrame(draw, Infinity);
     this.#end = () => {
-      cancelAnimationFrame(timer);
+      stop();
       stage.dispose();
       this.#end = () => {};
     };

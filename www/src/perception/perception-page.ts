@@ -1,8 +1,6 @@
 // The graphics Turing test: the study, who answers, who has answered, and what came of it.
 import { html, nothing } from "lit";
 import { LARGEST_FILE } from "../clips/clips-store";
-import type { StudyView } from "../engine/whole-protocol";
-import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
 import { sentence } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -26,11 +24,6 @@ async function chosenStudy(file: File): Promise<string> {
   return file.text();
 }
 
-function saveStudy({ info, text }: StudyView): void {
-  const name = info.title.replace(/[^\p{L}\p{N}._-]+/gu, "-") || "study";
-  download(`${name}.study.json`, new Blob([text], { type: "application/json" }));
-}
-
 export class PerceptionPage extends View {
   declare perception: PerceptionStore;
   declare analysis: AnalysisStore;
@@ -44,6 +37,13 @@ export class PerceptionPage extends View {
     const { perception } = this;
     void perception.arrive();
     void perception.ready();
+  }
+
+  async #open(file: File): Promise<void> {
+    await this.perception.openStudy(() => chosenStudy(file));
+    await this.updateComplete;
+    // The button was disabled meanwhile.
+    if (document.activeElement === document.body) this.querySelector<HTMLElement>("[data-testid=open-study]")?.focus();
   }
 
   #begin(simulated: boolean): void {
@@ -72,7 +72,7 @@ export class PerceptionPage extends View {
       ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
       ${studyCard(perception, (id) => void this.querySelector<MovementLook>("pg-perception-look")?.open(id))}
       <div class="files">
-        <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => study && saveStudy(study)}>${icon("save")} Save study</button>
+        <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => perception.saveStudy()}>${icon("save")} Save study</button>
         ${fileButton({
           label: "Open study",
           meaning: "Open a study (.json)",
@@ -80,7 +80,7 @@ export class PerceptionPage extends View {
           accept: ".json,application/json",
           multiple: false,
           disabled: busy || sitting !== null,
-          chosen: ([file]) => file && void perception.openStudy(() => chosenStudy(file)),
+          chosen: ([file]) => file && void this.#open(file),
         })}
       </div>
       <details class="advanced">

@@ -1,8 +1,13 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeProgram } from "../engine/whole-engine.fake";
 import { type AnswerShelf, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
+import { download } from "../ui/download";
+import { visitor } from "../ui/unsaved-dialog.fake";
 import { study, trialsOf } from "./study.fake";
+
+vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 class FakeShelf implements AnswerShelf {
   readonly participations = new Map<string, Participation>();
@@ -79,6 +84,22 @@ describe("a study", () => {
     ]);
     await store.openStudy(() => Promise.reject(new Error("no such file")));
     expect(store.problem).toBe("no such file");
+  });
+
+  it("that was changed or made here makes no place for another before the visitor was asked", async () => {
+    visitor.arrives("keep");
+    await store.openStudy(async () => "runs");
+    expect(visitor.asked).toEqual([]);
+    await store.change({ preset: "class" });
+    await store.openStudy(async () => "walks");
+    expect([store.study?.text, visitor.asked.length]).toEqual(['runs {"preset":"class"}', 1]);
+    store.saveStudy();
+    expect(vi.mocked(download)).toHaveBeenCalledOnce();
+    await store.openStudy(async () => "made", true);
+    expect([store.study?.text, visitor.asked.length]).toEqual(["made", 1]);
+    visitor.arrives("discard");
+    await store.openStudy(async () => "walks");
+    expect([store.study?.text, store.unsaved, visitor.asked.length]).toEqual(["walks", null, 1]);
   });
 });
 

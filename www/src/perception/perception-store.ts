@@ -1,8 +1,11 @@
 // The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering now.
-import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+import { askDesk } from "../engine/whole-desk";
+import type { WholeProgram } from "../engine/whole-engine";
 import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol";
+import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
+import { mayLose, type Work } from "../ui/unsaved";
 import {
   type AnswerShelf,
   answered,
@@ -33,6 +36,8 @@ export class PerceptionStore extends Store {
   readonly #shelf: AnswerShelf | null;
   readonly #studyOfThePage: () => Promise<string>;
   #study: StudyView | null = null;
+  /** The text of the study when it was opened or saved; empty: it was made here. */
+  #onDisk = "";
   #kept: readonly KeptParticipation[] = [];
   /** The studies of participants of this visit, by their keys. */
   readonly #texts = new Map<string, string>();
@@ -94,26 +99,47 @@ export class PerceptionStore extends Store {
     });
   }
 
-  openStudy(text: () => Promise<string>): Promise<void> {
-    return this.#next(() => this.#open(text));
+  /** `made`: it was made here, and is on no disk. The one before stays where the visitor keeps it. */
+  openStudy(text: () => Promise<string>, made = false): Promise<void> {
+    return this.#next(() => this.#open(text, made));
   }
 
-  async #open(text: () => Promise<string>): Promise<void> {
+  async #open(text: () => Promise<string>, made = false): Promise<void> {
     const opened = await text();
-    this.#study = await this.#ask((worker) => worker.openStudy(opened));
+    const study = await askDesk(this.#whole, (worker) => worker.openStudy(opened));
+    if (!(await mayLose(this.unsaved))) return;
+    this.#study = study;
+    this.#onDisk = made ? "" : study.text;
+  }
+
+  /** The study, where it was made or changed here and not saved since. */
+  get unsaved(): Work | null {
+    const study = this.#study;
+    if (!study || study.text === this.#onDisk) return null;
+    return { what: `the study “${study.info.title}” as it was made or changed here`, save: () => this.saveStudy() };
+  }
+
+  /** Saves the study to the visitor's disk. */
+  saveStudy(): void {
+    if (!this.#study) return;
+    const { info, text } = this.#study;
+    const name = info.title.replace(/[^\p{L}\p{N}._-]+/gu, "-") || "study";
+    download(`${name}.study.json`, new Blob([text], { type: "application/json" }));
+    this.#onDisk = text;
+    this.changed();
   }
 
   change(change: StudyChange): Promise<void> {
     return this.#next(async () => {
       const { text } = this.#study ?? {};
-      if (text !== undefined) this.#study = await this.#ask((worker) => worker.changeStudy(text, change));
+      if (text !== undefined) this.#study = await askDesk(this.#whole, (worker) => worker.changeStudy(text, change));
     });
   }
 
   /** Places of the figure's nodes in each movement of the study that is open [frames x nodes x 3]. */
   async movements(): Promise<readonly Float32Array[]> {
     const { text } = this.#study ?? {};
-    return text === undefined ? [] : this.#ask((worker) => worker.movements(text));
+    return text === undefined ? [] : askDesk(this.#whole, (worker) => worker.movements(text));
   }
 
   /** A new participant of the study. */
@@ -122,10 +148,10 @@ export class PerceptionStore extends Store {
       const { text, info } = this.#study ?? {};
       if (text === undefined || !info || this.#sitting) return;
       const seed = newSeed();
-      const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
+      const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
       const free = freeName(name.trim() || newName(), new Set(this.#kept.map(({ participant }) => participant)));
       const participation = newParticipation(info, { participant: free, trials: trials.length, seed, simulated });
-      const movements = await this.#ask((worker) => worker.movements(text));
+      const movements = await askDesk(this.#whole, (worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
       await this.#kindly(() => this.#shelf?.begin(participation, text));
       this.#kept = [{ ...participation, rows: [] }, ...this.#kept];
@@ -151,9 +177,9 @@ export class PerceptionStore extends Store {
       const text = this.#texts.get(key) ?? (await this.#shelf?.study(key));
       try {
         if (typeof text !== "string") throw new Error("The study that it belongs to is not on this machine any more.");
-        const { info } = await this.#ask((worker) => worker.openStudy(text));
-        const trials = await this.#ask((worker) => worker.drawTrials(text, seed));
-        const movements = await this.#ask((worker) => worker.movements(text));
+        const { info } = await askDesk(this.#whole, (worker) => worker.openStudy(text));
+        const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
+        const movements = await askDesk(this.#whole, (worker) => worker.movements(text));
         this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
       } catch (problem) {
         this.#release();
@@ -225,11 +251,6 @@ export class PerceptionStore extends Store {
     } catch (problem) {
       this.#unkept = messageOf(problem);
     }
-  }
-
-  async #ask<Answer>(question: (worker: WholeProgramWorker) => Promise<Answer>): Promise<Answer> {
-    const { desk } = await this.#whole.load();
-    return desk.run(question);
   }
 
   #next(work: () => Promise<void>): Promise<void> {

@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle, styled } from "../ui/styled";
 import { sentence, short } from "../ui/format";
+import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { LibraryStore } from "./library-store";
 import { type LockingStore, type LockingMap, STRENGTHS, TEMPOS } from "./locking-store";
@@ -118,7 +119,7 @@ export class ChimeraView extends View {
           ? html`
           <div class="fit-row">${this.#pair()}
             <button class="small" data-testid=${busy ? "locking-cancel" : "locking-make"} @click=${() => (busy ? locking.cancel() : void locking.make())}>${busy ? "Cancel" : "Make the map"}</button></div>
-          <progress max="1" .value=${busy ? fraction : 0} aria-label="The map" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+          ${progressBar("The map", busy ? fraction : null)}
           ${
             map
               ? this.#map(map)

@@ -2,11 +2,13 @@
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { sentence } from "../ui/format";
+import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../terms/term";
-import { couplingsTable } from "./couplings-table";
+import { combinationCouplings } from "./combination-couplings";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
+import { stillWords } from "./stillness";
 
 export class CombinationView extends View {
   static override properties = { clip: { state: true } };
@@ -23,6 +25,12 @@ export class CombinationView extends View {
 
   protected override stores() {
     return [this.library, this.fitting, this.clips];
+  }
+
+  /** Where a part stands still, which one, and to whom it listens. */
+  #still({ known, uses, moves }: LibraryStore) {
+    const words = known ? stillWords(known.info, uses, moves) : "";
+    return html`<p class="still-words" role="status" data-testid="still-words">${words}</p>`;
   }
 
   #fit() {
@@ -42,7 +50,7 @@ export class CombinationView extends View {
         <button class="small" data-testid=${busy ? "fit-cancel" : "fit"} ?disabled=${busy ? status === "cancelling" : key === ""}
           @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? "Cancel" : "Fit to this clip"}</button>
       </div>
-      <progress max="1" .value=${busy ? fitting.fraction : 0} aria-label="Fitting" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+      ${progressBar("Fitting", busy ? fitting.fraction : null)}
       <p class=${fitting.ending.failed ? "bad" : "hint"} role="status" data-testid="fit-words">${words}</p>`;
   }
 
@@ -54,7 +62,8 @@ export class CombinationView extends View {
       <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
         <button class="small" ?disabled=${!library.altered} @click=${() => library.resetCouplings()}>Reset</button></header>
       <p class="hint">Right is strong. In a new combination each part keeps what it learned about the others.</p>
-      ${couplingsTable(library)}
+      ${combinationCouplings(library)}
+      ${this.#still(library)}
       ${this.#fit()}
       <div class="button-row">
         <button class="small" data-testid="keep-combination" title="As a movement of the library, with these couplings"

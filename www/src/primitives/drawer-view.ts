@@ -1,5 +1,8 @@
 // The primitives of each part as small moving figures, of which only the part is in colour: drag one onto the body, or press it.
-import { html } from "lit";
+import { html, nothing } from "lit";
+import { download } from "../ui/download";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
@@ -7,30 +10,50 @@ import { exampleOf, primitivesOf } from "./combinations";
 import { DRAGGED } from "./dragged";
 import "./figure-view";
 import type { LibraryStore } from "./library-store";
+import { originWords } from "./origins";
 
 export class DrawerView extends View {
   static override properties = { playing: {} };
   declare library: LibraryStore;
   declare playing: boolean;
+  declare notices: NoticesStore;
 
   protected override stores() {
     return [this.library];
   }
 
+  /** The primitive as a file of its own. */
+  async #save(part: string, name: string, primitive: number): Promise<void> {
+    try {
+      const text = await this.library.primitiveText(primitive);
+      download(`${part} ${name}.json`, new Blob([text], { type: "application/json" }));
+    } catch (problem) {
+      this.notices.addError(`${part}: ${name} was not saved`, messageOf(problem));
+    }
+  }
+
   #card(part: number, primitive: number) {
     const { library } = this;
     const info = library.known?.info;
-    if (!info) return html``;
-    const { name } = info.primitives[primitive] ?? { name: "" };
+    const known = info?.primitives[primitive];
+    if (!info || !known) return html``;
+    const { name, origin } = known;
+    const of = info.parts[part]?.name ?? "";
     const on = library.uses[part] === primitive;
+    const words = originWords(origin);
     return html`
+      <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
-        aria-label="${info.parts[part]?.name}: ${name}"
+        aria-label="${of}: ${name}" title=${words}
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAGGED, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
-      </button>`;
+        ${origin.relearned ? html`<small>learned again</small>` : nothing}
+      </button>
+      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${of}: ${name}" title="Save this primitive as a file. ${words}"
+        @click=${() => void this.#save(of, name, primitive)}>Save</button>
+      </div>`;
   }
 
   protected override render() {

@@ -3,6 +3,7 @@ import { html } from "lit";
 import type { Motion } from "../engine/protocol";
 import type { Body } from "../scene/columns";
 import { cleared } from "../ui/canvas";
+import { eachFrame } from "../ui/each-frame";
 import { onThemeChange, partColour, theme } from "../ui/palette";
 import { View } from "../ui/view";
 import { SmallFigure } from "./small-figure";
@@ -30,16 +31,11 @@ export class FigureView extends View {
   protected override arrived(): void {
     this.whenLeaving(onThemeChange(() => this.#draw()));
     this.watchSize(this, () => this.#draw());
-    let before = performance.now();
-    let timer = 0;
-    const tick = (now: number) => {
-      timer = requestAnimationFrame(tick);
-      if (this.playing) this.#walked += Math.min(250, now - before);
-      before = now;
+    const tick = (seconds: number) => {
+      if (this.playing) this.#walked += 1000 * seconds;
       if (this.#walked - this.#drawn >= BETWEEN) this.#draw();
     };
-    timer = requestAnimationFrame(tick);
-    this.whenLeaving(() => cancelAnimationFrame(timer));
+    this.whenLeaving(eachFrame(tick));
   }
 
   override willUpdate(changed: Map<string, unknown>): void {

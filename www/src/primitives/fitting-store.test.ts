@@ -1,7 +1,8 @@
 import { beforeEach, expect, it } from "vitest";
+import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { libraryText } from "../engine/library.fake";
-import type { LibraryReport } from "../engine/library-protocol";
+import type { Fitted, LibraryReport } from "../engine/library-protocol";
 import type { Couplings } from "../engine/protocol";
 import { FakeProgram, settled } from "../engine/whole-engine.fake";
 import { NoticesStore } from "../ui/notices-store";
@@ -24,10 +25,13 @@ beforeEach(async () => {
   await library.openFirst();
 });
 
-async function end(found: Couplings | null): Promise<void> {
+const FROM = { from: "clips", bound: 12, iterations: 9 } as const;
+
+async function end(alpha: Couplings): Promise<void> {
   await settled();
   const training = program.libraries.fittings.at(-1);
-  training?.report({ progress: { iteration: 9, fraction: 1 }, elapsed: 1.5, found } as LibraryReport<Couplings>);
+  const found = { alpha, from: FROM };
+  training?.report({ progress: { ...progress(9), fraction: 1 }, elapsed: 1.5, found } as LibraryReport<Fitted>);
   training?.end({ cancelled: false, reason: "settled" });
 }
 
@@ -42,6 +46,11 @@ it("fits the combination that walks, and the sliders go back to what was found",
   });
   expect(library.alpha).toEqual(FITTED);
   expect(library.altered).toBe(false);
+  // What it was fitted to goes along into the library, until somebody moves a slider.
+  await library.keep("mine");
+  library.setCoupling(0, 1, 5);
+  await library.keep("by hand");
+  expect(program.libraries.origins).toEqual([FROM, null]);
   await fitting.fit("gone");
   expect(program.libraries.fittings).toHaveLength(1);
 });

@@ -1,13 +1,14 @@
 // Couplings of the combination that walks, fitted to a clip while the primitives stay as they are.
 import type { ClipsStore } from "../clips/clips-store";
-import type { Couplings } from "../engine/protocol";
+import type { Fitted } from "../engine/library-protocol";
+import { workInPool } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { LibraryStore } from "./library-store";
-import { ProgressStore } from "./progress-store";
+import { ProgressStore } from "../training/progress-store";
 
 const MOST_ITERATIONS = 100;
 
-export class FittingStore extends ProgressStore<Couplings> {
+export class FittingStore extends ProgressStore<Fitted> {
   readonly #whole: WholeProgram;
   readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
@@ -31,10 +32,9 @@ export class FittingStore extends ProgressStore<Couplings> {
       clips: [{ id: loaded.id, source, first, end }],
       maxIterations: MOST_ITERATIONS,
     };
-    const alpha = await this.run(async (report, signal) => {
-      const { pool } = await this.#whole.load();
-      return pool.run((worker) => worker.fitCouplings(job, report, signal), signal);
-    });
-    if (alpha && this.#library.known === known) this.#library.takeFitted(uses, alpha);
+    const fitted = await this.run((report, signal) =>
+      workInPool(this.#whole, signal, (worker) => worker.fitCouplings(job, report, signal)),
+    );
+    if (fitted && this.#library.known === known) this.#library.takeFitted(uses, fitted);
   }
 }

@@ -1,5 +1,5 @@
 // The library that a worker holds for the page. A worker that had to be replaced is given it again.
-import type { LibraryInfo } from "../engine/library-protocol";
+import type { Addition, CouplingsFrom, LibraryInfo } from "../engine/library-protocol";
 import type { Couplings } from "../engine/protocol";
 import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
 
@@ -31,10 +31,22 @@ export class HeldLibrary {
   }
 
   /** Adds a combination as a movement of that name; answers the library with it. */
-  async add(name: string, uses: readonly number[], alpha: Couplings): Promise<{ text: string; info: LibraryInfo }> {
-    const added = await this.ask((worker) => worker.addCombination(name, [...uses], alpha));
+  async add(
+    name: string,
+    uses: readonly number[],
+    alpha: Couplings,
+    from: CouplingsFrom | null,
+  ): Promise<{ text: string; info: LibraryInfo }> {
+    const added = await this.ask((worker) => worker.addCombination(name, [...uses], alpha, from));
     this.#text = added.text;
     return added;
+  }
+
+  /** Adds the primitives of another library, where they fit. */
+  async take(text: string): Promise<Addition> {
+    const addition = await this.ask((worker) => worker.addPrimitives(text));
+    if ("text" in addition) this.#text = addition.text;
+    return addition;
   }
 
   /** Asks the worker that holds the library. */

@@ -1,4 +1,5 @@
 import { beforeEach, expect, it } from "vitest";
+import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { libraryText } from "../engine/library.fake";
 import type { LibraryReport } from "../engine/library-protocol";
@@ -15,6 +16,7 @@ class FakeSettings extends Store {
 }
 class FakeClips extends Store {
   all: ClipEntry[] = [];
+  samplesLoaded = true;
   add(key: string, origin: ClipEntry["origin"]): void {
     const parts = [
       { name: "legs", joints: [0] },
@@ -43,7 +45,7 @@ beforeEach(() => {
 });
 const chosen = () => learning.clips.filter(({ chosen }) => chosen).map(({ key, movement }) => `${key} ${movement}`);
 const report = (found: string | null) =>
-  ({ progress: { iteration: 3, fraction: 0.5 }, elapsed: 2, found }) as LibraryReport<string>;
+  ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as LibraryReport<string>;
 
 it("puts made clips into the groups of their movements, a few of each, and own clips into groups of their names", () => {
   expect(chosen()).toEqual(["w1 walk", "w2 walk", "v1 wave"]);

@@ -3,10 +3,11 @@ import type { ClipEntry, ClipsStore } from "../clips/clips-store";
 import { partsFor } from "../clips/parts";
 import type { EngineStore } from "../engine/engine-store";
 import type { PartSpec } from "../engine/protocol";
+import { workInPool } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
-import { ProgressStore } from "./progress-store";
+import { ProgressStore } from "../training/progress-store";
 
 /** So many made clips of a movement are chosen where nobody chose: more take longer. */
 const MADE_CHOSEN = 2;
@@ -23,7 +24,7 @@ export class LearningStore extends ProgressStore<string> {
   readonly #whole: WholeProgram;
   readonly #engine: Pick<EngineStore, "samples">;
   readonly #settings: Pick<SettingsStore, "values" | "on">;
-  readonly #clips: Pick<ClipsStore, "all" | "on">;
+  readonly #clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">;
   readonly #library: LibraryStore;
   /** What the visitor has said, by the keys of the clips. */
   readonly #chosen = new Map<string, boolean>();
@@ -35,7 +36,7 @@ export class LearningStore extends ProgressStore<string> {
     whole: WholeProgram,
     engine: Pick<EngineStore, "samples">,
     settings: Pick<SettingsStore, "values" | "on">,
-    clips: Pick<ClipsStore, "all" | "on">,
+    clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">,
     library: LibraryStore,
   ) {
     super();
@@ -75,6 +76,17 @@ export class LearningStore extends ProgressStore<string> {
     this.changed();
   }
 
+  /** Chooses all clips that the program makes, each in the group of its movement; these parts are the same in all groups. */
+  chooseMade(shared: readonly string[]): void {
+    for (const { key, origin } of this.#clips.all) {
+      this.#chosen.set(key, origin !== "own");
+      this.#named.delete(key);
+    }
+    this.#shared.clear();
+    for (const part of shared) this.#shared.add(part);
+    this.changed();
+  }
+
   /** The parts of the first chosen clip's body. */
   get parts(): PartSpec[] {
     const [first] = this.#groups().flatMap(({ clips }) => clips);
@@ -94,6 +106,7 @@ export class LearningStore extends ProgressStore<string> {
 
   /** Why it cannot be learned now; empty when it can. */
   get whyNot(): string {
+    if (!this.#clips.samplesLoaded) return "Getting the sample clips ready.";
     const groups = this.#groups();
     if (groups.length === 0) return "Choose clips of two movements.";
     return groups.length < 2 ? "Choose clips of another movement too." : "";
@@ -113,10 +126,9 @@ export class LearningStore extends ProgressStore<string> {
       movements: groups.map(({ name, clips }) => ({ name, sequences: clips.length })),
       shared: parts.map(({ name }) => this.isShared(name)),
     };
-    const text = await this.run(async (report, signal) => {
-      const { pool } = await this.#whole.load();
-      return pool.run((worker) => worker.learnLibrary(job, report, signal), signal);
-    });
+    const text = await this.run((report, signal) =>
+      workInPool(this.#whole, signal, (worker) => worker.learnLibrary(job, report, signal)),
+    );
     if (text !== null) await this.#library.open(text, "The library learned here", true);
   }
 

@@ -1,7 +1,6 @@
 // Learning a library: which clips, in which groups, and which parts are the same in all groups.
 import { html } from "lit";
-import { restOf } from "../training/runs";
-import { sentence, timeLeft } from "../ui/format";
+import { progressRow } from "../training/progress-row";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
@@ -37,22 +36,8 @@ export class LearningView extends View {
       </div>`;
   }
 
-  #words() {
-    const { status, busy, iteration, elapsed, fraction, ending, whyNot } = this.learning;
-    if (status === "cancelling") return "Stopping";
-    if (busy && iteration === 0) return "Setting up";
-    if (busy) {
-      const left = timeLeft(restOf([{ state: "running", elapsed, fraction }], 1));
-      return html`<span>Iteration ${iteration}</span><span>${sentence(left)}</span>`;
-    }
-    if (ending.failed) return html`<span class="bad">${sentence(ending.words)}</span>`;
-    if (ending.words) return `Learned. ${sentence(ending.words)}`;
-    return whyNot || "It takes the place of the library above, which can be brought back.";
-  }
-
   protected override render() {
     const { learning } = this;
-    const { busy, status, whyNot, fraction } = learning;
     return html`
       <h2>Learn a library</h2>
       <p class="hint">Clips with the same name are one movement. A part that is the <em>same</em> has one primitive for all movements;
@@ -61,13 +46,14 @@ export class LearningView extends View {
         <ul class="learning-clips">${learning.clips.map((clip) => this.#clip(clip))}</ul>
         <div>
           ${learning.parts.map(({ name }, part) => this.#part(name, part))}
-          <div class="train-row">
-            <button class="primary big" data-testid=${busy ? "learn-cancel" : "learn"} title=${busy ? "Stops here and keeps the best so far" : whyNot}
-              ?disabled=${busy ? status === "cancelling" : whyNot !== ""} @click=${() => (busy ? learning.cancel() : void learning.learn())}>${busy ? "Cancel" : "Learn"}</button>
-            <p class="hint words" data-testid="learn-words">${this.#words()}</p>
-          </div>
-          <progress max="1" .value=${busy ? fraction : 0} aria-label="Learning" class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
-          <div class="visually-hidden" role="status">${busy ? `Learning, ${Math.floor(fraction * 10) * 10} per cent done` : ""}</div>
+          ${progressRow({
+            progress: learning,
+            verb: ["Learn", "Learning", "Learned"],
+            testIds: ["learn", "learn-cancel", "learn-words"],
+            whyNot: learning.whyNot,
+            hint: "It takes the place of the library above, which can be brought back.",
+            start: () => void learning.learn(),
+          })}
         </div>
       </div>`;
   }

@@ -3,6 +3,7 @@ import { libraryText } from "../engine/library.fake";
 import { FakeProgram, settled } from "../engine/whole-engine.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { LibraryStore } from "./library-store";
+import { SEAM_FRAMES } from "./seam";
 
 let program: FakeProgram;
 let notices: NoticesStore;
@@ -67,6 +68,21 @@ describe("a library", () => {
     expect(library.before).toBeNull();
   });
 
+  it("that is not saved comes round again, however many others are opened", async () => {
+    await opened();
+    await library.open(libraryText("learned"), "learned", true);
+    await library.open(libraryText("second"), "second.json");
+    await library.open(libraryText("third"), "third.json");
+    expect(library.unsaved.map(({ title }) => title)).toEqual(["learned"]);
+    const titles: (string | undefined)[] = [];
+    for (let k = 0; k < 3; k++) {
+      await library.undo();
+      titles.push(library.known?.title);
+    }
+    expect(titles).toEqual(["second.json", "learned", "learned"]);
+    expect(library.before).toBeNull();
+  });
+
   it("takes a combination in, while the figure goes on", async () => {
     await opened();
     await library.keep("mine");
@@ -90,8 +106,9 @@ describe("the combination that walks", () => {
     expect(library.altered).toBe(false);
     expect(program.libraries.changes.slice(-2)).toMatchObject([
       { kind: "use", part: 1, primitive: 2 },
-      { kind: "couplings", alpha: library.nearest },
+      { kind: "nearest", uses: [0, 2] },
     ]);
+    expect(library.alpha).toEqual(library.nearest);
     expect(program.libraries.walks).toHaveLength(1);
     library.choose(1, 0);
     expect(library.uses).toEqual([0, 2]);
@@ -111,6 +128,78 @@ describe("the combination that walks", () => {
     expect(positions[3 * nodes * frames - 1]).toBeCloseTo(4);
     expect(largest).toBeLessThan(0.11);
     expect(largest).toBeGreaterThan(0.05);
+  });
+
+  it("goes on with another primitive from the frame that is seen: what was ahead of it is made again", async () => {
+    await opened();
+    await pass(0.5);
+    const { walk } = library;
+    const seen = Math.floor(walk.player.frame);
+    const before = [...(walk.track?.frame(seen) ?? [])];
+    const ahead = [...(walk.track?.frame(seen + 1) ?? [])];
+    expect(walk.track?.last).toBeGreaterThanOrEqual(seen + 3);
+    library.choose(1, 2);
+    await settled();
+    expect([...(walk.track?.frame(seen) ?? [])]).toEqual(before);
+    expect([...(walk.track?.frame(seen + 1) ?? [])]).not.toEqual(ahead);
+    const { back, frames } = program.libraries.advances.at(-1) ?? { back: 0, frames: 0 };
+    expect(back).toBeGreaterThanOrEqual(2);
+    expect(frames).toBeGreaterThanOrEqual(back);
+    // A second change takes the first one back with its frames: it is made again.
+    library.setTempo(0, 1.5);
+    await settled();
+    expect(program.libraries.changes.slice(-3)).toMatchObject([
+      { kind: "use", part: 1, primitive: 2 },
+      { kind: "nearest" },
+      { kind: "tempo", part: 0 },
+    ]);
+    library.choose(1, 3);
+    await settled();
+    expect(program.libraries.changes.slice(-3)).toMatchObject([
+      { kind: "tempo", part: 0 },
+      { kind: "use", part: 1, primitive: 3 },
+      { kind: "nearest" },
+    ]);
+    await pass(1);
+    expect(walk.track?.frame(walk.track.last)?.[0]).toBe(3);
+  });
+
+  it("that stands goes on to where an exchange is over, and shows it", async () => {
+    await opened();
+    await pass(0.52);
+    const { walk } = library;
+    walk.player.pause();
+    const { frame } = walk.player;
+    const now = () => walk.track?.frame(walk.player.frame)?.[0];
+    const before = now();
+    library.choose(1, 2);
+    await settled();
+    expect(walk.player.frame).toBe(Math.ceil(frame) + SEAM_FRAMES);
+    expect(walk.track?.last).toBeGreaterThanOrEqual(walk.player.frame + 1);
+    expect([before, now()]).toEqual([3, 2]);
+    // A coupling has nothing to show while the figure stands.
+    library.setCoupling(0, 1, 5);
+    await settled();
+    expect(walk.player.frame).toBe(Math.ceil(frame) + SEAM_FRAMES);
+    walk.player.play();
+    await pass(1);
+    expect(now()).toBe(2);
+  });
+
+  it("sets out for another primitive from the frame that is seen", async () => {
+    await opened();
+    await pass(0.5);
+    const { walk } = library;
+    const [seen, last] = [Math.floor(walk.player.frame), walk.track?.last ?? 0];
+    expect(last).toBeGreaterThan(seen + 3);
+    library.setMix(1, 2, 0.5);
+    await pass(1 / 30);
+    const { back } = program.libraries.advances.find(({ back }) => back > 0) ?? { back: 0 };
+    expect(last - back).toBeLessThanOrEqual(seen + 3);
+    const shares = program.libraries.changes.flatMap((change) => (change.kind === "mix" ? [change.share] : []));
+    expect(shares[0]).toBeCloseTo(1 / 30);
+    await pass(2);
+    expect(program.libraries.changes.at(-1)).toMatchObject({ kind: "mix", part: 1, share: 0.5 });
   });
 
   it("takes couplings, tempos and mixes over, of each the newest", async () => {

@@ -1,5 +1,5 @@
 // The library that is looked at, and the combination of its primitives that walks.
-import type { LibraryInfo } from "../engine/library-protocol";
+import type { Addition, CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, Motion } from "../engine/protocol";
 import type { WholeProgram } from "../engine/whole-engine";
@@ -13,6 +13,8 @@ import { WalkStore } from "./walk-store";
 
 /** More combinations have no room in the gallery. */
 const MOST_SHOWN = 36;
+/** Milliseconds that couplings rest before it is looked what they do. */
+const LOOK_AFTER = 300;
 /** Frames of a small figure, which walks them again and again. */
 const SMALL_FRAMES = 120;
 
@@ -33,28 +35,38 @@ export interface Mix {
   share: number;
 }
 
+const isUnsaved = ({ unsaved }: KnownLibrary) => unsaved;
+
 export class LibraryStore extends Store {
   readonly walk: WalkStore;
   readonly #held: HeldLibrary;
   readonly #notices: NoticesStore;
   readonly #fetchFirst: () => Promise<string>;
   #known: KnownLibrary | null = null;
-  /** The one before, which a new one has taken the place of. */
-  #before: KnownLibrary | null = null;
+  /** Those before, the last of which the one that is looked at has taken the place of: it, and all that would be lost. */
+  #earlier: readonly KnownLibrary[] = [];
   #opening: Promise<void> | null = null;
   #problem = "";
+  /** The document of the library that comes with the page. */
+  #first: string | null = null;
   #uses: readonly number[] = [];
-  /** Those of the large figure, which follows. */
-  #walking: readonly number[] = [];
   #alpha: Couplings = [];
   /** Those that the primitives were learned with, or fitted. */
   #nearest: Couplings = [];
+  /** Whether the figure was given couplings since its primitives changed. */
+  #touched = false;
+  /** The couplings that were fitted last, and what to. */
+  #fitted: (Fitted & { uses: readonly number[] }) | null = null;
+  /** What the parts do under the couplings that were looked at last. */
+  #moves: readonly PartMotion[] = [];
+  #look: ReturnType<typeof setTimeout> | undefined;
   #tempos: readonly number[] = [];
   #mixes: readonly (Mix | null)[] = [];
   /** Of the small figures; another library has others. */
   #motions = new Map<string, Motion>();
   #body: Body | null = null;
   readonly #couplings: Latest<readonly number[], Couplings>;
+  readonly #movesOf: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
 
   /** `fetchFirst`: the document of the library that comes with the page. */
   constructor(whole: WholeProgram, notices: NoticesStore, fetchFirst: () => Promise<string>) {
@@ -67,10 +79,21 @@ export class LibraryStore extends Store {
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
         if (!isSame(uses, this.#uses)) return;
-        this.#exchange(uses);
-        this.#takeNearest(alpha);
+        // The figure has them already.
+        if (this.#touched) this.#takeNearest(alpha);
+        else this.#showNearest(alpha);
       },
       (problem) => this.#notices.addError("These primitives could not be put together", messageOf(problem)),
+    );
+    this.#movesOf = new Latest(
+      ({ uses, alpha }) => this.#held.ask((worker) => worker.combinationMoves([...uses], alpha)),
+      (moves, { uses, alpha }) => {
+        if (!isSame(uses, this.#uses) || alpha !== this.#alpha) return;
+        this.#moves = moves;
+        this.changed();
+      },
+      // A figure that cannot be rolled out says so itself.
+      () => {},
     );
   }
 
@@ -78,8 +101,21 @@ export class LibraryStore extends Store {
     return this.#known;
   }
 
+  /** What is kept of it for the next visit: nothing where it is the page's own, as it came. */
+  get kept(): Pick<KnownLibrary, "text" | "title" | "unsaved"> | null {
+    const known = this.#known;
+    if (!known || (known.title === "" && known.text === this.#first)) return null;
+    const { text, title, unsaved } = known;
+    return { text, title, unsaved };
+  }
+
   get before(): KnownLibrary | null {
-    return this.#before;
+    return this.#earlier.at(-1) ?? null;
+  }
+
+  /** All libraries of this visit that are on no disk. */
+  get unsaved(): readonly KnownLibrary[] {
+    return this.#known ? [...this.#earlier, this.#known].filter(isUnsaved) : [];
   }
 
   /** Why there is no library; empty when there is one, or soon will be. */
@@ -121,6 +157,11 @@ export class LibraryStore extends Store {
     return this.#mixes;
   }
 
+  /** What each part does in the long run, and to whom it listens; empty where that is not known yet. */
+  get moves(): readonly PartMotion[] {
+    return this.#moves;
+  }
+
   /** The combinations of the gallery. */
   get combinations(): number[][] {
     return this.#known ? combinationsOf(this.#known.info, MOST_SHOWN) : [];
@@ -155,6 +196,7 @@ export class LibraryStore extends Store {
     this.changed();
     try {
       const text = await this.#fetchFirst();
+      this.#first = text;
       // The visitor's own may have come first.
       if (!this.#known) await this.open(text, "");
     } catch (problem) {
@@ -163,24 +205,24 @@ export class LibraryStore extends Store {
     }
   }
 
-  /** Takes a library up from its document. The one before can be brought back. */
+  /** Takes a library up from its document. The one before can be brought back, and so can all before it that are not saved. */
   async open(text: string, title: string, unsaved = false): Promise<void> {
     const info = await this.#held.open(text);
-    await this.#takeUp({ text, info, title, unsaved });
+    const before = this.#known ? [this.#known] : [];
+    await this.#takeUp({ text, info, title, unsaved }, [...this.#earlier.filter(isUnsaved), ...before]);
   }
 
-  /** Back to the library before this one. */
+  /** Back to the library before this one, which comes round again if it is not saved. */
   async undo(): Promise<void> {
-    const before = this.#before;
+    const { before } = this;
     if (!before) return;
     await this.#held.open(before.text);
-    await this.#takeUp(before);
-    this.#before = null;
-    this.changed();
+    const last = this.#known ? [this.#known].filter(isUnsaved) : [];
+    await this.#takeUp(before, [...last, ...this.#earlier.slice(0, -1)]);
   }
 
-  async #takeUp(library: KnownLibrary): Promise<void> {
-    this.#before = this.#known;
+  async #takeUp(library: KnownLibrary, earlier: readonly KnownLibrary[]): Promise<void> {
+    this.#earlier = earlier;
     this.#known = library;
     this.#problem = "";
     this.#motions = new Map();
@@ -189,8 +231,7 @@ export class LibraryStore extends Store {
     this.#mixes = library.info.parts.map(() => null);
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
-    this.#walking = this.#uses;
-    this.#takeNearest(await this.nearestTo(this.#uses));
+    this.#showNearest(await this.nearestTo(this.#uses));
     await this.walk.start(library.info, this.#uses);
     this.changed();
     void this.#rollOutSmall(library.info);
@@ -208,9 +249,16 @@ export class LibraryStore extends Store {
     this.#mixes.forEach((mix, part) => {
       if (mix) this.walk.change({ kind: "mix", part, other: mix.other, share: 0 });
     });
+    // Primitives together with their couplings, so that it has to catch itself only once.
+    uses.forEach((primitive, part) => {
+      if (primitive !== this.#uses[part]) this.walk.change({ kind: "use", part, primitive });
+    });
+    this.walk.change({ kind: "nearest", uses }, true);
+    this.#touched = false;
     this.#uses = uses;
     this.#mixes = uses.map(() => null);
-    this.#couplings.request(uses);
+    // After the figure, which shall not wait.
+    queueMicrotask(() => this.#couplings.request(uses));
     this.changed();
   }
 
@@ -226,8 +274,10 @@ export class LibraryStore extends Store {
   }
 
   /** Couplings that were fitted for this combination: what the sliders go back to. */
-  takeFitted(uses: readonly number[], alpha: Couplings): void {
-    if (isSame(uses, this.#uses)) this.#takeNearest(alpha);
+  takeFitted(uses: readonly number[], fitted: Fitted): void {
+    if (!isSame(uses, this.#uses)) return;
+    this.#fitted = { ...fitted, uses };
+    this.#takeNearest(fitted.alpha);
   }
 
   resetCouplings(): void {
@@ -261,9 +311,38 @@ export class LibraryStore extends Store {
   async keep(name: string): Promise<void> {
     const known = this.#known;
     if (!known) return;
-    const { text, info } = await this.#held.add(name, this.#uses, this.#alpha);
+    const { text, info } = await this.#held.add(name, this.#uses, this.#alpha, this.#from);
     this.#known = { ...known, text, info, unsaved: true };
     this.changed();
+  }
+
+  /** The document of one primitive as a file of its own. */
+  primitiveText(primitive: number): Promise<string> {
+    return this.#held.ask((worker) => worker.primitivesText([primitive]));
+  }
+
+  /** Whether the document is a library that can walk, not some primitives that can only be added to one. */
+  isWhole(text: string): Promise<boolean> {
+    return this.#held.ask((worker) => worker.isWholeLibrary(text));
+  }
+
+  /** Adds the primitives of another file, where they fit; the figure goes on. */
+  async add(text: string): Promise<Addition> {
+    const addition = await this.#held.take(text);
+    const known = this.#known;
+    if (!("info" in addition) || !known) return addition;
+    this.#known = { ...known, text: addition.text, info: addition.info, unsaved: known.unsaved || addition.added > 0 };
+    this.changed();
+    void this.#rollOutSmall(addition.info);
+    return addition;
+  }
+
+  /** Where the couplings of now come from, as far as the page alone knows it. */
+  get #from(): CouplingsFrom | null {
+    const fitted = this.#fitted;
+    const isFitted =
+      fitted && isSame(fitted.uses, this.#uses) && JSON.stringify(fitted.alpha) === JSON.stringify(this.#alpha);
+    return isFitted ? fitted.from : null;
   }
 
   /** The document, which now is on the visitor's disk. */
@@ -274,23 +353,33 @@ export class LibraryStore extends Store {
     return this.#known.text;
   }
 
-  /** Gives the figure these primitives: together with their couplings, so that it has to catch itself only once. */
-  #exchange(uses: readonly number[]): void {
-    uses.forEach((primitive, part) => {
-      if (primitive !== this.#walking[part]) this.walk.change({ kind: "use", part, primitive });
-    });
-    this.#walking = uses;
+  #setCouplings(alpha: Couplings, leaps: boolean): void {
+    this.#touched = true;
+    this.walk.change({ kind: "couplings", alpha }, leaps);
+    this.#showCouplings(alpha);
   }
 
-  #setCouplings(alpha: Couplings, leaps: boolean): void {
+  #showCouplings(alpha: Couplings): void {
     this.#alpha = alpha;
-    this.walk.change({ kind: "couplings", alpha }, leaps);
+    this.#moves = [];
+    this.#lookLater();
     this.changed();
+  }
+
+  /** Looks what the parts do once the couplings rest: a slider that is dragged shall not wait for it. */
+  #lookLater(): void {
+    clearTimeout(this.#look);
+    this.#look = setTimeout(() => this.#movesOf.request({ uses: this.#uses, alpha: this.#alpha }), LOOK_AFTER);
   }
 
   #takeNearest(alpha: Couplings): void {
     this.#nearest = alpha;
     this.takeCouplings(alpha);
+  }
+
+  #showNearest(alpha: Couplings): void {
+    this.#nearest = alpha;
+    this.#showCouplings(alpha);
   }
 
   /** The motions of the small figures, one after the other. */

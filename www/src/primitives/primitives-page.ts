@@ -12,6 +12,8 @@ import "./chimera-view";
 import "./combination-view";
 import "./drawer-view";
 import "./gallery-view";
+import "./import-view";
+import "./lesson-view";
 import "./learning-view";
 import "./morph-view";
 import type { Primitives } from "./primitives";
@@ -52,7 +54,7 @@ export class PrimitivesPage extends View {
   async #open(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
-      await this.library.open(await file.text(), file.name);
+      await this.primitives.imports.openFile(await file.text(), file.name);
     } catch (problem) {
       this.notices.addError(file.name, messageOf(problem));
     }
@@ -94,7 +96,7 @@ export class PrimitivesPage extends View {
 
   protected override render() {
     const { clips } = this;
-    const { library, fitting, locking, learning } = this.primitives;
+    const { library, fitting, imports, locking, learning, fold } = this.primitives;
     const { playing } = library.walk.player;
     const here = this.notices.all.filter(({ at }) => at === null);
     if (!library.known) {
@@ -107,13 +109,15 @@ export class PrimitivesPage extends View {
       <div class="primitives">
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice))}</div>` : nothing}
-        <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing}></pg-drawer></section>
+        <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer>
+          <pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
         <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
         <section class="panel combination-panel" aria-label="Couplings and morph"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination>
           <pg-morph .library=${library}></pg-morph></section>
         <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
         <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
         <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
+        <section class="panel lesson-panel" aria-label="The experiment"><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
       </div>`;
   }
 }

@@ -5,6 +5,8 @@ import type { WholeProgram } from "../engine/whole-engine";
 import type { SettingsStore } from "../settings/settings-store";
 import type { NoticesStore } from "../ui/notices-store";
 import { FittingStore } from "./fitting-store";
+import { FoldStore } from "./fold-store";
+import { ImportStore } from "./import-store";
 import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";
 import { LockingStore } from "./locking-store";
@@ -32,7 +34,11 @@ export function openPrimitives(
   return {
     library,
     fitting: new FittingStore(whole, clips, library),
+    imports: new ImportStore(whole, clips, library),
+    /** The seed of the settings. */
+    seed: () => settings.values.seed,
     locking: new LockingStore(whole, library),
     learning: new LearningStore(whole, engine, settings, clips, library),
+    fold: new FoldStore(whole, engine),
   };
 }

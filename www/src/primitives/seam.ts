@@ -9,47 +9,31 @@ function fade(share: number): number {
   return left * left * (3 - 2 * left);
 }
 
+/** Where two frames of a figure lead. */
+export function onwards(before: Float32Array, last: Float32Array): Float32Array {
+  return last.map((value, i) => 2 * value - before[i]!);
+}
+
 /** Adds to each frame what is left of the jump. */
 export class Seam {
   #jump: Float32Array | null = null;
-  #frame = 0;
-  /** The last two poses that were handed on. */
-  #last: Float32Array | null = null;
-  #before: Float32Array | null = null;
+  /** The frame before the jump. */
+  #start = 0;
 
-  /** The next frame comes from elsewhere. */
-  open(): void {
-    this.#jump = null;
-    this.#opened = true;
+  /** From this frame on the figure comes from elsewhere: it has this pose, and another one was expected. */
+  open(frame: number, pose: Float32Array, expected: Float32Array): void {
+    this.#jump = expected.map((value, i) => value - pose[i]!);
+    this.#start = frame - 1;
   }
 
-  #opened = false;
-
-  /** Takes frames [frames x nodes x 3] on, in place. */
-  pass(positions: Float32Array, frames: number): void {
-    const width = positions.length / Math.max(1, frames);
+  /** Takes frames [frames x nodes x 3] on, in place; `first` is the number of the first of them. */
+  pass(positions: Float32Array, frames: number, first: number): void {
+    const jump = this.#jump;
+    if (!jump) return;
     for (let k = 0; k < frames; k++) {
-      const pose = positions.subarray(k * width, (k + 1) * width);
-      if (this.#opened) this.#measure(pose);
-      if (this.#jump) this.#close(pose, this.#jump);
-      this.#before = this.#last;
-      this.#last = pose.slice();
+      const left = fade((first + k - this.#start) / SEAM_FRAMES);
+      const pose = positions.subarray(k * jump.length, (k + 1) * jump.length);
+      if (left > 0) for (let i = 0; i < pose.length; i++) pose[i]! += left * jump[i]!;
     }
-  }
-
-  /** How far the pose is from where the last two lead. */
-  #measure(pose: Float32Array): void {
-    this.#opened = false;
-    const [last, before] = [this.#last, this.#before];
-    if (!last || !before) return;
-    this.#jump = pose.map((value, i) => 2 * last[i]! - before[i]! - value);
-    this.#frame = 0;
-  }
-
-  #close(pose: Float32Array, jump: Float32Array): void {
-    const left = fade(this.#frame / SEAM_FRAMES);
-    for (let i = 0; i < pose.length; i++) pose[i]! += left * jump[i]!;
-    this.#frame += 1;
-    if (this.#frame > SEAM_FRAMES) this.#jump = null;
   }
 }

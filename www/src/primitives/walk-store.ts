@@ -1,18 +1,21 @@
 // The large figure, which goes on without an end while its primitives, couplings and tempos change.
 import type { LibraryInfo, WalkChange } from "../engine/library-protocol";
+import type { Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
-import { LONGEST_PICTURE } from "../stage/playback";
 import { Player } from "../stage/player";
+import { LONGEST_PICTURE } from "../ui/each-frame";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import type { HeldLibrary } from "./held-library";
-import { Seam } from "./seam";
+import { onwards, SEAM_FRAMES, Seam } from "./seam";
 
 /** Seconds that are kept. */
 const KEPT_SECONDS = 4;
-/** Frames that are there before the clock needs them: what the visitor does is seen so much later. */
+/** Frames that are there before the clock needs them. Where the visitor changes something, those not yet seen are made again. */
 const LEAD = 3;
+/** So many are asked for at once, so that the worker is nearly always free when the visitor changes something. */
+const PIECE = 6;
 
 /** A part takes so many frames to go all the way to another of its primitives: at once it would jump. */
 const MIX_FRAMES = 30;
@@ -24,10 +27,27 @@ interface Mixing {
   goal: number;
 }
 
-/** Whether a later change of this kind makes an earlier one needless. */
-const replaces = (later: WalkChange, earlier: WalkChange): boolean =>
-  later.kind === earlier.kind &&
-  (later.kind === "couplings" || (earlier.kind !== "couplings" && later.part === earlier.part));
+/** What acts on all frames after this one. */
+interface Made {
+  after: number;
+  changes: readonly WalkChange[];
+}
+
+/** What a change is about. */
+const subjectOf = (change: WalkChange): string => ("part" in change ? `${change.kind} ${change.part}` : "couplings");
+
+/** Of changes of one thing only the newest. */
+function newest(changes: readonly WalkChange[]): WalkChange[] {
+  const places = new Map(changes.map((change, place) => [subjectOf(change), place]));
+  return changes.filter((change, place) => places.get(subjectOf(change)) === place);
+}
+
+/** Where a figure was on its way to after a frame; null where that is not known. */
+function expectedAfter(track: LiveTrack, frame: number): Float32Array | null {
+  const [before, last, next] = [track.frame(frame - 1), track.frame(frame), track.frame(frame + 1)];
+  if (next) return next.slice();
+  return before && last && onwards(before, last);
+}
 
 export class WalkStore extends Store {
   readonly player = new Player();
@@ -36,7 +56,13 @@ export class WalkStore extends Store {
   #track: LiveTrack | null = null;
   #seam = new Seam();
   #changes: WalkChange[] = [];
+  /** What may have to be made again. */
+  #made: Made[] = [];
+  /** The farthest that the clock has been. */
+  #seen = 0;
   readonly #mixing = new Map<number, Mixing>();
+  /** Whether one has just set out: from the frame that is seen. */
+  #setsOut = false;
   /** Whether one of them would make the figure jump. */
   #leaps = false;
   #busy = false;
@@ -60,36 +86,40 @@ export class WalkStore extends Store {
     const walks = this.#walks;
     this.#track = null;
     this.#changes = [];
+    this.#made = [];
     this.#mixing.clear();
+    this.#setsOut = false;
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, Math.round(KEPT_SECONDS / frameTime));
     const motion = await this.#held.ask(async (worker) => {
       await worker.startWalk([...uses]);
-      return worker.advanceWalk([], LEAD);
+      return worker.advanceWalk(0, [], LEAD);
     });
     if (walks !== this.#walks) return;
     this.#seam = new Seam();
-    this.#seam.pass(motion.positions, motion.frames);
     track.append(motion);
     this.#track = track;
     this.player.frame = 0;
+    this.#seen = 0;
     this.player.follow(track.last, frameTime);
     this.changed();
   }
 
   /**
-   * From the next frame on. Of changes of one thing only the newest counts. `leaps`: it is a large one, not a step of a slider that is
-   * dragged.
+   * From the next frame on that nobody has seen. Of changes of one thing only the newest counts. `leaps`: it is a large one, not a step of
+   * a slider that is dragged.
    */
   change(change: WalkChange, leaps = change.kind === "use"): void {
     this.#leaps ||= leaps;
     if (change.kind === "mix") {
       const { part, other, share: goal } = change;
       const before = this.#mixing.get(part);
+      this.#setsOut ||= !this.#isMixing;
       this.#mixing.set(part, { other, share: before?.other === other ? before.share : 0, goal });
       return;
     }
     if (change.kind === "use") this.#mixing.delete(change.part);
-    this.#changes = [...this.#changes.filter((earlier) => !replaces(change, earlier)), change];
+    this.#changes.push(change);
+    this.#fillSoon();
   }
 
   togglePlay(): void {
@@ -101,6 +131,7 @@ export class WalkStore extends Store {
   /** Called once a display frame, so many seconds after the last call. */
   advance(seconds: number): void {
     this.player.advance(seconds);
+    this.#seen = Math.max(this.#seen, this.player.frame);
     void this.#fill(seconds);
   }
 
@@ -109,9 +140,20 @@ export class WalkStore extends Store {
     const track = this.#track;
     if (!track) return;
     this.player.step(direction);
-    this.player.frame = Math.max(this.player.frame, track.first);
+    this.#goTo(Math.max(this.player.frame, track.first));
     void this.#fill(0);
+  }
+
+  /** Stands at a frame from now on. */
+  #goTo(frame: number): void {
+    this.player.frame = Math.min(frame, this.player.last);
+    this.#seen = Math.max(this.#seen, this.player.frame);
     this.changed();
+  }
+
+  /** Whether a part is on its way to another of its primitives: frame by frame. */
+  get #isMixing(): boolean {
+    return [...this.#mixing.values()].some(({ share, goal }) => share !== goal);
   }
 
   /** Moves the mixes as far as so many frames allow. */
@@ -127,26 +169,42 @@ export class WalkStore extends Store {
     return changes;
   }
 
-  /** Asks for frames before the clock needs them. */
+  /** The last frame that stays as it is: of a figure that stands, the one that its picture leads to as well. */
+  get #kept(): number {
+    return this.player.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
+  }
+
+  /** When all is said that belongs together. */
+  #fillSoon(): void {
+    queueMicrotask(() => void this.#fill(0));
+  }
+
+  /** Asks for frames before the clock needs them; after a change, also for those that were not seen yet. */
   async #fill(seconds: number): Promise<void> {
     const track = this.#track;
     if (!track || this.#busy) return;
-    const ahead = LEAD + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
-    const frames = Math.ceil(ahead + this.player.frame - track.last);
-    if (frames < 1) return;
+    const again = this.#changes.length > 0 || this.#setsOut;
+    const from = again ? Math.min(this.#kept, track.last) : track.last;
+    const back = track.last - from;
+    const piece = again || this.#isMixing ? 1 : PIECE;
+    const ahead = LEAD + piece - 1 + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
+    // A figure that stands goes on to where the leap is over: what the visitor did is to be seen.
+    const onward = this.#leaps && !this.player.playing ? SEAM_FRAMES : 0;
+    // A part that sets out goes on in small pieces, of which each is one step.
+    const fewest = this.#changes.length > 0 ? back : 0;
+    const frames = Math.max(fewest, Math.ceil(ahead + onward + this.player.frame - from));
+    if (frames < piece) return;
     this.#busy = true;
     const walks = this.#walks;
-    const changes = [...this.#changes, ...this.#mixOn(frames)];
-    this.#changes = [];
+    const changes = this.#changesAfter(from, Math.max(frames - back, this.#setsOut ? 1 : 0));
+    this.#setsOut = false;
     const leaps = this.#leaps;
     this.#leaps = false;
     try {
-      const motion = await this.#held.ask((worker) => worker.advanceWalk(changes, frames));
+      const motion = await this.#held.ask((worker) => worker.advanceWalk(back, changes, frames));
       if (walks !== this.#walks) return;
-      if (leaps) this.#seam.open();
-      this.#seam.pass(motion.positions, motion.frames);
-      track.append(motion);
-      this.player.follow(track.last, track.motion.frameTime);
+      this.#take(track, motion, from, leaps);
+      if (onward > 0 && !this.player.playing) this.#goTo(from + onward);
     } catch (problem) {
       if (walks !== this.#walks) return;
       this.#track = null;
@@ -154,6 +212,33 @@ export class WalkStore extends Store {
       this.changed();
     } finally {
       this.#busy = false;
+      if (this.#changes.length > 0) this.#fillSoon();
     }
+  }
+
+  /** What acts after a frame: what is taken back with the frames after it, what is new, and the mixes, so many frames on. */
+  #changesAfter(frame: number, more: number): WalkChange[] {
+    const again = this.#made.filter(({ after }) => after >= frame).flatMap(({ changes }) => changes);
+    const changes = newest([...again, ...this.#changes, ...this.#mixOn(more)]);
+    this.#changes = [];
+    const seen = Math.floor(this.#seen);
+    const before = this.#made.filter(({ after }) => after >= seen && after < frame);
+    this.#made = [...before, { after: frame, changes }];
+    return changes;
+  }
+
+  /** Puts frames in the place of those after `from`. What the clock has reached meanwhile stays. */
+  #take(track: LiveTrack, motion: Motion, from: number, leaps: boolean): void {
+    const kept = Math.max(from, Math.min(this.#kept, track.last));
+    const width = 3 * motion.nodes;
+    const positions = motion.positions.subarray((kept - from) * width);
+    const frames = motion.frames - (kept - from);
+    const expected = leaps ? expectedAfter(track, kept) : null;
+    if (expected && frames > 0) this.#seam.open(kept + 1, positions.subarray(0, width), expected);
+    else this.#leaps ||= leaps;
+    this.#seam.pass(positions, frames, kept + 1);
+    track.cutAfter(kept);
+    track.append({ ...motion, positions, frames });
+    this.player.follow(track.last, track.motion.frameTime);
   }
 }

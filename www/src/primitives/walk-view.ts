@@ -4,6 +4,7 @@ import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "../couplings/
 import type { Motion } from "../engine/protocol";
 import { Columns } from "../scene/columns";
 import type { LiveTrack } from "../scene/live-track";
+import { eachFrame } from "../ui/each-frame";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -49,16 +50,8 @@ export class WalkView extends View {
       this.#problem = "This browser shows no 3-D graphics (WebGL), so only the small figures are drawn.";
       this.requestUpdate();
     }
-    let before = performance.now();
-    let timer = 0;
-    const tick = (now: number) => {
-      timer = requestAnimationFrame(tick);
-      this.#tick(Math.min(0.25, (now - before) / 1000));
-      before = now;
-    };
-    timer = requestAnimationFrame(tick);
+    this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
     this.whenLeaving(() => {
-      cancelAnimationFrame(timer);
       this.#columns?.dispose();
       this.#columns = null;
       this.#shown = null;
@@ -138,7 +131,7 @@ export class WalkView extends View {
     const { recorded } = library;
     return html`
       <div class="walk-box">
-        <canvas tabindex="0" role="img" data-frames-drawn="0" data-testid="walk"
+        <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="walk"
           aria-label="A figure that goes on without an end: ${library.title}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         ${this.#slots()}

@@ -19,6 +19,19 @@ it("keeps the last frames under the numbers that they always had", () => {
   expect(track.at(track.first)[2]).toBeCloseTo(track.first);
 });
 
+it("drops its newest frames, and others come in their place", () => {
+  const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
+  for (let frame = 0; frame < 50; frame += 5) track.append(walk(frame, 5));
+  track.cutAfter(46);
+  expect([track.last, track.frame(46)?.[2], track.frame(47)]).toEqual([46, 46, null]);
+  track.append(walk(80, 2));
+  expect([track.last, track.frame(47)?.[2], track.frame(track.first - 1)]).toEqual([48, 80, null]);
+  track.cutAfter(60);
+  expect(track.last).toBe(48);
+  track.cutAfter(0);
+  expect([track.last, track.motion.frames]).toEqual([track.first - 1, 0]);
+});
+
 it("stands where the figure stood, turned as it was, and turns displacements back", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   track.append(walk(0, 3));

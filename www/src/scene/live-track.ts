@@ -36,6 +36,19 @@ export class LiveTrack {
     return path ? path.values.subarray(0, this.#motion.frames * path.width) : null;
   }
 
+  /** A frame as it came [nodes x 3]; null where it is not kept. */
+  frame(number: number): Float32Array | null {
+    if (number < this.first || number > this.last) return null;
+    const width = this.#motion.nodes * 3;
+    return this.#motion.positions.subarray((number - this.first) * width, (number - this.first + 1) * width);
+  }
+
+  /** Drops the frames after this one. */
+  cutAfter(number: number): void {
+    const dropped = Math.max(0, this.last - Math.max(number, this.first - 1));
+    this.#motion.frames -= dropped;
+  }
+
   append({ positions, frames, nodes }: Motion, latents: readonly Float64Array[] = []): void {
     const motion = this.#motion;
     if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);

@@ -9,6 +9,8 @@ export interface Counts {
   runs: number;
   models: number;
   results: number;
+  /** Of primitives. Absent in what visits of before left. */
+  libraries?: number;
 }
 
 /** The record that says what the others are. */
@@ -22,6 +24,8 @@ export interface About extends Counts {
   order: number[];
   /** The id of the run on the stage; null: another model. */
   chosen: number | null;
+  /** Absent in what visits of before left: nobody knows whether it was on a disk. */
+  unsaved?: Holdings["unsaved"];
 }
 
 /** What a visit holds. */
@@ -31,23 +35,36 @@ export interface Holdings {
   firstBones: boolean;
   runs: readonly Run[];
   chosen: Run | null;
-  /** The document of a model on the stage that came from elsewhere. */
+  /** The document of a model on the stage that is in no list. */
   model: string | null;
   /** The file of the comparison that is looked at. */
   results: string | null;
+  /** Whether these two are on no disk. */
+  unsaved: { model: boolean; results: boolean };
+  /** The library of primitives that is looked at, unless it is the page's own. */
+  library: KeptLibrary | null;
+}
+
+/** A library of primitives. */
+export interface KeptLibrary {
+  text: string;
+  title: string;
+  /** Whether it was saved nowhere else. */
+  unsaved: boolean;
 }
 
 /** A file stands in a record of its own, under this name. */
 type Source = { sample: string } | { name: string; file: string };
 type Stored<Thing extends { source: ClipSource }> = Omit<Thing, "source"> & { source: Source };
 
-export const isWorthKeeping = ({ clips, runs, models, results }: Counts) => clips + runs + models + results > 0;
+export const isWorthKeeping = ({ clips, runs, models, results, libraries = 0 }: Counts) =>
+  clips + runs + models + results + libraries > 0;
 
 const list = (words: readonly string[]) =>
   words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 
 /** "2 clips and a training". */
-export function countsInWords({ clips, runs, models, results }: Counts): string {
+export function countsInWords({ clips, runs, models, results, libraries = 0 }: Counts): string {
   const some = (count: number, one: string, more: string) =>
     count === 0 ? [] : [count === 1 ? one : `${count} ${more}`];
   return list([
@@ -55,6 +72,7 @@ export function countsInWords({ clips, runs, models, results }: Counts): string 
     ...some(runs, "a training", "trainings"),
     ...some(models, "a model", "models"),
     ...some(results, "a comparison", "comparisons"),
+    ...some(libraries, "a library of primitives", "libraries"),
   ]);
 }
 
@@ -84,16 +102,20 @@ export class RecordWriter {
     }
     if (now.model !== null) keep("model", [now.model], () => now.model);
     if (now.results !== null) keep("results", [now.results], () => now.results);
+    const { library } = now;
+    if (library !== null) keep("library", [library.text, library.unsaved], () => library);
     const counts: Counts = {
       clips: now.clips.filter(({ origin }) => origin === "own").length,
       runs: now.runs.length,
       models: now.model === null ? 0 : 1,
       results: now.results === null ? 0 : 1,
+      libraries: library === null ? 0 : 1,
     };
     if (!isWorthKeeping(counts) && this.#written.size === 0) return null;
     const { fragment, firstBones } = now;
     const order = now.runs.map(({ id }) => id);
-    const about: About = { ...counts, at, fragment, firstBones, order, chosen: now.chosen?.id ?? null };
+    const { unsaved } = now;
+    const about: About = { ...counts, at, fragment, firstBones, order, chosen: now.chosen?.id ?? null, unsaved };
     keep("about", [at], () => about);
 
     const isSame = (name: string, of: readonly unknown[]) => {
@@ -146,6 +168,8 @@ export function readRecords(records: ReadonlyMap<string, unknown>): { about: Abo
     chosen: runs.find(({ id }) => id === about.chosen) ?? null,
     model: (records.get("model") as string | undefined) ?? null,
     results: (records.get("results") as string | undefined) ?? null,
+    unsaved: about.unsaved ?? { model: true, results: true },
+    library: (records.get("library") as KeptLibrary | undefined) ?? null,
   };
   return { about, holdings };
 }

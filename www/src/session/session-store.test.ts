@@ -39,6 +39,8 @@ const nothing: Holdings = {
   chosen: null,
   model: null,
   results: null,
+  unsaved: { model: false, results: false },
+  library: null,
 };
 
 const clip = (name: string) => ({
@@ -146,6 +148,20 @@ describe("the next visit", () => {
     const [known] = visit.taken?.clips ?? [];
     expect(known && "file" in known.source && (await known.source.file.text())).toBe("HIERARCHY");
     expect([store.offer, [...shelf.records.keys()]]).toEqual([null, ["b"]]);
+  });
+
+  it("has the library of primitives again, saved or not", async () => {
+    const library = { text: "{}", title: "mine.json", unsaved: true };
+    await left("a", { library });
+    const { visit, store } = session("b");
+    await store.begin();
+    expect(store.offer?.what).toBe("a library of primitives");
+    await store.bringBack();
+    expect(visit.taken?.library).toEqual(library);
+    await store.keepNow();
+    visit.now = { ...visit.now, library: null };
+    await store.keepNow();
+    expect(shelf.records.get("b")?.has("library")).toBe(false);
   });
 
   it("keeps it where it cannot be taken up", async () => {

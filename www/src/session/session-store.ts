@@ -50,6 +50,11 @@ export class SessionStore extends Store {
     return this.#offer && { what: countsInWords(this.#offer.about), at: this.#offer.about.at };
   }
 
+  /** Whether the browser keeps what this visit holds. */
+  get keeps(): boolean {
+    return !this.#refused && !this.#forgets;
+  }
+
   get busy(): boolean {
     return this.#busy;
   }

@@ -17,12 +17,15 @@ export class SettingsStore extends Store {
     return this.#values;
   }
 
-  /** Changes settings, each within its limits; a value that is not valid leaves its setting as it was. */
-  change(change: Partial<Settings>): void {
+  /**
+   * Changes settings, each within its limits; a value that is not valid leaves its setting as it was. Another view is another page to whoever
+   * presses Back, and so is what `turnsPage`.
+   */
+  change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };
-    const isOtherView = next.view !== this.#values.view;
+    const isOther = turnsPage || next.view !== this.#values.view;
     this.#values = next;
-    if (isOtherView) this.address.push(next);
+    if (isOther) this.address.push(next);
     else this.address.writeSoon(next);
     this.changed();
   }

@@ -216,9 +216,9 @@ function counts(
   };
 }
 
-/** What the page is about now: playing with one model, comparing several, a library of primitives, the synthetic experiment, the graphics Turing
- * test, or the method. */
-export const VIEWS = ["play", "compare", "primitives", "synthetic", "perception", "method"] as const;
+/** What the page is about now: playing with one model, comparing several, a library of primitives, time series that are no body, the synthetic
+ * experiment, the graphics Turing test, or the method. */
+export const VIEWS = ["play", "compare", "primitives", "series", "synthetic", "perception", "method"] as const;
 
 /** All kinds of models, in the order of tables. */
 export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;

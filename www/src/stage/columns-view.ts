@@ -2,6 +2,7 @@
 // first asked for.
 import { html, nothing } from "lit";
 import { Columns } from "../scene/columns";
+import { eachFrame } from "../ui/each-frame";
 import { View } from "../ui/view";
 import "./columns-view.css";
 import type { Playback } from "./playback";
@@ -39,15 +40,14 @@ export class ColumnsView extends View {
   }
 
   private keepDrawing(columns: Columns): void {
-    let [before, drawnAt] = [performance.now(), -1];
-    const draw = (now: number) => {
-      timer = requestAnimationFrame(draw);
+    let drawnAt = -1;
+    const draw = (seconds: number) => {
       const { frame, playing } = this.playback;
-      columns.draw(frame, frame !== drawnAt, (now - before) / 1000, playing);
-      [before, drawnAt] = [now, frame];
+      columns.draw(frame, frame !== drawnAt, seconds, playing);
+      drawnAt = frame;
     };
-    let timer = requestAnimationFrame(draw);
-    this.whenLeaving(() => cancelAnimationFrame(timer));
+    // The clock is the stage's: here it is only looked at how long pictures take.
+    this.whenLeaving(eachFrame(draw, Infinity));
   }
 
   protected override updated(): void {

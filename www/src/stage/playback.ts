@@ -3,15 +3,9 @@ import type { Motion } from "../engine/protocol";
 import type { LiveTrack } from "../scene/live-track";
 import { Walk } from "../scene/motion";
 import type { SettingsStore } from "../settings/settings-store";
-import { Store } from "../ui/store";
-import { Player } from "./player";
+import { Clock } from "./clock";
 
-/** Seconds that a picture takes at most: after a longer pause of the browser the clock does not go on by more. */
-export const LONGEST_PICTURE = 0.25;
-
-/** Tells of every frame: views that show no time do not listen to it. */
-export class Playback extends Store {
-  readonly #player = new Player();
+export class Playback extends Clock {
   #walk: Walk | null = null;
   /** What goes on arriving, in front of the walk. */
   #live: LiveTrack | null = null;
@@ -19,29 +13,16 @@ export class Playback extends Store {
   constructor(settings: SettingsStore) {
     super();
     const follow = () => {
-      this.#player.speed = settings.values.speed;
-      this.#player.loops = settings.values.loop;
+      this.player.speed = settings.values.speed;
+      this.player.loops = settings.values.loop;
     };
     follow();
     settings.on(follow);
   }
 
-  /** The frame now; need not be whole. */
-  get frame(): number {
-    return this.#player.frame;
-  }
-
-  get lastFrame(): number {
-    return this.#player.last;
-  }
-
-  get playing(): boolean {
-    return this.#player.playing;
-  }
-
   /** The figure's nodes now [nodes x 3]; null before the first motion. */
   get pose(): Float32Array | null {
-    return (this.#live ?? this.#walk)?.at(this.#player.frame) ?? null;
+    return (this.#live ?? this.#walk)?.at(this.player.frame) ?? null;
   }
 
   /**
@@ -50,11 +31,11 @@ export class Playback extends Store {
    */
   load(motion: Motion, { whole, goesOn }: { whole: boolean; goesOn: boolean }): void {
     const before = goesOn && this.#walk?.motion.nodes === motion.nodes ? (this.pose?.slice() ?? null) : null;
-    if (!before || this.#live) this.#player.frame = 0;
+    if (!before || this.#live) this.player.frame = 0;
     this.#live = null;
     this.#walk = new Walk(motion, whole);
-    this.#player.load(motion.frames, motion.frameTime, this.#walk.loop.end);
-    if (before) this.#walk.standAt(this.#player.frame, before);
+    this.player.load(motion.frames, motion.frameTime, this.#walk.loop.end);
+    if (before) this.#walk.standAt(this.player.frame, before);
     this.changed();
   }
 
@@ -63,44 +44,18 @@ export class Playback extends Store {
     if (this.#live !== track) {
       const before = this.pose?.slice();
       if (before) track.standAt(before);
-      this.#player.frame = track.first;
+      this.player.frame = track.first;
     }
     this.#live = track;
-    this.#player.follow(track.last, track.motion.frameTime);
+    this.player.follow(track.last, track.motion.frameTime);
     this.changed();
   }
 
-  /** Moves the clock on by seconds. */
-  advance(seconds: number): void {
-    if (!this.#player.playing) return;
-    const laps = this.#player.advance(seconds);
+  protected override lapped(laps: number): void {
     for (let lap = 0; lap < laps; lap++) this.#walk?.lap();
-    this.changed();
   }
 
-  play(): void {
-    this.#player.play();
-    this.changed();
-  }
-
-  togglePlay(): void {
-    if (this.#player.playing) this.#player.pause();
-    else this.#player.play();
-    this.changed();
-  }
-
-  /** Stops at the next whole frame in a direction. */
-  step(direction: 1 | -1): void {
-    this.#player.step(direction);
+  protected override jumped(): void {
     this.#walk?.settle();
-    this.changed();
-  }
-
-  /** Stops at a frame. */
-  scrub(frame: number): void {
-    this.#player.pause();
-    this.#player.scrub(frame);
-    this.#walk?.settle();
-    this.changed();
   }
 }

@@ -1,8 +1,9 @@
 // The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show anything.
 import { html, nothing } from "lit";
+import { eachFrame } from "../ui/each-frame";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
-import { LONGEST_PICTURE, type Playback } from "./playback";
+import type { Playback } from "./playback";
 import { Stage } from "./stage";
 import "./stage.css";
 import type { StageStore } from "./stage-store";
@@ -51,17 +52,12 @@ export class StageView extends View {
 
   /** Moves the clock on and draws, once a display frame. */
   private keepTime(): void {
-    let before = performance.now();
-    const frame = (now: number) => {
-      timer = requestAnimationFrame(frame);
-      const seconds = Math.min(LONGEST_PICTURE, (now - before) / 1000);
-      before = now;
+    const frame = (seconds: number) => {
       if (!this.running) return;
       this.playback.advance(seconds);
       if (!this.stage.columns) this.scene?.draw(seconds);
     };
-    let timer = requestAnimationFrame(frame);
-    this.whenLeaving(() => cancelAnimationFrame(timer));
+    this.whenLeaving(eachFrame(frame));
   }
 
   /** Several motions side by side, drawn by what comes when they are first asked for; where it does not come, the model walks alone. */

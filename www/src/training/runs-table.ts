@@ -30,7 +30,7 @@ export class RunsView extends View {
     const { seed } = settings;
     const chosen = training.chosen === run;
     const open = run.model !== null || state === "running";
-    const choose = () => training.choose(run);
+    const choose = () => void training.choose(run);
     return html`
       <tr class=${chosen ? "chosen" : ""} data-state=${state} data-testid="run" @click=${(event: Event) => {
         if (open && !chosen && !(event.target as Element).closest("label, button")) choose();

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { TrainingProgress } from "../engine/protocol";
+import { progress } from "../engine/engine.fake";
 import { bestRun, dataOf, differences, type Run, secondsLeft, seedsFrom, share } from "./runs";
 
 const settings = {
@@ -16,25 +16,9 @@ const settings = {
   maxIterations: 100,
 };
 
-function step(iteration: number, best: number): TrainingProgress {
-  const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
-  return {
-    iteration,
-    maxIterations: 100,
-    evaluations: iteration,
-    bound: best,
-    best,
-    terms,
-    phase: "everything",
-    done: false,
-    reason: null,
-    fraction: iteration / 100,
-  };
-}
-
 function run(change: Partial<Run> = {}, iteration = 0, best = 0): Run {
   const clips = [{ id: 1, title: "walk", source: { sample: "walk" }, first: 0, end: 90 }];
-  const steps = iteration > 0 ? [step(iteration, best)] : [];
+  const steps = iteration > 0 ? [progress(iteration, best)] : [];
   return {
     id: 1,
     settings,

@@ -33,6 +33,11 @@ export class Staging {
     return performance.now() - this.#at >= BETWEEN;
   }
 
+  /** The run leaves the list: where its model is on the stage, nothing else holds it. */
+  letGo({ model }: Run): void {
+    if (model && model === this.#staged) this.#model.standsAlone();
+  }
+
   /** Takes the newest model of a run up; of several asked for in quick succession only the last. */
   stage(run: Run, keep?: Keep): Promise<void> {
     this.#asked += 1;

@@ -20,7 +20,7 @@ let notices: NoticesStore;
 let model: ModelStore;
 let training: TrainingStore;
 
-async function begin(fragment = "", workers = 2): Promise<void> {
+async function begin(fragment = "", workers = 2, loaded = (): unknown => clips.loadSamples()): Promise<void> {
   engine = new FakeEngine();
   trainers = new FakeTrainers(workers);
   settings = new SettingsStore(new FakeAddressBar(fragment));
@@ -34,7 +34,7 @@ async function begin(fragment = "", workers = 2): Promise<void> {
     () => Promise.resolve(started(engine, trainers)),
     () => model.open(modelText(100)),
   );
-  await clips.loadSamples();
+  await loaded();
 }
 beforeEach(() => begin("seed=5&trainings=1"));
 
@@ -67,6 +67,16 @@ describe("a training", () => {
     expect([states(), seedOnStage(), training.chosen?.settings.seed]).toEqual(["done", 5, 5]);
     expect(training.chosen?.steps.at(-1)?.iteration).toBe(12);
     expect([training.busy, clips.locked, training.learning]).toEqual([false, false, null]);
+  });
+
+  it("waits until all clips that come with the page are there", async () => {
+    await begin("seed=5&trainings=1", 2, () => {});
+    const seen: [number, string][] = [];
+    clips.on(() => void seen.push([clips.ticked.length, training.whyNot()]));
+    await clips.loadSamples();
+    // One clip is there and ticked before the next: a press then trained on that one alone.
+    expect(seen[0]).toEqual([1, "Getting the sample clips ready"]);
+    expect(seen.at(-1)).toEqual([2, ""]);
   });
 
   it("says why it cannot start", async () => {
@@ -196,14 +206,14 @@ describe("several trainings", () => {
     worker(0).report(9, -30, modelText(5));
     worker(1).report(9, -10, modelText(6));
     const [first] = training.runs;
-    if (first) training.choose(first);
+    if (first) void training.choose(first);
     for (const index of [0, 1]) worker(index).end(done);
     await settled();
     worker(2).end(done);
     await over;
     expect([seedOnStage(), training.chosen?.settings.seed]).toEqual([5, 5]);
     const second = training.runs[1];
-    if (second) training.choose(second);
+    if (second) void training.choose(second);
     await settled();
     expect(seedOnStage()).toBe(6);
   });

@@ -7,6 +7,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
+import { Cost, costWords } from "./cost";
 import { Kept, type Send } from "./kept";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
@@ -48,6 +49,9 @@ export class TrainingStore extends Store {
   readonly #clips: ClipsStore;
   readonly #staging: Staging;
   readonly #kept: Kept;
+  readonly #cost: Cost;
+  /** Whether models of trainings may take the place of the one on the stage. */
+  readonly #mayTakeStage: () => Promise<boolean>;
   #status: "idle" | "running" | "cancelling" = "idle";
   #session = newSession();
   #ending = { words: "", failed: false };
@@ -61,13 +65,16 @@ export class TrainingStore extends Store {
     clips: ClipsStore,
     model: ModelStore,
     notices: NoticesStore,
+    mayTakeStage: () => Promise<boolean> = async () => true,
   ) {
     super();
+    this.#mayTakeStage = mayTakeStage;
     this.#engine = engine;
     this.#settings = settings;
     this.#clips = clips;
     this.#staging = new Staging(model, notices);
     this.#kept = new Kept(engine);
+    this.#cost = new Cost(engine, settings, clips, () => this.changed());
   }
 
   get status(): "idle" | "running" | "cancelling" {
@@ -118,10 +125,17 @@ export class TrainingStore extends Store {
     return this.#settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
   }
 
+  /** What a press of Train would cost, where that is worth a word. */
+  get cost(): { words: string; absurd: boolean } {
+    return costWords(this.#cost.now, this.count, this.workers);
+  }
+
   /** Why Train cannot be pressed now; empty when it can. */
   whyNot(): string {
     if (this.#engine.state === "loading") return "Getting ready";
     if (!this.#engine.engine) return "The model cannot run in this browser";
+    // Ticked clips come one by one: pressed at once, it would train on fewer than the page is about to show.
+    if (!this.#clips.samplesLoaded) return "Getting the sample clips ready";
     if (this.#clips.ticked.length === 0) return "Tick at least one clip to train on";
     return this.#clips.clash ? "The ticked clips do not go together; Clips says why" : "";
   }
@@ -131,7 +145,7 @@ export class TrainingStore extends Store {
    * The promise is kept when all are over, for whoever began.
    */
   async start(): Promise<void> {
-    if (this.#status === "cancelling" || this.whyNot()) return;
+    if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
     const runs = this.#newRuns();
     const begins = !this.busy;
     if (begins) {
@@ -161,7 +175,7 @@ export class TrainingStore extends Store {
    * Both end as a training that was never stopped.
    */
   async continue(run: Run): Promise<void> {
-    if (!this.canContinue(run)) return;
+    if (!(await this.#mayTakeStage()) || !this.canContinue(run)) return;
     const more = this.moreIterations(run);
     const held = this.#kept.has(run);
     this.#begin([run]);
@@ -208,7 +222,8 @@ export class TrainingStore extends Store {
   }
 
   /** The visitor wants to see this run, whatever the others do. */
-  choose(run: Run): void {
+  async choose(run: Run): Promise<void> {
+    if (run.model && !(await this.#mayTakeStage())) return;
     this.#session.picked = this.busy;
     if (run.model) void this.#stage(run, false);
     else this.#look(run);
@@ -229,6 +244,7 @@ export class TrainingStore extends Store {
     this.#kept.letGo(run);
     this.#runs = this.#runs.filter((other) => other !== run);
     if (this.#chosen === run) {
+      this.#staging.letGo(run);
       this.#chosen = null;
       this.#session.picked = false;
     }
@@ -328,7 +344,7 @@ export class TrainingStore extends Store {
       const outcome = await work({ report, signal, begun });
       run.state = outcome.cancelled ? "cancelled" : "done";
       run.open = isOpen(outcome);
-      run.ending = endingWords(outcome);
+      run.ending = endingWords(outcome, run.steps.at(-1));
     } catch (problem) {
       const stopped = problem === signal.reason;
       run.state = stopped ? "cancelled" : "failed";

@@ -8,6 +8,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
+import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../terms/term";
 import type { TermName } from "../terms/terms";
@@ -94,7 +95,9 @@ export class TrainingView extends View {
     const trainings = training.count;
     const models = trainings === 1 ? "A new model" : `${trainings} new models`;
     const sample = ticked.every(({ origin }) => origin === "made") ? "sample " : "";
-    return `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
+    const of = `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
+    const { words, absurd } = training.cost;
+    return words ? html`${of} <span class=${absurd ? "bad" : ""} data-testid="cost">${words}</span>` : of;
   }
 
   /** Where the run on the stage stopped before its bound had settled. */
@@ -141,8 +144,7 @@ export class TrainingView extends View {
         }
         <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
       </div>
-      <progress max="1" .value=${busy ? share(training.asked) : 0} aria-label="Training"
-        class=${busy ? "" : "resting"} aria-hidden=${busy ? "false" : "true"}></progress>
+      ${progressBar("Training", busy ? share(training.asked) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
       <div class="fields main-fields">
         ${this.partsField()}

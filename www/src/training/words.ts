@@ -1,5 +1,6 @@
 // Words for what a training does and how it ended.
-import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import type { Setbacks, TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import { sentence } from "../ui/format";
 import { bestBound, endOfMotion, type Run } from "./runs";
 
 const PHASES: Record<TrainingProgress["phase"], string> = {
@@ -20,9 +21,19 @@ export function phaseWords(phase: TrainingProgress["phase"]): string {
 export const LEFT = "You left the page; this is the best so far.";
 export const STOPPED = "You cancelled; this is the best so far.";
 
-export function endingWords({ cancelled, reason }: TrainingOutcome): string {
-  if (cancelled) return STOPPED;
-  return reason ? ENDINGS[reason] : "Done.";
+/** `last` is the last step, of which the setbacks are told. */
+export function endingWords({ cancelled, reason, notices = [] }: TrainingOutcome, last?: TrainingProgress): string {
+  const words = cancelled ? STOPPED : reason ? ENDINGS[reason] : "Done.";
+  const setbacks = last ? setbackWords(last.setbacks) : "";
+  const more = [...notices.map(sentence), setbacks].filter(Boolean).join(" ");
+  return more ? `${sentence(words)} ${more}` : words;
+}
+
+function setbackWords({ jittered, turnedBack }: Setbacks): string {
+  const times = (count: number) => (count === 1 ? "once" : `${count} times`);
+  const jitter = `A covariance needed jitter on its diagonal ${times(jittered)}.`;
+  const back = `The search turned back ${times(turnedBack)} where there was no finite number.`;
+  return [jittered > 0 ? jitter : "", turnedBack > 0 ? back : ""].filter(Boolean).join(" ");
 }
 
 /** What became of several runs. `best` is the one that was put on the stage when they were over. */

@@ -1,6 +1,6 @@
 // The worker that shows, with the clips and the model. No DOM.
 import * as Comlink from "comlink";
-import init, { bestToShow, Clip, freshSeed, version } from "vcgpdm/player";
+import init, { bestToShow, Clip, freshSeed, trainingCost, version } from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
 import { showLife } from "./life";
@@ -21,6 +21,7 @@ const workbench: Workbench = {
   sampleClip: (id) => clips.open(Clip.sample(id)),
   dropClip: (id) => clips.drop(id),
   checkTogether: (ids, firstBones) => clips.checkTogether(ids, firstBones),
+  trainingCost: ({ settings, frames, columns }) => trainingCost(settings, frames, columns),
   bestToShow: (ranks, bounds) => bestToShow(Uint8Array.from(ranks), Float64Array.from(bounds)),
   openModel: (text, frames, revision) => model.open(text, frames, revision),
   rollout: (request) => model.rollout(request),

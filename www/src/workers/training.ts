@@ -82,7 +82,7 @@ async function follow(
   });
   // Waits until the page has it: reports and the outcome travel on different ports.
   await send(true);
-  return { cancelled: !done, reason };
+  return { cancelled: !done, reason, notices: trainer.notices() };
 }
 
 export const trainee: Omit<Trainee, "start"> = {

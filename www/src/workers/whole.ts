@@ -1,5 +1,5 @@
 // A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of a
-// rollout and knows the graphics Turing test. No DOM.
+// rollout, knows the graphics Turing test, and models time series that are no body. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
@@ -8,6 +8,7 @@ import { experimentWorker } from "./experiment";
 import { libraryWorker } from "./library";
 import { showLife } from "./life";
 import { perceptionWorker } from "./perception";
+import { seriesWorker } from "./series";
 import { trainee } from "./training";
 import { uncertaintyWorker } from "./uncertainty";
 
@@ -21,6 +22,7 @@ const worker: WholeWorker = {
   ...libraryWorker,
   ...uncertaintyWorker,
   ...perceptionWorker,
+  ...seriesWorker,
 };
 
 Comlink.expose(worker);

@@ -1,16 +1,17 @@
 //! `vcgpdm train --movement`: clips of several movements to a library of primitives.
 
 use crate::files;
+use crate::primitives::by_part;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
-use crate::train::steps::train_steps;
+use crate::train::steps::{train_steps, warn_of_cost};
 use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, ModelKind, ModelSettings, Source, with_bones_of};
+use vcgpdm::models::{Dataset, ModelKind, ModelSettings, Setbacks, Source, with_bones_of};
 use vcgpdm::motion::Clip;
 
 /// A movement as it is asked for: its name and the places of its clips.
@@ -76,6 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let read = asked.iter().flat_map(|movement| &movement.clips).map(Path::new);
     files::check_outs([&arguments.out], read)?;
     let begin = Instant::now();
+    warn_of_cost(&settings, &dataset);
     let seed = arguments.options.seed;
     let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
         .map_err(|reason| dataset.refusal(reason))?;
@@ -84,10 +86,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut trained = TrainedLibrary::trained(&dataset, &trainer, arguments.fps)?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
-    files::print_summary(&summary(&trained, seconds, &reason, &dataset.warnings), &[&arguments.out])
+    let end = (&*reason, trainer.progress().setbacks);
+    files::print_summary(
+        &summary(&trained, seconds, end, &[&dataset.warnings, trainer.notices()].concat()),
+        &[&arguments.out],
+    )
 }
 
-fn summary(trained: &TrainedLibrary, seconds: f64, reason: &str, warnings: &[String]) -> serde_json::Value {
+fn summary(
+    trained: &TrainedLibrary,
+    seconds: f64,
+    (reason, setbacks): (&str, Setbacks),
+    warnings: &[String],
+) -> serde_json::Value {
     let library = &trained.library;
     let parts = trained.body.layout.parts();
     let primitives: Vec<_> = library
@@ -99,14 +110,7 @@ fn summary(trained: &TrainedLibrary, seconds: f64, reason: &str, warnings: &[Str
         .movements
         .iter()
         .map(|movement| {
-            let uses: serde_json::Map<String, serde_json::Value> = parts
-                .iter()
-                .zip(&movement.uses)
-                .map(|(part, used)| (part.name.clone(), library.primitives[*used].name.clone().into()))
-                .collect();
-            let alpha: Vec<Vec<f64>> =
-                movement.alpha.row_iter().map(|row| row.iter().copied().collect()).collect();
-            json!({ "name": movement.name, "uses": uses, "alpha": alpha })
+            json!({ "name": movement.name, "uses": by_part(trained, movement), "alpha": files::rows(&movement.alpha) })
         })
         .collect();
     json!({
@@ -117,6 +121,7 @@ fn summary(trained: &TrainedLibrary, seconds: f64, reason: &str, warnings: &[Str
         "movements": movements,
         "iterations": trained.provenance.iterations,
         "evaluations": trained.provenance.evaluations,
+        "setbacks": setbacks,
         "seconds": seconds,
         "warnings": warnings,
         "reason": reason,

@@ -10,6 +10,7 @@ mod steps;
 pub use arguments::Arguments;
 pub use body::parts;
 pub use steps::train_steps;
+use steps::warn_of_cost;
 
 use crate::files;
 use crate::usage::usage;
@@ -85,6 +86,9 @@ fn learn<S: Observed>(
     let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
     let outs = [Some(&arguments.out), arguments.options.write_start.as_ref()];
     files::check_outs(outs.into_iter().flatten(), read)?;
+    if let ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) = &settings {
+        warn_of_cost(settings, dataset);
+    }
     let begin = Instant::now();
     let seed = arguments.options.seed;
     let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;
@@ -93,6 +97,8 @@ fn learn<S: Observed>(
     }
     let reason = train_steps(|| learner.step(), objective(kind))?;
     let seconds = begin.elapsed().as_secs_f64();
+    let setbacks = learner.progress().setbacks;
+    let warnings = [&dataset.warnings, learner.notices()].concat();
 
     let mut trained = TrainedModel::<Model, S>::trained(dataset, &*learner, settings, seed, fps)?;
     trained.provenance.note.clone_from(&arguments.note);
@@ -100,17 +106,16 @@ fn learn<S: Observed>(
     let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
     let summary = match &trained.model {
         Model::Vcgpdm(model) => {
-            let rows = model.alpha.row_iter();
-            let alpha: Vec<Vec<f64>> = rows.map(|row| row.iter().copied().collect()).collect();
             json!({
                 "kind": kind.id(),
                 "elbo": objective,
                 "terms": model.terms,
-                "alpha": alpha,
+                "alpha": files::rows(&model.alpha),
                 "iterations": iterations,
                 "evaluations": evaluations,
+                "setbacks": setbacks,
                 "seconds": seconds,
-                "warnings": dataset.warnings,
+                "warnings": warnings,
                 "reason": reason,
             })
         }
@@ -119,8 +124,9 @@ fn learn<S: Observed>(
             "objective": objective,
             "bound": model.bound(),
             "iterations": iterations,
+            "setbacks": setbacks,
             "seconds": seconds,
-            "warnings": dataset.warnings,
+            "warnings": warnings,
             "reason": reason,
         }),
     };

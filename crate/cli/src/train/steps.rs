@@ -1,10 +1,26 @@
 //! A training, one step after the other.
 
 use crate::interrupt;
-use crate::progress::Progress;
+use crate::progress::{Progress, say};
 use std::error::Error;
 use std::sync::atomic::Ordering;
-use vcgpdm::models::LearningProgress;
+use vcgpdm::models::{Dataset, LearningProgress, Observed, VariationalSettings};
+
+/// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small machine.
+const LONG: f64 = 1800.0;
+const LARGE: f64 = 4e9;
+
+/// Says before a training of a variational model that it would take long, or much memory.
+pub fn warn_of_cost<S: Observed>(settings: &VariationalSettings, dataset: &Dataset<S>) {
+    let columns: Vec<usize> = dataset.y.iter().map(|y| y.ncols()).collect();
+    let cost = settings.cost(dataset.lengths().iter().sum(), &columns);
+    if cost.seconds > LONG || cost.bytes > LARGE {
+        let (hours, gigabytes) = (cost.seconds / 3600.0, cost.bytes / 1e9);
+        say(&format!(
+            "up to about {hours:.1} hours on one core, and {gigabytes:.1} GB of memory; a lower --fps, fewer inducing points or iterations need less"
+        ));
+    }
+}
 
 /// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
 pub fn train_steps(
@@ -23,6 +39,9 @@ pub fn train_steps(
         });
         if progress.done || stopped.load(Ordering::Relaxed) {
             shown.finish();
+            if progress.setbacks.any() {
+                shown.note(&progress.setbacks.to_string());
+            }
             return Ok(progress.reason.map_or_else(|| "stopped".to_owned(), |reason| reason.to_string()));
         }
     }

@@ -59,7 +59,7 @@ pub fn svg(trained: &TrainedLibrary) -> String {
         );
     }
     for (m, movement) in library.movements.iter().enumerate() {
-        let x = 24.0 + 150.0 * m as f64;
+        let x = 24.0 + 200.0 * m as f64;
         let _ = writeln!(
             out,
             "<text x=\"{x}\" y=\"{}\" fill=\"{}\">{} (dashed: training)</text>",

@@ -2,92 +2,38 @@
 //! library with one walking primitive of the lower body for both movements beside a model of each movement alone. Prints what
 //! docs/modularity.md holds: `npm run modularity`.
 //!
-//! Q = 3, 25 pose inducing points a part, 16 dynamics inducing points an expert, leave one trial out; of two seeds that of the
-//! highest bound, as somebody would choose who does not know the trial held out.
+//! What is trained and how it is scored is the library's `ModularityTest`.
 #![allow(clippy::unwrap_used)]
 
 mod figure;
+mod imports;
 
-use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::evaluation::stats::{mean, mean_interval, standard_error};
-use vcgpdm::evaluation::{Fold, LibraryFold, MovementTrials, START_FRAMES};
+use vcgpdm::evaluation::{ModularityTest, Trained};
 use vcgpdm::models::library::TrainedLibrary;
-use vcgpdm::models::{ModelSettings, VariationalSettings};
-use vcgpdm::motion::parts::{PartSpec, presets};
-use vcgpdm::motion::samples;
-
-const FRAMES_PER_SECOND: f64 = 30.0;
-const SEEDS: [u32; 2] = [1, 2];
-/// The sample trials have very little noise, and need more iterations than recordings.
-const ITERATIONS: usize = 600;
 
 /// What came of one trial held out, with a model of its movement alone or with the library of both.
 struct Came {
     error: f64,
-    bound: f64,
     /// Of one training.
     seconds: f64,
     numbers: usize,
 }
 
-fn settings() -> VariationalSettings {
-    VariationalSettings {
-        latent: 3,
-        dynamics_ips: 16,
-        pose_ips: 25,
-        max_iterations: ITERATIONS,
-        ..Default::default()
-    }
-}
-
-fn trials(name: &str, movement: &str) -> MovementTrials {
-    let of = samples::list().into_iter().filter(|sample| sample.movement == movement);
-    MovementTrials {
-        name: name.to_owned(),
-        trials: of.filter_map(|sample| samples::clip(sample.id)).collect(),
-    }
-}
-
-fn alone(of: &MovementTrials, held_out: usize, parts: &[PartSpec], seed: u32) -> Came {
-    let others = of.trials.len() - 1;
-    let fold = Fold::new(&of.trials, held_out, others, parts, FRAMES_PER_SECOND, START_FRAMES).unwrap();
+fn came(test: &ModularityTest, place: (usize, usize), trained: Trained) -> (Came, TrainedLibrary) {
     let begin = Instant::now();
-    let clock = || begin.elapsed().as_secs_f64();
-    let outcome = fold.evaluate(&ModelSettings::Vcgpdm(settings()), seed, &clock, &mut |_| true);
-    let outcome = outcome.unwrap().unwrap();
-    let bound = outcome.objective;
-    Came { error: outcome.score.dtw_mse, bound, seconds: outcome.seconds, numbers: outcome.stored_numbers }
+    let mut training = test.training(place, trained).unwrap();
+    while !training.step().unwrap().done {}
+    let seconds = begin.elapsed().as_secs_f64() / training.seeds() as f64;
+    let (outcome, library) = training.best().unwrap().clone();
+    (Came { error: outcome.score.dtw_mse, seconds, numbers: outcome.stored_numbers }, library)
 }
 
-fn together(
-    movements: &[MovementTrials],
-    place: (usize, usize),
-    parts: &[PartSpec],
-    seed: u32,
-) -> (Came, TrainedLibrary) {
-    let shared = ["lower".to_owned()];
-    let fold = LibraryFold::new(movements, place, parts, &shared, FRAMES_PER_SECOND, START_FRAMES).unwrap();
-    let begin = Instant::now();
-    let mut trainer = fold.trainer(&settings(), seed).unwrap();
-    while !trainer.step().done {}
-    let library = fold.library(&trainer).unwrap();
-    let seconds = begin.elapsed().as_secs_f64();
-    let outcome = fold.outcome(&library).unwrap();
-    let bound = outcome.bound;
-    (Came { error: outcome.score.dtw_mse, bound, seconds, numbers: outcome.stored_numbers }, library)
-}
-
-/// Of two seeds the training of the highest bound: alone, and as a library.
-fn held_out_trial(
-    movements: &[MovementTrials],
-    (m, held_out): (usize, usize),
-    parts: &[PartSpec],
-) -> (Came, Came, TrainedLibrary) {
-    let own = SEEDS.map(|seed| alone(&movements[m], held_out, parts, seed));
-    let own = own.into_iter().max_by(|a, b| a.bound.total_cmp(&b.bound)).unwrap();
-    let shared = SEEDS.map(|seed| together(movements, (m, held_out), parts, seed));
-    let (shared, library) = shared.into_iter().max_by(|a, b| a.0.bound.total_cmp(&b.0.bound)).unwrap();
+/// A model of the movement alone, and a library.
+fn held_out_trial(test: &ModularityTest, place: (usize, usize)) -> (Came, Came, TrainedLibrary) {
+    let (own, _) = came(test, place, Trained::Alone);
+    let (shared, library) = came(test, place, Trained::Together);
     (own, shared, library)
 }
 
@@ -97,27 +43,44 @@ fn thousandths(values: &[f64]) -> String {
     format!("{:.3} ± {:.3}", 1e3 * mean(values), 1e3 * error)
 }
 
-fn main() {
-    let picture = std::env::args().skip(1).last().map(PathBuf::from);
-    let movements = [trials("walk", "walk"), trials("wave", "walk and wave")];
-    let skeleton = &movements[0].trials[0].skeleton;
-    let parts = presets(skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap().parts;
-    println!(
-        "| movement | trials | alone: DTW MSE x 1000 | library: DTW MSE x 1000 | library minus alone, paired, with 95 % interval | \
-         library lower in | alone: seconds | library: seconds (both movements) | alone: numbers stored | library: numbers stored (both) |"
-    );
-    println!("|---|---|---|---|---|---|---|---|---|---|");
+/// A table of what was measured.
+struct Table {
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    fn markdown(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = format!("|{}\n", "---|".repeat(self.head.len()));
+        let rows: String = self.rows.iter().map(|row| line(row)).collect();
+        line(&self.head) + &rule + &rows
+    }
+}
+
+/// The library beside a model of each movement alone, and a library of the first trial.
+fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
+    let head = [
+        "movement",
+        "trials",
+        "alone: DTW MSE x 1000",
+        "library: DTW MSE x 1000",
+        "library minus alone, paired, with 95 % interval",
+        "library lower in",
+        "alone: seconds",
+        "library: seconds (both movements)",
+        "alone: numbers stored",
+        "library: numbers stored (both)",
+    ];
+    let mut table = Table { head: head.map(str::to_owned).to_vec(), rows: Vec::new() };
     let mut drawn = None;
-    for (m, of) in movements.iter().enumerate() {
+    for (m, of) in test.movements.iter().enumerate() {
         let (mut own, mut shared) = (Vec::new(), Vec::new());
         // Two trials at a time: each training has a core of its own, and its seconds are its own.
         let trials: Vec<usize> = (1..=of.trials.len()).collect();
         for pair in trials.chunks(2) {
             let came: Vec<_> = std::thread::scope(|scope| {
-                let one = |held_out: usize| {
-                    let (movements, parts) = (&movements, &parts);
-                    scope.spawn(move || held_out_trial(movements, (m, held_out), parts))
-                };
+                let one = |held_out: usize| scope.spawn(move || held_out_trial(test, (m, held_out)));
                 let threads: Vec<_> = pair.iter().map(|held_out| one(*held_out)).collect();
                 threads.into_iter().map(|thread| thread.join().unwrap()).collect()
             });
@@ -135,23 +98,34 @@ fn main() {
             format!(" ({:+.3} to {:+.3})", 1e3 * interval.low, 1e3 * interval.high)
         });
         let seconds = |came: &[Came]| mean(&came.iter().map(|came| came.seconds).collect::<Vec<_>>());
-        println!(
-            "| {} | {} | {} | {} | {:+.3}{} | {} | {:.1} | {:.1} | {} | {} |",
-            of.name,
-            of.trials.len(),
+        table.rows.push(vec![
+            of.name.clone(),
+            of.trials.len().to_string(),
             thousandths(&a),
             thousandths(&b),
-            1e3 * mean(&differences),
-            interval,
-            differences.iter().filter(|d| **d < 0.0).count(),
-            seconds(&own),
-            seconds(&shared),
-            own[0].numbers,
-            shared[0].numbers,
-        );
+            format!("{:+.3}{interval}", 1e3 * mean(&differences)),
+            differences.iter().filter(|d| **d < 0.0).count().to_string(),
+            format!("{:.1}", seconds(&own)),
+            format!("{:.1}", seconds(&shared)),
+            own[0].numbers.to_string(),
+            shared[0].numbers.to_string(),
+        ]);
     }
-    if let (Some(path), Some(library)) = (picture, drawn) {
-        std::fs::write(&path, figure::svg(&library)).unwrap();
-        eprintln!("wrote {}", path.display());
+    (table, drawn.unwrap())
+}
+
+/// `modular PICTURE.svg` or `imports`: the table of either.
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let test = ModularityTest::on_samples();
+    if arguments.first().is_some_and(|asked| asked == "imports") {
+        print!("{}", imports::table(&test).markdown());
+        return;
+    }
+    let (table, library) = modular(&test);
+    print!("{}", table.markdown());
+    if let Some(path) = arguments.get(1) {
+        std::fs::write(path, figure::svg(&library)).unwrap();
+        eprintln!("wrote {path}");
     }
 }

@@ -1,7 +1,7 @@
 //! The form of a document, and why a text or a model does not have it.
 
 use crate::gp::NumericsError;
-use crate::json::{FieldError, JsonError};
+use crate::json::{FieldError, HeadingError, JsonError};
 use crate::motion::parts::PartsError;
 use thiserror::Error;
 
@@ -92,5 +92,15 @@ pub enum DocumentError {
 impl From<FieldError> for DocumentError {
     fn from(FieldError { path, message }: FieldError) -> Self {
         DocumentError::Field { path, message }
+    }
+}
+
+impl From<HeadingError> for DocumentError {
+    fn from(error: HeadingError) -> Self {
+        match error {
+            HeadingError::Format { found } => Self::Format { found },
+            HeadingError::Newer { found } => Self::Version { found },
+            HeadingError::Field(field) => field.into(),
+        }
     }
 }

@@ -6,7 +6,9 @@ use crate::document::write::{
 };
 use crate::json::Value;
 use crate::models::SequenceInfo;
-use crate::models::library::{CouplingsFrom, LearnedMovement, LibraryExpert, TrainedLibrary};
+use crate::models::library::{
+    CouplingsFrom, Excerpt, LearnedMovement, LibraryExpert, Origin, Primitive, TrainedLibrary,
+};
 use crate::motion::pose::PoseMapping;
 
 /// Primitives name their part, and movements their primitives, by place.
@@ -19,11 +21,12 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
         Value::object([name, joints, lambda, variance, beta, r, mean, covariance, sum])
     });
     let primitives = Value::list(&library.primitives, |primitive| {
-        Value::object([
+        let fields = Vec::from([
             ("name", Value::text(&primitive.name)),
             ("part", Value::whole(primitive.part)),
             ("experts", Value::list(&primitive.experts, expert)),
-        ])
+        ]);
+        with_origin(fields, primitive)
     });
     let mut sequences = body.sequences.iter();
     let movements = library.movements.iter().map(|learned| {
@@ -45,6 +48,48 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
         ("primitives", primitives),
         ("movements", movements),
         ("provenance", variational_provenance(provenance, settings, &library.terms)),
+    ])
+}
+
+/// With where it comes from and what it keeps of other movements, both absent where there is nothing to say.
+fn with_origin(mut fields: Vec<(&'static str, Value)>, primitive: &Primitive) -> Value {
+    if let Some(known) = &primitive.origin {
+        fields.push(("origin", origin(known)));
+    }
+    if !primitive.excerpts.is_empty() {
+        fields.push(("excerpts", Value::list(&primitive.excerpts, excerpt)));
+    }
+    Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+}
+
+fn origin(origin: &Origin) -> Value {
+    let Origin { training, relearned, .. } = origin;
+    let clips = |clips: &[SequenceInfo]| Value::list(clips, |info| Value::Object(sequence_fields(info)));
+    let relearned = relearned.as_ref().map_or(Value::Null, |relearned| {
+        Value::object([
+            ("primitive", Value::text(&relearned.primitive)),
+            ("frames", Value::text(relearned.frames.id())),
+            ("clips", clips(&relearned.clips)),
+        ])
+    });
+    Value::object([
+        ("engine", Value::text(&training.engine)),
+        ("settings", variational_settings(&training.settings, training.seed)),
+        ("frames_per_second", Value::Number(training.frames_per_second)),
+        ("bound", Value::Number(training.objective)),
+        ("iterations", Value::whole(training.iterations)),
+        ("evaluations", Value::whole(training.evaluations)),
+        ("note", training.note.as_deref().map_or(Value::Null, Value::text)),
+        ("clips", clips(&origin.clips)),
+        ("relearned", relearned),
+    ])
+}
+
+fn excerpt(excerpt: &Excerpt) -> Value {
+    Value::object([
+        ("movement", Value::text(&excerpt.movement)),
+        ("alpha", Value::numbers(&excerpt.alpha)),
+        ("starts", Value::list(&excerpt.starts, |start| Value::list(start, Value::matrix))),
     ])
 }
 
@@ -83,6 +128,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
         CouplingsFrom::Movement(name) => {
             Value::object([("from", Value::text("movement")), ("movement", Value::text(name))])
         }
+        CouplingsFrom::Hand => Value::object([("from", Value::text("hand"))]),
         CouplingsFrom::Nothing => Value::object([("from", Value::text("nothing"))]),
     };
     Value::object([
@@ -165,6 +211,125 @@ mod tests {
         assert!(refused(&value).contains("other_b"), "{}", refused(&value));
         value["dynamics"][1].as_object_mut().unwrap().remove("other_b");
         assert!(refused(&value).contains("of all parts or of none"), "{}", refused(&value));
+    }
+
+    /// A primitive alone is a library without a whole movement; it says where it comes from, and is read again to the same bits.
+    #[test]
+    fn a_selection_is_a_document_of_its_own() {
+        let library = trained();
+        let alone = library.select(&[1]).unwrap();
+        let text = alone.to_json().unwrap();
+        let again = TrainedLibrary::from_json(&text).unwrap();
+        assert_eq!(again.library, alone.library);
+        assert_eq!(again.to_json().unwrap(), text);
+        let origin = again.origin(0);
+        assert_eq!(origin, library.origin(1));
+        assert_eq!(origin.training, library.provenance);
+        assert_eq!(origin.clips, library.body.sequences[..1]);
+        assert_eq!((again.library.movements.len(), again.body.sequences.len()), (0, 0));
+        // A file of before, which says nothing of its primitives: they come from its own training.
+        assert!(!library.to_json().unwrap().contains("origin"));
+        let words = |change: fn(&mut serde_json::Value)| {
+            let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+            change(&mut value["primitives"][0]);
+            TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string()
+        };
+        assert!(words(|p| p["origin"]["seed"] = json!(1)).starts_with("at primitives[0].origin"));
+        let missing = words(|p| drop(p["origin"].as_object_mut().unwrap().remove("clips")));
+        assert!(missing.starts_with("at primitives[0].origin"), "{missing}");
+        let frames = json!({ "primitive": "walk", "frames": "dreamt", "clips": [] });
+        let dreamt = |p: &mut serde_json::Value, frames| p["origin"]["relearned"] = frames;
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        dreamt(&mut value["primitives"][0], frames);
+        let refused = TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string();
+        assert_eq!(
+            refused,
+            "at primitives[0].origin.relearned.frames: expected clips, remembered or generated, found a text"
+        );
+        assert!(
+            words(|p| p["excerpts"][0]["alpha"] = json!([1.0]))
+                .contains("excerpts[0].alpha: expected 2, found 1")
+        );
+        let short = words(|p| p["excerpts"][0]["starts"][0][0] = json!([[1.0, 2.0, 3.0]]));
+        assert!(short.contains("excerpts[0].starts[0][0]"), "{short}");
+        let negative = words(|p| p["excerpts"][0]["alpha"] = json!([1.0, -1.0]));
+        assert!(negative.contains("excerpts[0].alpha: expected positive numbers"), "{negative}");
+    }
+
+    #[test]
+    fn primitives_are_taken_in_where_they_fit() {
+        let whole = trained();
+        // Without the arms of the walk, and these alone.
+        let mut some = whole.select(&[0, 2]).unwrap();
+        let arms = whole.select(&[1]).unwrap();
+        let taken = some.take_in(&TrainedLibrary::from_json(&arms.to_json().unwrap()).unwrap()).unwrap();
+        assert_eq!((taken.primitives, taken.added, taken.movements), (vec![2], vec![2], vec![]));
+        assert_eq!(some.library.primitives[2].name, "walk");
+        // The combination is the recorded one again, couplings included, as far as a primitive alone knows them.
+        let uses = some.uses("lower=walk+wave,upper=walk").unwrap();
+        let alpha = some.library.nearest_couplings(&uses);
+        assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));
+        let path = |library: &TrainedLibrary, uses: &[usize]| {
+            let model = library.combination(uses, &whole.library.movements[0].alpha).unwrap();
+            let dynamics =
+                model.model.dynamics(&model.model.alpha, crate::models::couplings::Reading::AsLearned);
+            let start: Vec<_> =
+                whole.library.movements[0].starts[0].iter().map(|x| x.rows(0, 2).into_owned()).collect();
+            dynamics.unwrap().path(&start, 30).unwrap()
+        };
+        assert_eq!(path(&some, &uses), path(whole, &[0, 1]));
+        // Twice is once.
+        let again = some.take_in(&arms).unwrap();
+        assert_eq!((again.primitives, again.added), (vec![2], vec![]));
+        // A movement comes along with both of its primitives, and rows are not counted twice.
+        let mut legs = whole.select(&[0]).unwrap();
+        let taken = legs.take_in(whole).unwrap();
+        assert_eq!((taken.primitives, taken.added), (vec![0, 1, 2], vec![1, 2]));
+        assert!(legs.library.movements.iter().all(|movement| movement.sums.is_none()));
+        assert_eq!(legs.body.sequences.len(), whole.body.sequences.len());
+        let read = TrainedLibrary::from_json(&legs.to_json().unwrap()).unwrap();
+        assert_eq!(read.library, legs.library);
+    }
+
+    #[test]
+    fn what_does_not_fit_another_library_is_refused_with_the_reason() {
+        use crate::models::library::{Misfit, TakeInError};
+        let refused = |change: &dyn Fn(&mut TrainedLibrary)| {
+            let (mut host, mut other) = (trained().clone(), trained().select(&[1]).unwrap());
+            change(&mut other);
+            let TakeInError::Misfit(misfit) = host.take_in(&other).unwrap_err() else { panic!("no misfit") };
+            assert_eq!(host.library, trained().library);
+            (misfit.to_string(), misfit.can_be_relearned(), misfit)
+        };
+        let (words, can, _) = refused(&|other| {
+            let map = &other.library.parts[1];
+            let (r, kernel, mean) = (map.r() * 1.5, map.kernel().clone(), map.mean().clone());
+            let jitter = other.library.jitter;
+            other.library.parts[1] = crate::models::variational::PoseMap::new(
+                r,
+                kernel,
+                map.beta(),
+                mean,
+                map.covariance().clone(),
+                jitter,
+            )
+            .unwrap();
+        });
+        assert_eq!(
+            (words.as_str(), can),
+            ("the pose maps of upper differ: they come from different trainings", true)
+        );
+        let (words, can, _) = refused(&|other| other.library.order = 3);
+        assert_eq!((words.as_str(), can), ("the order of the dynamics differs: expected 2, found 3", true));
+        let (_, can, misfit) = refused(&|other| other.body.column_means[0] += 1.0);
+        assert_eq!((misfit, can), (Misfit::Centre, true));
+        let (words, can, _) = refused(&|other| {
+            let mut parts = other.body.layout.parts().to_vec();
+            parts[0].name = "legs".to_owned();
+            other.body.layout = crate::motion::parts::PartsLayout::new(&parts, &other.body.mapping).unwrap();
+        });
+        assert_eq!(words, "the columns differ: expected the parts lower, upper, found legs, upper");
+        assert!(!can);
     }
 
     #[test]

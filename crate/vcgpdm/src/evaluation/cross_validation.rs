@@ -116,6 +116,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether the model of this seed stands for its candidate in the fold rather than that of another seed: what training maximised is
+    /// higher.
+    pub fn is_better_seed(&self, other: &Outcome) -> bool {
+        self.objective > other.objective
+    }
+
     /// Whether training ended because nothing changed any more; absent where that is not known.
     pub fn converged(&self) -> Option<bool> {
         let reason = self.reason.as_deref()?;
@@ -280,7 +286,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::{DmpSettings, MapSettings, ModelKind, TmpSettings, VariationalSettings};
+    use crate::models::{DmpSettings, MapSettings, ModelKind, Setbacks, TmpSettings, VariationalSettings};
     use crate::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -388,6 +394,7 @@ mod tests {
                 phase: None,
                 done: true,
                 reason: None,
+                setbacks: Setbacks::default(),
                 fraction: 1.0,
             };
             fold.outcome(&astray(&fold, to), &training, seconds).map_err(|error| error.to_string())

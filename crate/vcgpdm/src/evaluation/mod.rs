@@ -18,6 +18,7 @@ mod growth;
 mod job;
 mod labels;
 mod modularity;
+mod modularity_test;
 mod plan;
 mod results;
 mod rows;
@@ -25,7 +26,7 @@ mod setting;
 pub mod stats;
 mod summary;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, Outcome, START_FRAMES};
@@ -34,6 +35,7 @@ pub use dtw::{Score, ScoreError, dtw_mse};
 pub use job::{Finished, Job};
 pub use labels::Labels;
 pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
+pub use modularity_test::{FoldTraining, ModularityTest, Trained};
 pub use plan::{Plan, PlanError};
 pub use results::{PlannedJob, Results, ResultsError};
 pub use setting::{Setting, SettingError, Trial};

@@ -8,6 +8,7 @@ use crate::models::{Dataset, Source, VariationalSettings};
 use crate::motion::Clip;
 use crate::motion::parts::PartSpec;
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 /// The trials of one movement.
 #[derive(Clone, Debug)]
@@ -32,7 +33,7 @@ pub struct LibraryFold {
 }
 
 /// How well a movement of a library predicts the trial held out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LibraryOutcome {
     /// How far the prediction is from the trial.
     pub score: Score,
@@ -42,6 +43,13 @@ pub struct LibraryOutcome {
     pub stored_numbers: usize,
     /// Frames trained on.
     pub frames: usize,
+}
+
+impl LibraryOutcome {
+    /// Whether the library of this seed stands for its fold rather than that of another seed: its bound is higher.
+    pub fn is_better_seed(&self, other: &LibraryOutcome) -> bool {
+        self.bound > other.bound
+    }
 }
 
 impl LibraryFold {

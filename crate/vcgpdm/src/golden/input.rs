@@ -1,7 +1,8 @@
 //! The inputs of golden cases: of the plain model, and of movements that share primitives.
 
 use crate::golden::error::CaseError;
-use crate::golden::shapes::{ExpertJson, PartJson, RolloutJson, matrices};
+use crate::golden::shapes::{ExpertJson, PartJson, RolloutJson, matrices, shape};
+use crate::golden::stored::StoredJson;
 use crate::json::rows;
 use crate::models::Sequences;
 use crate::models::variational::{Objective, Params, Repertoire};
@@ -56,6 +57,7 @@ struct MovementsInput {
     order: usize,
     #[serde(default)]
     jitter: f64,
+    stored: Option<StoredJson>,
 }
 
 #[derive(Deserialize)]
@@ -78,13 +80,22 @@ struct MovementJson {
     uses: Vec<usize>,
 }
 
+/// How a case is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CaseSort {
+    Plain,
+    /// As movements, be it one.
+    Movements,
+    /// As movements under pose maps and so many first primitives that are stored.
+    Beside(usize),
+}
+
 /// A problem and a point in its parameter space, as read.
 pub(super) struct Input {
     pub params: Params,
     pub objective: Objective,
     pub rollouts: Vec<RolloutJson>,
-    /// Whether it is written as movements, be it one.
-    pub has_movements: bool,
+    pub sort: CaseSort,
 }
 
 fn parse<I: DeserializeOwned>(text: &str) -> Result<Document<I>, CaseError> {
@@ -111,11 +122,11 @@ impl Input {
         let repertoire = Repertoire::plain(sequences, m);
         check(&params, &y, &repertoire, jitter, &names)?;
         let objective = Objective::of_movements(y, repertoire, jitter);
-        Ok(Self { params, objective, rollouts: expected.rollouts, has_movements: false })
+        Ok(Self { params, objective, rollouts: expected.rollouts, sort: CaseSort::Plain })
     }
 
     fn of_movements(document: Document<MovementsInput>) -> Result<Self, CaseError> {
-        let MovementsInput { params, y, movements, order, jitter } = document.input;
+        let MovementsInput { params, y, movements, order, jitter, stored } = document.input;
         let sequences = Sequences::new(movements.iter().flat_map(|m| m.lengths.clone()).collect(), order)?;
         let y = matrices(&y, "input.y")?;
         let (owners, experts): (Vec<_>, Vec<_>) =
@@ -131,8 +142,16 @@ impl Input {
             return Err(CaseError::Shape { path, expected, found });
         }
         check(&params, &y, &repertoire, jitter, &names)?;
+        let (sort, maps) = match stored {
+            None => (CaseSort::Movements, None),
+            Some(stored) => (CaseSort::Beside(stored.primitives()), Some(stored.maps(&params, &y, jitter)?)),
+        };
         let objective = Objective::of_movements(y, repertoire, jitter);
-        Ok(Self { params, objective, rollouts: Vec::new(), has_movements: true })
+        let objective = match maps {
+            None => objective,
+            Some(maps) => objective.under(maps),
+        };
+        Ok(Self { params, objective, rollouts: Vec::new(), sort })
     }
 }
 
@@ -150,14 +169,6 @@ struct Names {
 fn wrong_count(path: &str, parts: usize, found: usize) -> CaseError {
     let (expected, found) = (format!("{parts} (one for each part)"), found.to_string());
     CaseError::Shape { path: path.to_owned(), expected, found }
-}
-
-fn shape(path: String, expected: (usize, usize), found: (usize, usize)) -> Result<(), CaseError> {
-    if expected == found {
-        return Ok(());
-    }
-    let text = |(r, c)| format!("{r} x {c} numbers");
-    Err(CaseError::Shape { path, expected: text(expected), found: text(found) })
 }
 
 fn positive(path: String, values: &[f64]) -> Result<(), CaseError> {

@@ -7,14 +7,19 @@
 //! Of movements that share primitives: `input.movements[m]` (lengths, uses: the primitive of each part) instead of the lengths,
 //! `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and `input.params.alpha[m][j][i]`; the frames of all movements
 //! are stacked.
+//!
+//! Of new primitives beside stored ones: movements with `input.stored`, the number of first `primitives` that stay as they are, and the
+//! inducing outputs of the pose maps (`kin[i]`) and of these primitives' experts about each part, stacked (`dyn[i]`): mean and cov.
 
 mod error;
 mod input;
 mod shapes;
+mod stored;
 
-use crate::golden::input::Input;
+use crate::golden::input::{CaseSort, Input};
 use crate::golden::shapes::{
-    Further, GivenGradientJson, ParamsJson, PosteriorJson, PosteriorsJson, RolloutJson, matrices, matrix,
+    Further, GivenGradientJson, GradientJson, ParamsJson, PosteriorJson, PosteriorsJson, RolloutJson,
+    matrices, matrix,
 };
 use crate::gp::NumericsError;
 use crate::json::rows::rows_of;
@@ -32,7 +37,7 @@ pub struct Case {
     /// What the bound is computed on.
     pub objective: Objective,
     rollouts: Vec<RolloutJson>,
-    has_movements: bool,
+    sort: CaseSort,
 }
 
 impl Case {
@@ -42,8 +47,8 @@ impl Case {
     ///
     /// When the text is not a case, shapes do not fit each other, or a variance is not positive.
     pub fn from_json(text: &str) -> Result<Self, CaseError> {
-        let Input { params, objective, rollouts, has_movements } = Input::from_json(text)?;
-        Ok(Self { params, objective, rollouts, has_movements })
+        let Input { params, objective, rollouts, sort } = Input::from_json(text)?;
+        Ok(Self { params, objective, rollouts, sort })
     }
 
     /// Writes a problem of a plain model and a point in its parameter space as a golden file with an `input` only.
@@ -66,26 +71,36 @@ impl Case {
     }
 
     /// Bound, terms, gradient, optimal posteriors; of a plain model the rollouts asked for, of movements the bound under their own
-    /// best inducing outputs and its gradient with respect to latents and couplings.
+    /// best inducing outputs and its gradient with respect to latents and couplings. Beside stored primitives only the bound, its terms
+    /// and the gradient with respect to what is not stored.
     ///
     /// # Errors
     ///
     /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot be made.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.bound(&self.objective)?;
+        let (gradient, further) = match self.sort {
+            CaseSort::Plain => {
+                (GradientJson::Whole(ParamsJson::plain(&gradient)), Some(self.rolled_out(&terms)?))
+            }
+            CaseSort::Movements => {
+                (GradientJson::Whole(ParamsJson::of_movements(&gradient)), Some(self.given()?))
+            }
+            CaseSort::Beside(stored) => (GradientJson::beside(&gradient, stored), None),
+        };
+        // Of what is stored they are known.
+        let posterior = match self.sort {
+            CaseSort::Beside(_) => None,
+            CaseSort::Plain | CaseSort::Movements => Some(self.posteriors()?),
+        };
+        Ok(CaseResult { elbo: terms.total(), terms, gradient, posterior, further, median_ms: None })
+    }
+
+    fn posteriors(&self) -> Result<PosteriorsJson, CaseError> {
         let posteriors = self.objective.posteriors(&self.params)?;
-        let further = if self.has_movements { self.given()? } else { self.rolled_out(&terms)? };
-        let json = if self.has_movements { ParamsJson::of_movements } else { ParamsJson::plain };
-        Ok(CaseResult {
-            elbo: terms.total(),
-            terms,
-            gradient: json(&gradient),
-            posterior: PosteriorsJson {
-                kin: posteriors.kinematics.iter().map(PosteriorJson::from).collect(),
-                dynamics: posteriors.dynamics.iter().map(PosteriorJson::from).collect(),
-            },
-            further,
-            median_ms: None,
+        Ok(PosteriorsJson {
+            kin: posteriors.kinematics.iter().map(PosteriorJson::from).collect(),
+            dynamics: posteriors.dynamics.iter().map(PosteriorJson::from).collect(),
         })
     }
 
@@ -157,6 +172,26 @@ mod tests {
         value["input"]["params"]["parts"][1]["kin_lambda"] = serde_json::json!("wide");
         let error = Case::from_json(&value.to_string()).unwrap_err().to_string();
         assert!(error.starts_with("at input.params.parts[1].kin_lambda: invalid type: string"), "{error}");
+    }
+
+    #[test]
+    fn stored_outputs_that_do_not_fit_are_refused_with_their_path() {
+        let text = include_str!("../../../../tests/golden/beside-0.json");
+        let refused = |place: &str, to: serde_json::Value| {
+            let mut value: serde_json::Value = serde_json::from_str(text).unwrap();
+            *value.pointer_mut(&format!("/input/stored/{place}")).unwrap() = to;
+            Case::from_json(&value.to_string()).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refused("primitives", 3.into()),
+            "at input.stored.primitives: expected at most 2, found 3"
+        );
+        assert_eq!(
+            refused("kin", serde_json::json!([])),
+            "at input.stored.kin: expected 2 (one for each part), found 0"
+        );
+        let error = refused("dyn/1/cov", serde_json::json!([[1.0]]));
+        assert!(error.starts_with("at input.stored.dyn[1].cov: expected 4 x 4 numbers"), "{error}");
     }
 
     #[test]

@@ -49,6 +49,29 @@ pub(super) struct ParamsJson {
     alpha: AlphaJson,
 }
 
+/// The gradient of a case.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum GradientJson {
+    Whole(ParamsJson),
+    /// Of what is not stored: latents, couplings and the experts of new primitives.
+    Beside {
+        #[serde(flatten)]
+        given: GivenGradientJson,
+        #[serde(rename = "dyn")]
+        experts: Vec<Vec<ExpertJson>>,
+    },
+}
+
+impl GradientJson {
+    /// Where so many first primitives are stored.
+    pub fn beside(gradient: &Params, stored: usize) -> Self {
+        let experts = gradient.experts.iter().skip(stored);
+        let experts = experts.map(|row| row.iter().map(ExpertJson::from).collect()).collect();
+        Self::Beside { given: GivenGradientJson::from(gradient), experts }
+    }
+}
+
 /// What a gradient under stored inducing outputs has: of latents and couplings.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct GivenGradientJson {
@@ -95,10 +118,11 @@ pub(super) struct PosteriorsJson {
 pub struct CaseResult {
     pub(super) elbo: f64,
     pub(super) terms: BoundTerms,
-    pub(super) gradient: ParamsJson,
-    pub(super) posterior: PosteriorsJson,
-    #[serde(flatten)]
-    pub(super) further: Further,
+    pub(super) gradient: GradientJson,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) posterior: Option<PosteriorsJson>,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub(super) further: Option<Further>,
     /// Median milliseconds of one bound with its gradient, when it was measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub median_ms: Option<f64>,
@@ -116,6 +140,15 @@ pub(super) enum Further {
         elbo_given: f64,
         gradient_given: GivenGradientJson,
     },
+}
+
+/// Refuses a matrix of another shape.
+pub(super) fn shape(path: String, expected: (usize, usize), found: (usize, usize)) -> Result<(), CaseError> {
+    if expected == found {
+        return Ok(());
+    }
+    let text = |(r, c)| format!("{r} x {c} numbers");
+    Err(CaseError::Shape { path, expected: text(expected), found: text(found) })
 }
 
 pub(super) fn matrix(rows: &[Vec<f64>], path: &str) -> Result<DMatrix<f64>, CaseError> {

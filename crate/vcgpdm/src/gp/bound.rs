@@ -239,36 +239,12 @@ impl SparseGp<'_> {
 mod tests {
     use super::*;
     use crate::gp::linalg::symmetric;
+    use crate::gp::testing::{Example, scalars_agree};
     use approx::assert_relative_eq;
-
-    struct Example {
-        k: DMatrix<f64>,
-        psi2: DMatrix<f64>,
-        b: DMatrix<f64>,
-        scalars: [f64; 3],
-    }
-
-    impl Example {
-        fn new() -> Self {
-            let root = DMatrix::from_fn(4, 4, |i, j| ((3 * i + 5 * j) as f64).sin());
-            let phi = DMatrix::from_fn(9, 4, |i, j| ((2 * i + 3 * j) as f64).cos());
-            Self {
-                k: &root * root.transpose() + DMatrix::identity(4, 4) * 0.4,
-                psi2: phi.tr_mul(&phi) + DMatrix::identity(4, 4) * 0.1,
-                b: DMatrix::from_fn(4, 3, |i, j| ((i + 4 * j) as f64).sin()),
-                scalars: [40.0, 7.0, 0.3],
-            }
-        }
-
-        fn gp(&self) -> SparseGp<'_> {
-            let [psi0, second_moment, noise] = self.scalars;
-            SparseGp { k: &self.k, psi2: &self.psi2, b: &self.b, psi0, second_moment, rows: 9, noise }
-        }
-    }
 
     #[test]
     fn value_is_the_formula_as_written() {
-        let e = Example::new();
+        let e = Example::of(4);
         let gp = e.gp();
         let a = &e.k + &e.psi2 / gp.noise;
         let inverse = a.clone().try_inverse().unwrap();
@@ -285,13 +261,13 @@ mod tests {
 
     #[test]
     fn adjoint_agrees_with_differences() {
-        let e = Example::new();
+        let e = Example::of(4);
         let mut workspace = BoundWorkspace::new(4, 3);
         e.gp().bound_and_adjoint(&mut workspace).unwrap();
         let adjoint = workspace.adjoint();
         let h = 1e-6;
         let difference = |change: &dyn Fn(&mut Example, f64)| {
-            let (mut up, mut down) = (Example::new(), Example::new());
+            let (mut up, mut down) = (Example::of(4), Example::of(4));
             change(&mut up, h);
             change(&mut down, -h);
             let bound = |e: &Example| e.gp().bound(&mut BoundWorkspace::new(4, 3)).unwrap();
@@ -316,16 +292,12 @@ mod tests {
                 assert_relative_eq!(adjoint.b[(i, c)], db, epsilon = 1e-6, max_relative = 1e-6);
             }
         }
-        let scalars = [adjoint.psi0, adjoint.second_moment, adjoint.noise];
-        for (k, analytic) in scalars.into_iter().enumerate() {
-            let d = difference(&|e, h| e.scalars[k] += h);
-            assert_relative_eq!(analytic, d, epsilon = 1e-6, max_relative = 1e-6);
-        }
+        scalars_agree(adjoint, difference);
     }
 
     #[test]
     fn posterior_is_the_formula_as_written() {
-        let e = Example::new();
+        let e = Example::of(4);
         let posterior = e.gp().posterior().unwrap();
         let inverse = (&e.k + &e.psi2 / 0.3).try_inverse().unwrap();
         assert_relative_eq!(posterior.mean, &e.k * &inverse * &e.b / 0.3, epsilon = 1e-10);

@@ -4,6 +4,7 @@
 //! Symbols: P input dimensions, K inducing inputs z [K x P], N inputs (rows), C target columns. The glossary of the project
 //! (`docs/glossary.md`) sets them beside the symbols of the papers.
 
+pub mod beside;
 pub mod bound;
 pub(crate) mod exp;
 mod gaussians;
@@ -14,7 +15,10 @@ pub(crate) mod linalg;
 pub mod moments;
 pub mod outputs;
 pub mod psi;
+pub mod stored_outputs;
 pub(crate) mod tall;
+#[cfg(test)]
+mod testing;
 
 pub use gaussians::Gaussians;
 pub use kernel::{Kernel, KernelAdjoint};

@@ -3,12 +3,14 @@
 
 pub mod checks;
 mod field;
+mod heading;
 mod parse;
 pub mod rows;
 mod value;
 mod write;
 
 pub use field::{Field, FieldError, Object};
+pub use heading::{HeadingError, check_heading};
 pub use parse::{JsonError, parse};
 pub use value::Value;
 pub use write::{NotFinite, write};

@@ -1,5 +1,6 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
+use crate::gp::linalg::stacked;
 use crate::models::training_error::TrainingError;
 use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
@@ -190,18 +191,12 @@ impl Dataset {
             let odd = clip.warnings.iter().chain(&encoded.warnings);
             warnings.extend(odd.map(|warning| format!("{}: {warning}", clip.name)));
         }
-        let total: usize = rows.iter().map(|y| y.nrows()).sum();
-        let mut stacked = DMatrix::zeros(total, rows[0].ncols());
-        let mut at = 0;
-        for y in &rows {
-            stacked.rows_mut(at, y.nrows()).copy_from(y);
-            at += y.nrows();
-        }
-        let column_means: Vec<f64> = stacked.row_mean().iter().copied().collect();
-        for (mut column, mean) in stacked.column_iter_mut().zip(&column_means) {
+        let mut all = stacked(&rows);
+        let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
+        for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
             column.add_scalar_mut(-mean);
         }
-        let y = layout.split(&stacked);
+        let y = layout.split(&all);
         let frame_time = clips[0].frame_time;
         let info = |((clip, y), source): ((&Clip, &DMatrix<f64>), &Source)| {
             // Rows of a recording are poses.

@@ -23,6 +23,11 @@ pub trait Learner {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> LearningProgress;
 
+    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    fn notices(&self) -> &[String] {
+        &[]
+    }
+
     /// How far training is.
     fn progress(&self) -> LearningProgress;
 

@@ -9,6 +9,7 @@
 //! Tables of numbers that are no poses go the same way: `Dataset::of_tables`, and a [`SeriesModel`] at the end.
 
 pub(crate) mod body;
+mod cost;
 pub(crate) mod couplings;
 pub(crate) mod dataset;
 pub mod dmp;
@@ -42,6 +43,7 @@ mod trials;
 pub mod variational;
 
 pub use body::Body;
+pub use cost::TrainingCost;
 pub use couplings::{CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights};
 pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body, with_bones_of};
 pub use flat::{Group, Kind, Parameters};
@@ -54,7 +56,7 @@ pub use model::Model;
 pub use movements::{Movements, Sequence};
 pub use observed::Observed;
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-pub use progress::{EndReason, LearningProgress, TrainingPhase};
+pub use progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
 pub use provenance::{ENGINE, Provenance};
 pub use rollout::{Cut, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};

@@ -1,8 +1,37 @@
 //! How far a training is, whatever the model, and why it ended.
 
 use crate::gp::NumericsError;
+use crate::words::counted;
 use serde::Serialize;
 use std::fmt;
+
+/// What went wrong in a training and was survived.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Setbacks {
+    /// Factorisations of a covariance that failed, and were tried again with jitter on its diagonal.
+    pub jittered: usize,
+    /// Evaluations that gave no finite number even so: the search turned back there.
+    pub turned_back: usize,
+}
+
+impl Setbacks {
+    /// Whether there was any.
+    pub fn any(self) -> bool {
+        self != Self::default()
+    }
+}
+
+impl fmt::Display for Setbacks {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { jittered, turned_back } = *self;
+        write!(
+            f,
+            "{} needed jitter on the diagonal, and the search turned back from {} that gave no finite number",
+            counted(jittered, "covariance"),
+            counted(turned_back, "point")
+        )
+    }
+}
 
 /// How far a training is.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +42,8 @@ pub struct LearningProgress {
     pub max_iterations: usize,
     /// Evaluations of the variational bound with its gradient so far; 0 for models that have none.
     pub evaluations: usize,
+    /// What went wrong so far and was survived.
+    pub setbacks: Setbacks,
     /// What is maximised, now: the bound, a log density, or the negative of an error.
     pub objective: f64,
     /// The best so far.
@@ -122,6 +153,12 @@ mod tests {
         ] {
             assert_eq!(reason.to_string(), words);
         }
+        let setbacks = Setbacks { jittered: 3, turned_back: 1 };
+        assert_eq!(
+            setbacks.to_string(),
+            "3 covariances needed jitter on the diagonal, and the search turned back from 1 point that gave no finite number"
+        );
+        assert!(setbacks.any() && !Setbacks::default().any());
         assert_eq!(TrainingPhase::Everything.to_string(), "everything together");
     }
 }

@@ -1,9 +1,9 @@
 //! From tables to what a model trains on.
 
+use crate::gp::linalg::stacked;
 use crate::models::dataset::{Dataset, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
-use nalgebra::DMatrix;
 
 impl Dataset<Columns> {
     /// The tables as sequences, their columns in the order of the first, each without its mean and counted in its standard deviation.
@@ -16,16 +16,11 @@ impl Dataset<Columns> {
         let first = tables.first().ok_or(SeriesError::Empty)?;
         check_parts(parts, &first.columns)?;
         let tables = tables.iter().map(|table| table.like(first)).collect::<Result<Vec<_>, _>>()?;
-        let (rows, d) = (tables.iter().map(|table| table.values.nrows()).sum(), first.columns.len());
-        let mut stacked = DMatrix::zeros(rows, d);
-        let mut at = 0;
-        for table in &tables {
-            stacked.rows_mut(at, table.values.nrows()).copy_from(&table.values);
-            at += table.values.nrows();
-        }
-        let column_means: Vec<f64> = stacked.row_mean().iter().copied().collect();
+        let mut all = stacked(tables.iter().map(|table| &table.values));
+        let (rows, d) = all.shape();
+        let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
         let mut units = Vec::with_capacity(d);
-        for (mut column, mean) in stacked.column_iter_mut().zip(&column_means) {
+        for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
             column.add_scalar_mut(-mean);
             let deviation = (column.norm_squared() / rows as f64).sqrt();
             // What does not change beyond rounding has no size of its own.
@@ -44,7 +39,7 @@ impl Dataset<Columns> {
             whole: true,
         };
         Ok(Self {
-            y: layout.split(&stacked),
+            y: layout.split(&all),
             layout,
             mapping: Columns::new(first.columns.clone(), units),
             column_means,

@@ -134,17 +134,7 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
         trainer: &Trainer,
         frames_per_second: f64,
     ) -> Result<Self, NumericsError> {
-        let progress = trainer.progress();
-        let provenance = Provenance {
-            engine: ENGINE.to_owned(),
-            settings: trainer.settings().clone(),
-            seed: trainer.seed(),
-            frames_per_second,
-            objective: progress.best,
-            iterations: progress.iteration,
-            evaluations: progress.evaluations,
-            note: None,
-        };
+        let provenance = trainer.provenance(frames_per_second);
         Ok(Self { model: trainer.model()?, body: Body::new(dataset), provenance })
     }
 

@@ -92,6 +92,11 @@ impl Joint {
     pub fn rotation_axes(&self) -> impl Iterator<Item = usize> + '_ {
         self.channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis())
     }
+
+    /// Whether it has a channel for its position along every axis.
+    pub fn is_placed(&self) -> bool {
+        self.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3
+    }
 }
 
 /// A joint tree with one root at place 0 and parents before children.

@@ -1,6 +1,6 @@
 //! Why a text is not a study.
 
-use crate::json::{FieldError, JsonError};
+use crate::json::{FieldError, HeadingError, JsonError};
 use thiserror::Error;
 
 /// What a document says that it is.
@@ -54,5 +54,15 @@ pub enum StudyError {
 impl From<FieldError> for StudyError {
     fn from(FieldError { path, message }: FieldError) -> Self {
         StudyError::Field { path, message }
+    }
+}
+
+impl From<HeadingError> for StudyError {
+    fn from(error: HeadingError) -> Self {
+        match error {
+            HeadingError::Format { found } => Self::Format { found },
+            HeadingError::Newer { found } => Self::Version { found },
+            HeadingError::Field(field) => field.into(),
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! A study from movements: natural ones, and what models made of the trials held out.
 
+use crate::evaluation::Outcome;
 use crate::models::ModelSettings;
 use crate::motion::Skeleton;
 use crate::motion::landmarks::Landmarks;
@@ -68,6 +69,15 @@ pub struct Maker {
     rate: usize,
     skipped: usize,
     stimuli: Vec<Stimulus>,
+    made: Vec<Made>,
+}
+
+/// A generated stimulus, by its place: what decides whether another seed takes it.
+#[derive(Clone, Debug)]
+struct Made {
+    place: usize,
+    trial: usize,
+    outcome: Outcome,
 }
 
 impl Maker {
@@ -75,7 +85,7 @@ impl Maker {
     /// `frames_per_second` are those of the movements: the study has 30 or 60.
     pub fn new(skeleton: &Skeleton, seconds: f64, frames_per_second: f64, skipped: usize) -> Self {
         let rate = if frames_per_second < FAST { 30 } else { 60 };
-        Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new() }
+        Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new(), made: Vec::new() }
     }
 
     /// Adds a recorded movement: one that is shown all along, or one that is kept for catch trials.
@@ -87,7 +97,7 @@ impl Maker {
         self.add(id, shown, Source::Natural { seen })
     }
 
-    /// Adds what a model made of the trial that was held out.
+    /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the [best](Outcome::is_better_seed) stays.
     ///
     /// # Errors
     /// It is too short, not finite, or of another body.
@@ -96,11 +106,31 @@ impl Maker {
         shown: &Shown,
         candidate: &ModelSettings,
         seed: u32,
-        scores: Scores,
+        outcome: &Outcome,
     ) -> Result<(), MakerError> {
         let id = format!("{}-trial-{}", name(candidate), shown.number);
+        let scores = Scores::of(outcome);
         let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
-        self.add(id, shown, Source::Generated(Box::new(generated)))
+        let source = Source::Generated(Box::new(generated));
+        let of_candidate = |place: usize| match &self.stimuli[place].source {
+            Source::Generated(made) => made.candidate == *candidate,
+            Source::Natural { .. } => false,
+        };
+        let same = |made: &Made| made.trial == shown.number && of_candidate(made.place);
+        let Some(known) = self.made.iter().position(same) else {
+            self.add(id, shown, source)?;
+            let place = self.stimuli.len() - 1;
+            self.made.push(Made { place, trial: shown.number, outcome: outcome.clone() });
+            return Ok(());
+        };
+        let (movement, speed) = self.movement(shown).map_err(|reason| MakerError { id, reason })?;
+        let known = &mut self.made[known];
+        if outcome.is_better_seed(&known.outcome) {
+            known.outcome = outcome.clone();
+            let stimulus = &mut self.stimuli[known.place];
+            (stimulus.source, stimulus.movement, stimulus.speed) = (source, movement, speed);
+        }
+        Ok(())
     }
 
     fn add(&mut self, id: String, shown: &Shown, source: Source) -> Result<(), MakerError> {
@@ -177,8 +207,8 @@ mod tests {
     use crate::models::TmpSettings;
     use crate::motion::samples;
 
-    fn scores() -> Scores {
-        Scores { mse: 0.1, dtw_mse: 0.05, bound: Some(-3.0), terms: None }
+    fn outcome(objective: f64) -> Outcome {
+        Outcome { objective, ..crate::evaluation::testing::outcome(0.05, Some(objective), 10, 1.0) }
     }
 
     #[test]
@@ -196,17 +226,21 @@ mod tests {
         maker.natural(&shown(1), false).unwrap();
         let tmp = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: false });
         let time = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: true });
-        maker.generated(&shown(0), &tmp, 0, scores()).unwrap();
-        maker.generated(&shown(0), &time, 0, scores()).unwrap();
+        // Of several seeds the one of the highest objective, wherever it comes.
+        for (seed, objective) in [(3, 1.0), (4, 7.0), (5, 6.0)] {
+            maker.generated(&shown(0), &tmp, seed, &outcome(objective)).unwrap();
+        }
+        maker.generated(&shown(0), &time, 0, &outcome(0.0)).unwrap();
         let few = Shown { positions: &places[0][1..], ..shown(0) };
         let error = maker.natural(&few, true).unwrap_err().to_string();
         assert!(error.starts_with("trial-1: expected places of "), "{error}");
         let short = Shown { positions: &places[0][..places[0].len() / 2], ..shown(0) };
-        let error = maker.generated(&short, &tmp, 0, scores()).unwrap_err().to_string();
+        let error = maker.generated(&short, &tmp, 0, &outcome(9.0)).unwrap_err().to_string();
         assert_eq!(error, "tmp-4-trial-1: expected a movement of at least 3.50 seconds, found 2.10");
         let study = maker.study("Walks", Preset::Class, Look::Figure, 1).unwrap();
         let ids: Vec<&str> = study.stimuli.iter().map(|stimulus| stimulus.id.as_str()).collect();
         assert_eq!(ids, ["trial-1", "unseen-2", "tmp-4-trial-1", "tmp-4-trial-1-2"]);
+        assert_eq!(study.stimuli[2].generated().unwrap().scores.bound, Some(7.0));
         assert_eq!((study.frames(), study.frames_per_second, study.height), (105, 30, 1.7));
         assert_eq!(study.figure.landmarks.dots.len(), 13);
         assert!(study.figure.names.last().unwrap().ends_with(" end"));

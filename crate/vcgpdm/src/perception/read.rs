@@ -2,7 +2,7 @@
 
 use crate::document::settings_of;
 use crate::json::checks::{count, tame, within};
-use crate::json::{Field, FieldError, Object, Value, write};
+use crate::json::{Field, FieldError, Object, Value, check_heading};
 use crate::models::ModelKind;
 use crate::models::variational::BoundTerms;
 use crate::motion::landmarks::Landmarks;
@@ -26,21 +26,7 @@ const TEXT: usize = 20_000;
 
 pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
     let mut document = Field::root(value).object()?;
-    let format = document.optional("format");
-    match format.as_ref().map(Field::value) {
-        Some(Value::Text(format)) if format == FORMAT => {}
-        Some(other) => {
-            let found = write(other).unwrap_or_default().chars().take(60).collect();
-            return Err(StudyError::Format { found });
-        }
-        None => return Err(StudyError::Format { found: "no format".to_owned() }),
-    }
-    let version = document.get("version")?;
-    match version.whole()? {
-        VERSION => {}
-        found if found > VERSION => return Err(StudyError::Version { found }),
-        _ => return Err(version.wrong(&VERSION.to_string()).into()),
-    }
+    check_heading(&mut document, FORMAT, VERSION..=VERSION)?;
     let title = short(&document.get("title")?, TITLE)?;
     let look = document.get("look")?;
     let look = Look::from_id(look.text()?).ok_or_else(|| look.error("expected figure or points"))?;

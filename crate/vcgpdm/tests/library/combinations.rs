@@ -1,7 +1,9 @@
 //! A library of the sample walks: a combination that was never recorded.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm::models::library::{
+    LibraryPlan, LibraryTrainer, LibraryWalk, PlannedMovement, REWINDS, TrainedLibrary,
+};
 use vcgpdm::models::{Dataset, Reading, Source, VariationalSettings};
 use vcgpdm::motion::{Clip, parts, samples};
 
@@ -9,7 +11,7 @@ const FRAMES: usize = 600;
 /// How far a rollout may go beyond the latents of the training.
 const ROOM: f64 = 1.5;
 
-fn trained() -> TrainedLibrary {
+fn trained(max_iterations: usize) -> TrainedLibrary {
     let clips: Vec<Clip> =
         ["walk-1", "walk-2", "walk-wave-1", "walk-wave-2"].map(|id| samples::clip(id).unwrap()).into();
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
@@ -17,7 +19,7 @@ fn trained() -> TrainedLibrary {
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let movement = |name: &str| PlannedMovement { name: name.to_owned(), sequences: 2 };
     let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![false, false]).unwrap();
-    let settings = VariationalSettings { max_iterations: 150, ..VariationalSettings::default() };
+    let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
     let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, 1).unwrap();
     while !trainer.step().done {}
     TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap()
@@ -29,7 +31,7 @@ fn range(x: &DMatrix<f64>, q: usize) -> (f64, f64) {
 
 #[test]
 fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
-    let trained = trained();
+    let trained = trained(150);
     let library = &trained.library;
     let uses = trained.uses("lower=walk,upper=wave").unwrap();
     assert_eq!(library.recorded(&uses), None);
@@ -54,4 +56,41 @@ fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
         }
         assert!(moves > 0.3, "part {part} moves by {moves} of its training's range at the end");
     }
+}
+
+/// Frames that were made before a change and are not needed any more are taken back: the walk is as if they had never been made.
+#[test]
+fn a_walk_that_goes_back_goes_on_as_if_it_had_never_been_farther() {
+    let trained = trained(10);
+    let mut walk = LibraryWalk::new(&trained, &[0, 2]).unwrap();
+    let whole = walk.clone().advance(&trained, 50).unwrap();
+    walk.advance(&trained, 30).unwrap();
+    let mut expected = walk.clone();
+    // In pieces, with changes among them, which are taken back with the frames.
+    walk.advance(&trained, 3).unwrap();
+    walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
+    walk.advance(&trained, 4).unwrap();
+    walk.latents.set_tempo(0, 0.5).unwrap();
+    walk.rewind(7).unwrap();
+    assert_eq!(walk.latents.uses(), [0, 2]);
+    let again = walk.advance(&trained, 20).unwrap();
+    assert_eq!(again.positions, whole.positions[30 * whole.positions.len() / 50..]);
+    // A change acts from there on.
+    walk.rewind(20).unwrap();
+    for walk in [&mut walk, &mut expected] {
+        walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
+    }
+    let (found, expected) = (walk.advance(&trained, 9), expected.advance(&trained, 9));
+    assert_eq!(found.unwrap().positions, expected.unwrap().positions);
+    // What was changed since the last frame.
+    walk.latents.use_primitive(&trained.library, 0, 1).unwrap();
+    walk.rewind(0).unwrap();
+    assert_eq!(walk.latents.uses(), [0, 3]);
+    // Before a walk began there is nothing, and very old frames are not kept.
+    let words = |walk: &mut LibraryWalk, frames| walk.rewind(frames).unwrap_err().to_string();
+    assert_eq!(words(&mut walk, 40), "expected frames to take back from 0 to 39, found 40");
+    walk.advance(&trained, 100).unwrap();
+    assert_eq!(words(&mut walk, 65), "expected frames to take back from 0 to 64, found 65");
+    walk.rewind(REWINDS).unwrap();
+    assert!(walk.rewind(1).is_err());
 }

@@ -1,6 +1,7 @@
 //! The library from outside, as its users call it. One program: it is linked once.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::disallowed_methods)]
 
+mod acclaim;
 mod combinations;
 mod documents;
 mod examples;

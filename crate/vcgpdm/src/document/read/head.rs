@@ -3,7 +3,7 @@
 use crate::document::error::{DocumentError, FORMAT, LIBRARY, VERSION};
 use crate::document::subject::Subject;
 use crate::json::checks::{count, tame, within};
-use crate::json::{Field, FieldError, Object, Value, write};
+use crate::json::{Field, FieldError, Object, Value, check_heading};
 use crate::models::{Body, ModelKind, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
 
@@ -61,21 +61,7 @@ pub(super) enum Wanted {
 
 pub(super) fn head<S: Subject>(value: &Value, wanted: Wanted) -> Result<Head<'_, S>, DocumentError> {
     let mut document = Field::root(value).object()?;
-    let format = document.optional("format");
-    match format.as_ref().map(Field::value) {
-        Some(Value::Text(format)) if format == FORMAT => {}
-        Some(other) => {
-            let found = write(other).unwrap_or_default().chars().take(60).collect();
-            return Err(DocumentError::Format { found });
-        }
-        None => return Err(DocumentError::Format { found: "no format".to_owned() }),
-    }
-    let version = document.get("version")?;
-    match version.whole()? {
-        1..=VERSION => {}
-        found if found > VERSION => return Err(DocumentError::Version { found }),
-        _ => return Err(version.wrong(&format!("from 1 to {VERSION}")).into()),
-    }
+    check_heading(&mut document, FORMAT, 1..=VERSION)?;
     // The first version had no other kind and did not name it.
     let named = document.optional("kind");
     let library = matches!(named.as_ref().map(Field::value), Some(Value::Text(id)) if id == LIBRARY);

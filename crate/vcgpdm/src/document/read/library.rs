@@ -1,15 +1,17 @@
 //! The document of a library of primitives.
 
 use crate::document::error::DocumentError;
-use crate::document::read::head::{Head, MOST_PARTS, MOST_SEQUENCES};
+use crate::document::read::head::{Head, MOST_PARTS, MOST_SEQUENCES, sequence_info};
 use crate::document::read::settings::MOST_ORDER;
-use crate::document::read::vcgpdm::{elsewhere, expert, part, provenance, sequence};
+use crate::document::read::vcgpdm::{elsewhere, expert, part, provenance, sequence, start, training};
 use crate::json::checks::{count, positive, shape, tame_matrix, within};
-use crate::json::{Field, FieldError, Object};
+use crate::json::{Field, FieldError, Object, Value};
 use crate::models::SequenceInfo;
 use crate::models::library::{
-    CouplingsFrom, LearnedMovement, Library, LibraryExpert, Primitive, TrainedLibrary,
+    CouplingsFrom, Excerpt, FramesFrom, LearnedMovement, Library, LibraryExpert, Origin, Primitive,
+    Relearned, TrainedLibrary,
 };
+use crate::models::sequences::MOST_FRAMES;
 use crate::models::variational::{DynamicsSums, Elsewhere};
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::PoseMapping;
@@ -105,8 +107,65 @@ fn primitive(field: Field, latent: &[usize], order: usize, jitter: f64) -> Resul
         object.end()?;
         experts.push(LibraryExpert { fitted: read.solved(jitter)?, covariance, elsewhere });
     }
+    // Absent: from the training of the library; with nothing kept of other movements.
+    let origin = object.optional("origin").filter(is_there).map(origin).transpose()?.map(Box::new);
+    let excerpts = match object.optional("excerpts").filter(is_there) {
+        Some(field) => {
+            count(&field, field.items()?.len(), 0..=MOST)?;
+            field.list(|item| excerpt(item, latent, order))?
+        }
+        None => Vec::new(),
+    };
     object.end()?;
-    Ok(Primitive { name, part, experts })
+    Ok(Primitive { name, part, experts, origin, excerpts })
+}
+
+fn is_there(field: &Field) -> bool {
+    *field.value() != Value::Null
+}
+
+fn origin(field: Field) -> Result<Origin, FieldError> {
+    let mut object = field.object()?;
+    let training = training(&mut object)?;
+    let clips = clips(object.get("clips")?)?;
+    let relearned = object.optional("relearned").filter(is_there).map(relearned).transpose()?;
+    object.end()?;
+    Ok(Origin { training, clips, relearned })
+}
+
+fn clips(field: Field) -> Result<Vec<SequenceInfo>, FieldError> {
+    count(&field, field.items()?.len(), 0..=MOST_SEQUENCES)?;
+    field.list(|item| {
+        let mut object = item.object()?;
+        let info = sequence_info(&mut object)?;
+        object.end()?;
+        Ok(info)
+    })
+}
+
+fn relearned(field: Field) -> Result<Relearned, FieldError> {
+    let mut object = field.object()?;
+    let primitive = object.get("primitive")?.text()?.to_owned();
+    let frames = object.get("frames")?;
+    let frames =
+        FramesFrom::from_id(frames.text()?).ok_or_else(|| frames.wrong("clips, remembered or generated"))?;
+    let clips = clips(object.get("clips")?)?;
+    object.end()?;
+    Ok(Relearned { primitive, clips, frames })
+}
+
+fn excerpt(field: Field, latent: &[usize], order: usize) -> Result<Excerpt, FieldError> {
+    let mut object = field.object()?;
+    let movement = object.get("movement")?.text()?.to_owned();
+    let field = object.get("alpha")?;
+    let alpha = field.numbers()?;
+    count(&field, alpha.len(), latent.len()..=latent.len())?;
+    positive(&field, &alpha)?;
+    let field = object.get("starts")?;
+    count(&field, field.items()?.len(), 0..=MOST_SEQUENCES)?;
+    let starts = field.list(|item| start(item, latent, order..=MOST_FRAMES))?;
+    object.end()?;
+    Ok(Excerpt { movement, alpha, starts })
 }
 
 fn movement(
@@ -133,7 +192,7 @@ fn movement(
     positive(&field, alpha.as_slice())?;
     let points = |i: usize| uses.iter().map(|a| primitives[*a].experts[i].covariance.nrows()).sum::<usize>();
     let sums = match object.optional("sums") {
-        Some(field) if *field.value() != crate::json::Value::Null => {
+        Some(field) if *field.value() != Value::Null => {
             let items = field.items()?;
             count(&field, items.len(), m..=m)?;
             let read = items.into_iter().enumerate().map(|(i, item)| sums(item, points(i), latent[i]));
@@ -166,13 +225,14 @@ fn couplings(field: Field) -> Result<CouplingsFrom, FieldError> {
     let from = object.get("from")?;
     let read = match from.text()? {
         "training" => CouplingsFrom::Training,
+        "hand" => CouplingsFrom::Hand,
         "nothing" => CouplingsFrom::Nothing,
         "movement" => CouplingsFrom::Movement(object.get("movement")?.text()?.to_owned()),
         "clips" => CouplingsFrom::Clips {
             bound: object.get("bound")?.number()?,
             iterations: object.get("iterations")?.whole()?,
         },
-        _ => return Err(from.wrong("training, clips, movement or nothing")),
+        _ => return Err(from.wrong("training, clips, movement, hand or nothing")),
     };
     object.end()?;
     Ok(read)

@@ -13,6 +13,7 @@ use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpe
 use crate::models::{ModelKind, Provenance, SequenceInfo, TrainedModel, VariationalSettings};
 use crate::motion::parts::PartSpec;
 use nalgebra::{DMatrix, DVector};
+use std::ops::RangeInclusive;
 
 /// What is left of a variational model's document after the body.
 pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpdm, S>, DocumentError> {
@@ -205,19 +206,28 @@ pub(super) fn sequence(
 ) -> Result<(SequenceInfo, Vec<DMatrix<f64>>), FieldError> {
     let mut sequence = field.object()?;
     let info = sequence_info(&mut sequence)?;
-    let field = sequence.get("start")?;
+    // The first frames at least; all of them where the file keeps them.
+    let start = start(sequence.get("start")?, latent, order..=info.frames.max(order))?;
+    sequence.end()?;
+    Ok((info, start))
+}
+
+/// The latent means of so many frames, the same number of each part.
+pub(super) fn start(
+    field: Field,
+    latent: &[usize],
+    frames: RangeInclusive<usize>,
+) -> Result<Vec<DMatrix<f64>>, FieldError> {
     let items = field.items()?;
     count(&field, items.len(), latent.len()..=latent.len())?;
     let mut start: Vec<DMatrix<f64>> = Vec::with_capacity(latent.len());
     for (item, q) in items.iter().zip(latent) {
         let latents = tame_matrix(item)?;
-        // The first frames at least; all of them where the file keeps them.
-        let rows = latents.nrows().clamp(order, info.frames.max(order));
+        let rows = latents.nrows().clamp(*frames.start(), *frames.end());
         shape(item, &latents, start.first().map_or(rows, DMatrix::nrows), *q)?;
         start.push(latents);
     }
-    sequence.end()?;
-    Ok((info, start))
+    Ok(start)
 }
 
 /// How a variational model of `m` parts was made, and the terms of its bound.
@@ -226,18 +236,26 @@ pub(super) fn provenance(
     m: usize,
 ) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
     let mut object = field.object()?;
+    let provenance = training(&mut object)?;
+    let terms = terms(object.get("terms")?, m)?;
+    object.end()?;
+    Ok((provenance, terms))
+}
+
+/// How a training was done, as far as documents say it of every one.
+pub(super) fn training(object: &mut Object) -> Result<Provenance<VariationalSettings>, FieldError> {
     let engine = object.get("engine")?.text()?.to_owned();
     let (settings, seed) = variational_settings(object.get("settings")?)?;
-    let frames_per_second = frames_per_second(&mut object)?;
-    let objective = object.get("bound")?.number()?;
-    let terms = terms(object.get("terms")?, m)?;
-    let iterations = object.get("iterations")?.whole()?;
-    let evaluations = object.get("evaluations")?.whole()?;
-    let note = note(&mut object)?;
-    object.end()?;
-    let provenance =
-        Provenance { engine, settings, seed, frames_per_second, objective, iterations, evaluations, note };
-    Ok((provenance, terms))
+    Ok(Provenance {
+        engine,
+        settings,
+        seed,
+        frames_per_second: frames_per_second(object)?,
+        objective: object.get("bound")?.number()?,
+        iterations: object.get("iterations")?.whole()?,
+        evaluations: object.get("evaluations")?.whole()?,
+        note: note(object)?,
+    })
 }
 
 fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {

@@ -8,7 +8,7 @@ use crate::models::learner::Learner;
 use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::Trial;
-use crate::models::progress::{EndReason, LearningProgress};
+use crate::models::progress::{EndReason, LearningProgress, Setbacks};
 use crate::models::settings::DmpSettings;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::split_trials;
@@ -91,6 +91,7 @@ impl Learner for DmpLearner {
             iteration: usize::from(done),
             max_iterations: 1,
             evaluations: 0,
+            setbacks: Setbacks::default(),
             objective: -self.error,
             best: -self.error,
             phase: None,

@@ -1,17 +1,11 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
-use crate::gp::Gaussians;
-use crate::gp::NumericsError;
-use crate::gp::outputs::StoredOutputs;
 use crate::models::flat::Group;
 use crate::models::latents::check_training;
 use crate::models::library::{CouplingsFrom, LearnedMovement, Library};
 use crate::models::search::ascent::Phase;
-use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
-use crate::models::variational::{
-    Expert, Objective, Params, PartParams, StoredMaps, Trainer, TrainingProgress, first_variance,
-};
+use crate::models::variational::{Objective, Params, Trainer, TrainingProgress};
 use nalgebra::DMatrix;
 
 /// More iterations than any fit needs.
@@ -43,9 +37,7 @@ impl CouplingTrainer {
     ) -> Result<Self, TrainingError> {
         library.check_uses(uses)?;
         in_range("the number of iterations", max_iterations, MOST_ITERATIONS)?;
-        let latent = library.latent_dimensions();
-        let largest = latent.iter().copied().max().unwrap_or(0);
-        let sequences = check_training(&y, lengths, largest, library.order)?;
+        let sequences = check_training(&y, lengths, library.largest_latent(), library.order)?;
         if y.len() != library.part_count() {
             let (expected, found) = (library.part_count(), y.len());
             return Err(TrainingError::Parts { expected, found });
@@ -56,34 +48,13 @@ impl CouplingTrainer {
                 return Err(TrainingError::Columns { part, expected, found });
             }
         }
-        let latents = library.latents_near(&y);
-        let parts = latents.into_iter().zip(&library.parts).map(|(mean, map)| {
-            let s = first_variance(&mean, &sequences);
-            let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
-            PartParams {
-                latents: Gaussians { mean, variance },
-                r: map.r().clone(),
-                kernel: map.kernel().clone(),
-                beta: map.beta(),
-            }
-        });
-        let experts = uses.iter().map(|a| {
-            let experts = library.primitives[*a].experts.iter().map(|expert| &expert.fitted);
-            experts.map(|e| Expert { z: e.z().clone(), kernel: e.kernel().clone() }).collect()
-        });
         let start = Params {
-            parts: parts.collect(),
-            experts: experts.collect(),
+            parts: library.parts_near(&y, &sequences),
+            experts: library.experts_of(uses),
             alpha: vec![library.nearest_couplings(uses)],
         };
-        let settings = VariationalSettings {
-            latent: largest,
-            order: library.order,
-            dynamics_ips: start.experts.iter().flatten().map(|expert| expert.z.nrows()).max().unwrap_or(1),
-            pose_ips: start.parts.iter().map(|part| part.r.nrows()).max().unwrap_or(1),
-            max_iterations,
-        };
-        let stored = stored(library, uses)?;
+        let settings = library.settings_of(&start.experts, max_iterations);
+        let stored = library.stored(uses)?;
         let objective = Objective::new(y, sequences, library.jitter).under(stored);
         let trainer = Trainer::from_start(objective, start, phases(max_iterations), &settings, 0)?;
         Ok(Self { trainer, uses: uses.to_vec() })
@@ -108,12 +79,8 @@ impl CouplingTrainer {
     /// sums: the primitives have learned nothing from these frames.
     pub fn movement(&self, name: &str) -> LearnedMovement {
         let (mut best, progress) = (self.trainer.best(), self.trainer.progress());
-        let ranges: Vec<_> = self.trainer.objective().sequences().ranges().collect();
-        let start = |range: std::ops::Range<usize>| {
-            let latents = best.parts.iter().map(|part| &part.latents.mean);
-            latents.map(|x| x.rows(range.start, range.len()).into_owned()).collect()
-        };
-        let starts = ranges.into_iter().map(start).collect();
+        let objective = self.trainer.objective();
+        let starts = objective.sequences().ranges().map(|range| best.latent_means(&range)).collect();
         LearnedMovement {
             name: name.to_owned(),
             uses: self.uses.clone(),
@@ -123,18 +90,6 @@ impl CouplingTrainer {
             couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
         }
     }
-}
-
-/// The inducing outputs of a combination, to be kept.
-fn stored(library: &Library, uses: &[usize]) -> Result<StoredMaps, NumericsError> {
-    let mut maps = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
-    for (i, (map, psi2)) in library.parts.iter().zip(&library.pose_sums).enumerate() {
-        let k = map.kernel().inducing_covariance(map.r(), library.jitter);
-        let a = &k + psi2 / map.beta();
-        maps.kinematics.push(StoredOutputs::new(&k, &a, map.coefficients(library.jitter)?)?);
-        maps.dynamics.push(library.kept(i, uses)?);
-    }
-    Ok(maps)
 }
 
 fn phases(max_iterations: usize) -> Vec<Phase> {

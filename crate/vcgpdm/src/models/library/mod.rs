@@ -7,9 +7,19 @@
 //! primitives stay as they are.
 
 mod combination;
+mod combination_error;
 mod coupling;
+mod figure_walk;
+mod held;
+mod import;
+mod known;
+mod locking;
 mod nearest;
+mod origin;
 mod plan;
+mod selection;
+mod stillness;
+mod taking_in;
 mod trained;
 mod trainer;
 mod walk;
@@ -17,16 +27,22 @@ mod walk;
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
 use crate::models::variational::{
-    BoundTerms, DynamicsSums, Elsewhere, FittedExpert, Objective, Params, PoseMap, stack_offsets,
+    BoundTerms, DynamicsSums, Elsewhere, FittedExpert, FittedMaps, Objective, Params, PoseMap,
+    expert_offsets, stack_offsets,
 };
 use nalgebra::DMatrix;
 
-pub use combination::CombinationError;
+pub use combination_error::CombinationError;
 pub use coupling::CouplingTrainer;
+pub use figure_walk::{LibraryWalk, REWINDS, WalkFrames};
+pub use import::{ImportError, ImportFrames, ImportRequest, ImportTrainer};
+pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
+pub use stillness::{Leader, PartMotion};
+pub use taking_in::{Misfit, TakeInError, TakenIn};
 pub use trained::{LibraryError, ObservedClip, TrainedLibrary};
 pub use trainer::LibraryTrainer;
-pub use walk::{LatentWalk, LibraryWalk, TEMPOS, WalkError, WalkFrames};
+pub use walk::{LatentWalk, TEMPOS, WalkError};
 
 /// What a primitive predicts about one part.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +51,7 @@ pub struct LibraryExpert {
     pub fitted: FittedExpert,
     /// Covariance of every column of its inducing outputs [K x K].
     pub covariance: DMatrix<f64>,
-    /// What it has learned from rows of another library; `None`: nothing.
+    /// What it has learned from rows that no movement of the library holds; `None`: nothing.
     pub elsewhere: Option<Elsewhere>,
 }
 
@@ -48,6 +64,10 @@ pub struct Primitive {
     pub part: usize,
     /// Its predictions about each part `[M]`.
     pub experts: Vec<LibraryExpert>,
+    /// Where it comes from; `None`: from the training of its library.
+    pub origin: Option<Box<Origin>>,
+    /// What it keeps of movements that used it and are not in its library.
+    pub excerpts: Vec<Excerpt>,
 }
 
 /// A movement of a library: one primitive of each part, under couplings of its own.
@@ -81,6 +101,8 @@ pub enum CouplingsFrom {
     },
     /// They were taken from the movement of this name; from several, each source's from one, their names are joined with "+".
     Movement(String),
+    /// Somebody chose them.
+    Hand,
     /// Nothing was known about them: 1 each.
     Nothing,
 }
@@ -118,44 +140,33 @@ impl Library {
     ) -> Result<Self, NumericsError> {
         let posteriors = objective.posteriors(params)?;
         let (order, jitter) = (objective.sequences().order(), objective.jitter());
-        let mut parts = Vec::with_capacity(params.part_count());
-        for (part, v) in params.parts.iter().zip(posteriors.kinematics) {
-            let (r, kernel) = (part.r.clone(), part.kernel.clone());
-            parts.push(PoseMap::new(r, kernel, part.beta, v.mean, v.covariance, jitter)?);
-        }
-        let mut primitives = Vec::new();
-        for (a, (planned, row)) in plan.primitives().into_iter().zip(&params.experts).enumerate() {
-            let mut experts = Vec::with_capacity(row.len());
-            for (i, expert) in row.iter().enumerate() {
-                let at: usize = params.experts[..a].iter().map(|row| row[i].z.nrows()).sum();
-                let (u, points) = (&posteriors.dynamics[i], expert.z.nrows());
-                let mean = u.mean.rows(at, points).into_owned();
-                let covariance = symmetric(u.covariance.view((at, at), (points, points)).into_owned());
-                let fitted = FittedExpert::new(expert.z.clone(), expert.kernel.clone(), mean, jitter)?;
-                experts.push(LibraryExpert { fitted, covariance, elsewhere: None });
-            }
-            primitives.push(Primitive { name: planned.name, part: planned.part, experts });
-        }
-        let ranges: Vec<_> = objective.sequences().ranges().collect();
+        let maps = FittedMaps::new(params, &posteriors, jitter)?;
+        let offsets: Vec<_> = (0..params.part_count()).map(|i| expert_offsets(params, i)).collect();
+        let named = plan.primitives().into_iter().zip(maps.experts).enumerate();
+        let primitives = named.map(|(a, (planned, fitted))| {
+            let experts = fitted.into_iter().enumerate().map(|(i, fitted)| {
+                let (at, points) = (offsets[i][a], fitted.z().nrows());
+                let covariance = &posteriors.dynamics[i].covariance;
+                let covariance = symmetric(covariance.view((at, at), (points, points)).into_owned());
+                LibraryExpert { fitted, covariance, elsewhere: None }
+            });
+            let (name, part, experts) = (planned.name, planned.part, experts.collect());
+            Primitive { name, part, experts, origin: None, excerpts: Vec::new() }
+        });
+        let primitives = primitives.collect();
         let learned = objective.repertoire().movements().iter().zip(plan.movements());
         let learned = learned.zip(posteriors.sums).zip(&params.alpha);
-        let movements = learned.map(|(((movement, planned), sums), alpha)| {
-            let start = |range: &std::ops::Range<usize>| {
-                let latents = params.parts.iter().map(|part| &part.latents.mean);
-                latents.map(|x| x.rows(range.start, range.len()).into_owned()).collect()
-            };
-            LearnedMovement {
-                name: planned.name.clone(),
-                uses: movement.uses().to_vec(),
-                alpha: alpha.clone(),
-                sums: Some(sums),
-                starts: ranges[movement.which()].iter().map(start).collect(),
-                couplings: CouplingsFrom::Training,
-            }
+        let movements = learned.map(|(((movement, planned), sums), alpha)| LearnedMovement {
+            name: planned.name.clone(),
+            uses: movement.uses().to_vec(),
+            alpha: alpha.clone(),
+            sums: Some(sums),
+            starts: movement.sequences().ranges().map(|range| params.latent_means(&range)).collect(),
+            couplings: CouplingsFrom::Training,
         });
         let movements = movements.collect();
         let pose_sums = posteriors.pose_sums;
-        Ok(Self { order, jitter, parts, pose_sums, primitives, movements, terms })
+        Ok(Self { order, jitter, parts: maps.parts, pose_sums, primitives, movements, terms })
     }
 
     /// Number of parts M.
@@ -171,12 +182,10 @@ impl Library {
     /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and primitives once, couplings
     /// and a start for each movement. Of each map its inducing inputs, their posterior mean and its kernel.
     pub fn stored_numbers(&self) -> usize {
-        let pose = |map: &PoseMap| map.r().len() + map.mean().len() + map.kernel().lambda.len() + 1;
-        let expert = |e: &FittedExpert| e.z().len() + e.mean().len() + e.kernel().lambda.len();
         let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
         let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();
-        self.parts.iter().map(pose).sum::<usize>()
-            + experts.map(|known| expert(&known.fitted)).sum::<usize>()
+        self.parts.iter().map(PoseMap::stored_numbers).sum::<usize>()
+            + experts.map(|known| known.fitted.stored_numbers()).sum::<usize>()
             + self.movements.len() * (self.part_count() * self.part_count() + start)
     }
 

@@ -213,8 +213,102 @@ fn a_tempo_stretches_the_time_of_a_part() {
 #[test]
 fn arms_at_another_tempo_that_hardly_listen_are_not_locked() {
     let library = trained([true, false]);
-    let map = library.locking(&[0, 1], (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
+    let alpha = library.nearest_couplings(&[0, 1]);
+    let map = library.locking(&[0, 1], &alpha, (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
     assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
     assert!(map[(0, 1)] > 0.9 && map[(1, 0)] < 0.3, "{map}");
-    assert!(library.locking(&[0, 1], (0, 7), &[1.0], &[1.0], 10).is_err());
+    assert!(library.locking(&[0, 1], &alpha, (0, 7), &[1.0], &[1.0], 10).is_err());
+    // Legs that are hardly heard under the couplings given: as under a weak strength.
+    let mut deaf = alpha.clone();
+    deaf[(0, 1)] *= 1e6;
+    let map = library.locking(&[0, 1], &deaf, (0, 1), &[1.4], &[1.0], 600).unwrap();
+    assert!(map[(0, 0)] < 0.3, "{map}");
+}
+
+/// A selection knows as much as the library it comes from: the same models, to the last digits.
+#[test]
+fn a_selection_is_worth_what_it_was_worth_in_its_library() {
+    let library = trained([true, false]);
+    // The shared legs and the arms of the walk: their movement comes along, of the waving an excerpt is left.
+    let some = library.select(&[1, 0]).unwrap();
+    assert_eq!(some.primitives.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["walk+wave", "walk"]);
+    assert_eq!(some.movements.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["walk"]);
+    assert_eq!(some.primitives[0].excerpts[0].movement, "wave");
+    assert_eq!(some.primitives[0].excerpts[0].starts, library.movements[1].starts);
+    assert!(some.primitives[1].excerpts.is_empty() && some.primitives[1].experts[0].elsewhere.is_none());
+    let (before, after) = (library.movement(0).unwrap(), some.movement(0).unwrap());
+    assert_eq!((&before.experts, &before.sums), (&after.experts, &after.sums));
+    for (a, b) in before.elsewhere.iter().zip(&after.elsewhere) {
+        assert_relative_eq!(a.precision, b.precision, epsilon = 1e-9, max_relative = 1e-9);
+        assert_relative_eq!(a.b, b.b, epsilon = 1e-9, max_relative = 1e-9);
+    }
+    // Of one primitive alone all that is known is its own: the covariance of its outputs is what it was.
+    for a in 0..3 {
+        let alone = library.select(&[a]).unwrap();
+        let (primitive, before) = (&alone.primitives[0], &library.primitives[a]);
+        assert_eq!(alone.movements.len(), 0);
+        assert_eq!(primitive.excerpts.len(), if a == 0 { 2 } else { 1 });
+        for (expert, before) in primitive.experts.iter().zip(&before.experts) {
+            let k = expert.fitted.k();
+            let known = expert.elsewhere.as_ref().unwrap();
+            let inverse = (k + &known.precision).try_inverse().unwrap();
+            assert_relative_eq!(k * &inverse * k, before.covariance, epsilon = 1e-6);
+            assert_relative_eq!(k * &inverse * &known.b, *before.fitted.mean(), epsilon = 1e-6);
+        }
+    }
+    let words = |chosen: &[usize]| library.select(chosen).unwrap_err().to_string();
+    assert_eq!(words(&[]), "expected primitives from 0 to 2, one or more, found none");
+    assert_eq!(words(&[0, 3]), "expected primitives from 0 to 2, one or more, found 3");
+}
+
+/// A primitive whose movement is not there still knows how much its predictions were worth, and where its part was.
+#[test]
+fn an_excerpt_says_where_a_primitive_starts_and_how_it_is_coupled() {
+    let library = trained([false, false]);
+    // Without the legs of the walk: its arms keep an excerpt of it.
+    let some = library.select(&[1, 2, 3]).unwrap();
+    let uses = [0, 1];
+    assert_eq!(some.movements.len(), 1);
+    assert_eq!(some.nearest_couplings(&uses).row(1), library.movements[0].alpha.row(1));
+    let named = some.nearest_combination("half", &uses).unwrap();
+    assert_eq!(named.couplings, CouplingsFrom::Movement("wave+walk".to_owned()));
+    let window: Vec<_> = library.movements[0].starts[0].iter().map(|x| x.rows(7, 2).into_owned()).collect();
+    assert_eq!(some.state_near(1, &window, &[]).unwrap(), window[1]);
+    assert!(some.combination(&uses, &some.nearest_couplings(&uses)).unwrap().rollout(0, 30).is_ok());
+}
+
+#[test]
+fn a_walk_begins_at_any_frame_of_any_sequence() {
+    let library = trained([true, false]);
+    let walk = LatentWalk::from_sequence(&library, &[0, 1], (0, 1, 12)).unwrap();
+    for part in 0..2 {
+        let start = library.movements[0].starts[1][part].rows(12, 2).into_owned();
+        assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(part)), start);
+    }
+    // Arms of the walk while the legs wave: the legs as they were then, the arms at their nearest state.
+    let walk = LatentWalk::from_sequence(&library, &[0, 1], (1, 0, 5)).unwrap();
+    let legs = library.movements[1].starts[0][0].rows(5, 2).into_owned();
+    assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(0)), legs);
+    let words = |place| LatentWalk::from_sequence(&library, &[0, 1], place).unwrap_err().to_string();
+    assert_eq!(words((2, 0, 0)), "expected a movement from 0 to 1, found 2");
+    assert_eq!(words((1, 1, 0)), "expected a sequence of the movement from 0 to 0, found 1");
+    assert_eq!(
+        words((1, 0, 44)),
+        "expected a frame of the sequence with a whole history from 0 to 43, found 44"
+    );
+}
+
+#[test]
+fn parts_that_stand_still_are_told_apart_and_to_whom_they_listen() {
+    let library = trained([false, false]);
+    let recorded = library.motion(&[0, 2], &library.movements[0].alpha).unwrap();
+    assert!(recorded.iter().all(|part| !part.still && part.share > 0.3), "{recorded:?}");
+    assert!(recorded.iter().all(|part| part.leader.as_ref().unwrap().met));
+    // Arms that listen to nobody but legs of another movement, which never learned what these arms do.
+    let deaf = DMatrix::from_row_slice(2, 2, &[0.1, 0.1, 1e6, 1e6]);
+    let motion = library.motion(&[0, 3], &deaf).unwrap();
+    let leader = motion[1].leader.as_ref().unwrap();
+    assert_eq!((leader.part, leader.met), (0, false));
+    assert!(leader.weight > 0.99);
+    assert!(library.motion(&[0], &deaf).is_err());
 }

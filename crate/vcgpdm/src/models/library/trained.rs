@@ -1,10 +1,13 @@
 //! A library with the body that it moves, and how it was made.
 
 use crate::gp::NumericsError;
+use crate::gp::linalg::stacked;
 use crate::models::body::Body;
 use crate::models::dataset::{Dataset, SequenceInfo};
-use crate::models::library::{CombinationError, CouplingTrainer, LearnedMovement, Library, LibraryTrainer};
-use crate::models::provenance::{ENGINE, Provenance};
+use crate::models::library::{
+    CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library, LibraryTrainer,
+};
+use crate::models::provenance::Provenance;
 use crate::models::settings::VariationalSettings;
 use crate::models::trained::TrainedModel;
 use crate::models::training_error::TrainingError;
@@ -94,17 +97,7 @@ impl TrainedLibrary {
         trainer: &LibraryTrainer,
         frames_per_second: f64,
     ) -> Result<Self, NumericsError> {
-        let progress = trainer.progress();
-        let provenance = Provenance {
-            engine: ENGINE.to_owned(),
-            settings: trainer.settings().clone(),
-            seed: trainer.seed(),
-            frames_per_second,
-            objective: progress.best,
-            iterations: progress.iteration,
-            evaluations: progress.evaluations,
-            note: None,
-        };
+        let provenance = trainer.provenance(frames_per_second);
         Ok(Self { library: trainer.library()?, body: Body::new(dataset), provenance })
     }
 
@@ -140,11 +133,16 @@ impl TrainedLibrary {
 
     /// Of sequences by movement and place in it.
     fn infos(&self, chosen: Vec<(usize, usize)>) -> Vec<SequenceInfo> {
-        let place = |(movement, sequence): (usize, usize)| {
-            let before = self.library.movements[..movement].iter().map(|m| m.starts.len());
-            before.sum::<usize>() + sequence
-        };
-        chosen.into_iter().filter_map(|at| self.body.sequences.get(place(at)).cloned()).collect()
+        let info = |(movement, sequence): (usize, usize)| self.sequences_of(movement).get(sequence).cloned();
+        chosen.into_iter().filter_map(info).collect()
+    }
+
+    /// Where the sequences of a movement come from.
+    pub fn sequences_of(&self, movement: usize) -> &[SequenceInfo] {
+        let mut counts = self.library.movements.iter().map(|m| m.starts.len());
+        let first: usize = counts.clone().take(movement).sum();
+        let end = first + counts.nth(movement).unwrap_or(0);
+        self.body.sequences.get(first..end).unwrap_or_default()
     }
 
     fn with_sequences(&self, model: Vcgpdm, chosen: Vec<(usize, usize)>) -> TrainedModel<Vcgpdm> {
@@ -159,24 +157,39 @@ impl TrainedLibrary {
     ///
     /// When it names a part or a primitive that is not there, or not one primitive for each part.
     pub fn uses(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
+        let mut uses: Vec<Option<usize>> = vec![None; self.library.part_count()];
+        for a in self.chosen(text)? {
+            uses[self.library.primitives[a].part] = Some(a);
+        }
+        let whole: Option<Vec<usize>> = uses.into_iter().collect();
+        whole.ok_or_else(|| self.misunderstood(text))
+    }
+
+    /// The primitives that a text such as `lower=walk,upper=wave` names, as [`uses`](Self::uses): of any parts, one or more.
+    ///
+    /// # Errors
+    ///
+    /// When it names a part or a primitive that is not there.
+    pub fn chosen(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
         let parts: Vec<&str> = self.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
-        let shown = |found: &str| found.chars().take(60).collect::<String>();
-        let mut uses: Vec<Option<usize>> = vec![None; parts.len()];
-        for choice in text.split(',') {
-            let wrong = || LibraryError::Choice { example: self.example(&parts), found: shown(choice) };
-            let (part, name) = choice.split_once('=').ok_or_else(wrong)?;
+        let choice = |choice: &str| {
+            let (part, name) = choice.split_once('=').ok_or_else(|| self.misunderstood(choice))?;
             let (part, name) = (part.trim(), name.trim());
             let place = parts.iter().position(|known| *known == part).ok_or_else(|| {
                 LibraryError::Unknown { what: "the part", known: parts.join(", "), found: shown(part) }
             })?;
-            uses[place] = Some(self.primitive(place, name).ok_or_else(|| LibraryError::Unknown {
+            self.primitive(place, name).ok_or_else(|| LibraryError::Unknown {
                 what: "the primitive",
                 known: self.names(place),
                 found: shown(name),
-            })?);
-        }
-        let whole: Option<Vec<usize>> = uses.into_iter().collect();
-        whole.ok_or_else(|| LibraryError::Choice { example: self.example(&parts), found: shown(text) })
+            })
+        };
+        text.split(',').map(choice).collect()
+    }
+
+    fn misunderstood(&self, text: &str) -> LibraryError {
+        let parts: Vec<&str> = self.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
+        LibraryError::Choice { example: self.example(&parts), found: shown(text) }
     }
 
     /// The primitive of a part by its name, or by that of a movement that uses it.
@@ -243,12 +256,33 @@ impl TrainedLibrary {
     ) -> Result<CouplingTrainer, LibraryError> {
         let lengths = clips.iter().map(|clip| clip.info.frames).collect();
         let parts = 0..self.library.part_count();
-        let stacked = parts.map(|part| {
-            let rows = clips.iter().flat_map(|clip| clip.y[part].row_iter());
-            let rows: Vec<_> = rows.map(|row| row.into_owned()).collect();
-            if rows.is_empty() { DMatrix::zeros(0, 0) } else { DMatrix::from_rows(&rows) }
-        });
-        Ok(CouplingTrainer::new(&self.library, uses, stacked.collect(), lengths, max_iterations)?)
+        let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
+        Ok(CouplingTrainer::new(&self.library, uses, y, lengths, max_iterations)?)
+    }
+
+    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where the nearest movements do; one of
+    /// the same name makes way. Couplings that are not the nearest ones come from where `from` says, else from somebody's hand.
+    ///
+    /// # Errors
+    ///
+    /// As [`Library::combination`].
+    pub fn add_combination(
+        &mut self,
+        name: &str,
+        uses: &[usize],
+        alpha: &DMatrix<f64>,
+        from: Option<CouplingsFrom>,
+    ) -> Result<(), CombinationError> {
+        // The same checks as those of a model that is rolled out.
+        self.combination(uses, alpha)?;
+        let nearest = self.library.nearest_combination(name, uses)?;
+        let couplings = match from {
+            None if nearest.alpha == *alpha => nearest.couplings,
+            from => from.unwrap_or(CouplingsFrom::Hand),
+        };
+        let infos = self.start_infos(uses);
+        self.add(LearnedMovement { alpha: alpha.clone(), couplings, ..nearest }, infos);
+        Ok(())
     }
 
     /// Adds a movement that starts where these clips do; one of the same name makes way.
@@ -261,4 +295,8 @@ impl TrainedLibrary {
         self.library.movements.push(movement);
         self.body.sequences.extend(sequences);
     }
+}
+
+fn shown(found: &str) -> String {
+    found.chars().take(60).collect()
 }

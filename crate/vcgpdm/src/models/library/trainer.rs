@@ -3,6 +3,7 @@
 use crate::gp::NumericsError;
 use crate::models::library::Library;
 use crate::models::library::plan::LibraryPlan;
+use crate::models::provenance::Provenance;
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::TrainingError;
 use crate::models::variational::{Trainer, TrainingProgress};
@@ -55,9 +56,19 @@ impl LibraryTrainer {
         self.trainer.settings()
     }
 
+    /// As [`Trainer::notices`].
+    pub fn notices(&self) -> &[String] {
+        self.trainer.notices()
+    }
+
     /// The seed of everything random.
     pub fn seed(&self) -> u32 {
         self.trainer.seed()
+    }
+
+    /// How the best library so far was made; `frames_per_second` is the rate that the data set was asked for.
+    pub fn provenance(&self, frames_per_second: f64) -> Provenance<VariationalSettings> {
+        self.trainer.provenance(frames_per_second)
     }
 
     /// The movements, and which parts share a primitive.

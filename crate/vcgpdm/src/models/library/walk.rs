@@ -1,21 +1,16 @@
 //! A motion that goes on without an end while primitives are exchanged, mixed and set to other tempos.
 
-use crate::elementary::Elementary;
 use crate::gp::KernelSum;
 use crate::models::couplings::{CouplingsError, check_couplings, coupling_weights};
-use crate::models::library::{CombinationError, Library, TrainedLibrary};
+use crate::models::library::{CombinationError, Library, Misfit};
 use crate::models::rollout::RolloutError;
-use crate::motion::pose::{PoseError, RootStart, RootTrack};
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
-use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// Tempos at which a step of the dynamics can still be divided or stretched.
 pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
-
-/// A map of locking that takes more frames in all would take minutes.
-const MOST_LOCKING_FRAMES: usize = 2_000_000;
 
 /// Why a walk cannot go on as asked.
 #[derive(Debug, Error)]
@@ -39,6 +34,12 @@ pub enum WalkError {
         /// The value asked for.
         found: f64,
     },
+    /// A library that does not move this figure.
+    #[error(transparent)]
+    Misfit(#[from] Misfit),
+    /// A library with other primitives.
+    #[error("expected a library with all primitives of the one before, in the same places")]
+    Primitives,
     /// Phases have no meaning without a cycle.
     #[error("expected a combination that repeats itself, found one that does not settle in a cycle")]
     NoCycle,
@@ -78,15 +79,6 @@ pub struct LatentWalk {
     parts: Vec<PartWalk>,
 }
 
-/// The next frames of a walk.
-#[derive(Clone, Debug)]
-pub struct WalkFrames {
-    /// The latent path of each part [frames x Q_i].
-    pub latents: Vec<DMatrix<f64>>,
-    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
-    pub positions: Vec<f32>,
-}
-
 impl LatentWalk {
     /// A combination from where it starts, under its nearest couplings.
     ///
@@ -95,22 +87,57 @@ impl LatentWalk {
     /// When a part is not given one of its primitives.
     pub fn new(library: &Library, uses: &[usize]) -> Result<Self, CombinationError> {
         library.check_uses(uses)?;
-        let latent = library.latent_dimensions();
-        let start = library.starts(uses).into_iter().next();
-        let start =
-            start.unwrap_or_else(|| latent.iter().map(|q| DMatrix::zeros(library.order, *q)).collect());
+        let start = library.starts(uses).into_iter().next().unwrap_or_else(|| library.at_rest());
+        Ok(Self::begin(library, uses, &start))
+    }
+
+    /// A combination from where the parts were at a frame of a sequence of a movement, all counted from 0; parts with another primitive
+    /// than there start where that is nearest to what the others do.
+    ///
+    /// # Errors
+    ///
+    /// When a part is not given one of its primitives, or there is no such movement, sequence or frame.
+    pub fn from_sequence(
+        library: &Library,
+        uses: &[usize],
+        (movement, sequence, frame): (usize, usize, usize),
+    ) -> Result<Self, WalkError> {
+        library.check_uses(uses)?;
+        let unknown = CombinationError::Movement { count: library.movements.len(), found: movement };
+        let movement = library.movements.get(movement).ok_or(unknown)?;
+        let within = |what: &'static str, count: usize, found: usize| {
+            let (highest, asked) = (count.saturating_sub(1) as f64, found as f64);
+            let refused = WalkError::Range { what, lowest: 0.0, highest, found: asked };
+            if found < count { Ok(()) } else { Err(refused) }
+        };
+        within("a sequence of the movement", movement.starts.len(), sequence)?;
+        let rows = movement.starts[sequence].iter().map(DMatrix::nrows).min().unwrap_or(0);
+        within(
+            "a frame of the sequence with a whole history",
+            (rows + 1).saturating_sub(library.order),
+            frame,
+        )?;
+        Ok(Self::begin(library, uses, &library.window(uses, movement, sequence, frame)))
+    }
+
+    fn begin(library: &Library, uses: &[usize], start: &[DMatrix<f64>]) -> Self {
         let part = |(primitive, start): (&usize, &DMatrix<f64>)| PartWalk {
             primitive: *primitive,
             other: None,
             tempo: 1.0,
             path: start.rows(0, library.order).transpose().as_slice().to_vec(),
         };
-        Ok(Self {
+        Self {
             order: library.order,
             alpha: library.nearest_couplings(uses),
-            parts: uses.iter().zip(&start).map(part).collect(),
-            latent,
-        })
+            parts: uses.iter().zip(start).map(part).collect(),
+            latent: library.latent_dimensions(),
+        }
+    }
+
+    /// The couplings now [M x M], row the source.
+    pub fn alpha(&self) -> &DMatrix<f64> {
+        &self.alpha
     }
 
     /// The primitive that each part uses now.
@@ -269,93 +296,5 @@ impl Library {
     /// What a primitive predicts about part `i`.
     fn expert(&self, primitive: usize, i: usize) -> &KernelSum {
         self.primitives[primitive].experts[i].fitted.sum()
-    }
-
-    /// How firmly a target part is locked to a source part, for each tempo of the target and each strength of the coupling between
-    /// them: the length of the mean of exp(2 pi i (phase of target - phase of source)) over the second half of `frames`, 1 locked, 0
-    /// not at all [tempos x strengths]. A strength s divides alpha of the source about the target by s; phases are places on the cycle
-    /// of the combination as learned, under its nearest couplings.
-    ///
-    /// # Errors
-    ///
-    /// When a part, primitive, tempo or strength does not fit, or the combination does not repeat itself.
-    pub fn locking(
-        &self,
-        uses: &[usize],
-        (source, target): (usize, usize),
-        tempos: &[f64],
-        strengths: &[f64],
-        frames: usize,
-    ) -> Result<DMatrix<f64>, WalkError> {
-        let (walk, m) = (LatentWalk::new(self, uses)?, self.part_count());
-        let work = tempos.len().saturating_mul(strengths.len()).saturating_mul(frames);
-        if work > MOST_LOCKING_FRAMES {
-            let (highest, found) = (MOST_LOCKING_FRAMES as f64, work as f64);
-            return Err(WalkError::Range { what: "frames of the map in all", lowest: 0.0, highest, found });
-        }
-        if source >= m || target >= m {
-            return Err(CombinationError::Count { expected: m, found: source.max(target) + 1 }.into());
-        }
-        let alpha = walk.alpha.clone();
-        let cycle = self.combination(uses, &alpha)?.cycle(0)?.ok_or(WalkError::NoCycle)?;
-        let mut map = DMatrix::zeros(tempos.len(), strengths.len());
-        for (k, tempo) in tempos.iter().enumerate() {
-            for (l, strength) in strengths.iter().enumerate() {
-                let mut walk = walk.clone();
-                walk.set_tempo(target, *tempo)?;
-                let mut changed = alpha.clone();
-                changed[(source, target)] /= strength;
-                walk.set_alpha(changed)?;
-                walk.advance(self, frames / 2);
-                let (mut cosine, mut sine, mut count) = (0.0, 0.0, 0.0);
-                for _ in frames / 2..frames {
-                    walk.advance(self, 1);
-                    let place = |part: usize| cycle.place(part, &walk.history(part));
-                    if let (Some(a), Some(b)) = (place(source), place(target)) {
-                        let (s, c) = (TAU * (b.phase - a.phase)).sine_cosine();
-                        cosine += c;
-                        sine += s;
-                        count += 1.0;
-                    }
-                }
-                map[(k, l)] = if count > 0.0 { cosine.hypotenuse(sine) / count } else { 0.0 };
-            }
-        }
-        Ok(map)
-    }
-}
-
-/// A walk with its body.
-#[derive(Clone, Debug)]
-pub struct LibraryWalk {
-    /// Its latents.
-    pub latents: LatentWalk,
-    track: RootTrack,
-}
-
-impl LibraryWalk {
-    /// As [`LatentWalk::new`], from the origin.
-    ///
-    /// # Errors
-    ///
-    /// When a part is not given one of its primitives.
-    pub fn new(trained: &TrainedLibrary, uses: &[usize]) -> Result<Self, CombinationError> {
-        let track = trained.body.mapping.track(&RootStart::default());
-        Ok(Self { latents: LatentWalk::new(&trained.library, uses)?, track })
-    }
-
-    /// The next frames.
-    ///
-    /// # Errors
-    ///
-    /// When the poses are no longer finite.
-    pub fn advance(&mut self, trained: &TrainedLibrary, frames: usize) -> Result<WalkFrames, WalkError> {
-        trained.body.check_frames(frames, self.latents.latent.iter().sum())?;
-        let latents = self.latents.advance(&trained.library, frames);
-        let parts = trained.library.parts.iter().zip(&latents);
-        let observed: Vec<_> = parts.map(|(part, x)| part.observations(x)).collect();
-        let y = trained.body.columns(&observed);
-        let positions = trained.body.mapping.decode_positions_on(&y, &mut self.track)?;
-        Ok(WalkFrames { latents, positions })
     }
 }

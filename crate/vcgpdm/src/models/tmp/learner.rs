@@ -1,11 +1,12 @@
 //! Learning temporal movement primitives, sweep by sweep, and their number.
 
 use crate::gp::NumericsError;
+use crate::gp::linalg::counting_jittered;
 use crate::models::learner::Learner;
 use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::{Alignment, PhaseMap, Trial};
-use crate::models::progress::{EndReason, LearningProgress};
+use crate::models::progress::{EndReason, LearningProgress, Setbacks};
 use crate::models::settings::TmpSettings;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::beginning::Beginning;
@@ -69,6 +70,7 @@ pub struct TmpLearner {
     phase_step: f64,
     lengthscale_factor: f64,
     best: Option<(f64, Posterior)>,
+    setbacks: Setbacks,
     bounds: Vec<(usize, f64)>,
     iteration: usize,
     /// How the search for the number ended, while the best is learned to the end.
@@ -125,6 +127,7 @@ impl TmpLearner {
             bounds: Vec::new(),
             iteration: 0,
             end: None,
+            setbacks: Setbacks::default(),
             reason: None,
         })
     }
@@ -237,7 +240,9 @@ impl Learner for TmpLearner {
     fn step(&mut self) -> LearningProgress {
         if self.reason.is_none() {
             self.iteration += 1;
-            if let Err(error) = self.advance() {
+            let (advanced, jittered) = counting_jittered(|| self.advance());
+            self.setbacks.jittered += jittered;
+            if let Err(error) = advanced {
                 self.reason = Some(EndReason::Failed { primitives: Some(self.count), error });
             }
         }
@@ -257,6 +262,7 @@ impl Learner for TmpLearner {
             iteration: self.iteration,
             max_iterations: most,
             evaluations: 0,
+            setbacks: self.setbacks,
             objective: self.bound,
             best,
             phase: None,

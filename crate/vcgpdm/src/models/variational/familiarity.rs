@@ -2,7 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
-use crate::models::variational::model::{PoseMap, Vcgpdm};
+use crate::models::variational::maps::PoseMap;
+use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 
 impl Vcgpdm {

@@ -1,7 +1,8 @@
 //! The inducing points of a fitted model: where they are, and for which latents each speaks.
 
 use crate::gp::Kernel;
-use crate::models::variational::model::{FittedExpert, PoseMap, Vcgpdm};
+use crate::models::variational::maps::{FittedExpert, PoseMap};
+use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 use thiserror::Error;
 

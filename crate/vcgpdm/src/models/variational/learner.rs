@@ -40,6 +40,10 @@ impl Learner for VariationalLearner {
         self.trainer.progress().into()
     }
 
+    fn notices(&self) -> &[String] {
+        self.trainer.notices()
+    }
+
     fn model(&self) -> Result<Model, NumericsError> {
         Ok(Model::Vcgpdm(Box::new(self.trainer.model()?)))
     }
@@ -55,6 +59,7 @@ impl From<TrainingProgress> for LearningProgress {
             iteration: progress.iteration,
             max_iterations: progress.max_iterations,
             evaluations: progress.evaluations,
+            setbacks: progress.setbacks,
             objective: progress.bound,
             best: progress.best,
             phase: Some(progress.phase),

@@ -1,146 +1,15 @@
 //! The fitted model: what a rollout, a plot or a file needs. Holds no training data.
 
 use crate::gp::linalg::Factor;
-use crate::gp::{Kernel, KernelSum, NumericsError};
+use crate::gp::{KernelSum, NumericsError};
 use crate::models::couplings::{Reading, check_couplings, coupling_weights};
 use crate::models::kind::ModelKind;
 use crate::models::latent_dynamics::LatentDynamics;
 use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
-use crate::models::variational::params::{Params, PartParams};
+use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
+use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
-
-/// The pose map g^i of one part, with the posterior of its inducing outputs v: y = `k(x, r) K_rr^-1 E[v]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PoseMap {
-    r: DMatrix<f64>,
-    kernel: Kernel,
-    beta: f64,
-    mean: DMatrix<f64>,
-    covariance: DMatrix<f64>,
-    /// k(x, r) K_rr^-1 `E[v]`.
-    sum: KernelSum,
-}
-
-impl PoseMap {
-    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean` `E[v]` [L x D] and the
-    /// `covariance` of every column of v [L x L]. `jitter` times the signal variance is added to the diagonal of K_rr.
-    ///
-    /// # Errors
-    ///
-    /// When K_rr cannot be factorised.
-    pub fn new(
-        r: DMatrix<f64>,
-        kernel: Kernel,
-        beta: f64,
-        mean: DMatrix<f64>,
-        covariance: DMatrix<f64>,
-        jitter: f64,
-    ) -> Result<Self, NumericsError> {
-        let k = kernel.inducing_covariance(&r, jitter);
-        let coefficients = Factor::new(&k, "covariance of the pose inducing points")?.solve(&mean);
-        let sum = KernelSum::new(&r, &kernel, &coefficients);
-        Ok(Self { r, kernel, beta, mean, covariance, sum })
-    }
-
-    /// Pose inducing inputs r [L x Q].
-    pub fn r(&self) -> &DMatrix<f64> {
-        &self.r
-    }
-
-    /// The kernel of the map.
-    pub fn kernel(&self) -> &Kernel {
-        &self.kernel
-    }
-
-    /// Observation noise variance beta.
-    pub fn beta(&self) -> f64 {
-        self.beta
-    }
-
-    /// Mean `E[v]` of the inducing outputs [L x D].
-    pub fn mean(&self) -> &DMatrix<f64> {
-        &self.mean
-    }
-
-    /// Covariance of every column of the inducing outputs v [L x L].
-    pub fn covariance(&self) -> &DMatrix<f64> {
-        &self.covariance
-    }
-
-    /// K_rr^-1 `E[v]` [L x D], by which the kernels of a latent point are multiplied; `jitter` as in [`new`](Self::new).
-    ///
-    /// # Errors
-    ///
-    /// When K_rr cannot be factorised.
-    pub(in crate::models) fn coefficients(&self, jitter: f64) -> Result<DMatrix<f64>, NumericsError> {
-        let k = self.kernel.inducing_covariance(&self.r, jitter);
-        Ok(Factor::new(&k, "covariance of the pose inducing points")?.solve(&self.mean))
-    }
-
-    /// The columns of the part at its latents `x` [T x Q]: [T x D], without the column means.
-    pub fn observations(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
-        self.sum.at_rows(x)
-    }
-}
-
-/// One expert f^{ji}, what part j predicts about part i, with the posterior mean of its inducing outputs u:
-/// f(x) = `k(x, z) K_zz^-1 E[u]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FittedExpert {
-    z: DMatrix<f64>,
-    kernel: Kernel,
-    mean: DMatrix<f64>,
-    /// K_zz [K x K].
-    k: DMatrix<f64>,
-    /// k(x, z) K_zz^-1 `E[u]`, which no coupling changes.
-    sum: KernelSum,
-}
-
-impl FittedExpert {
-    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` `E[u]` [K x Q_i]. `jitter` is
-    /// added to the diagonal of K_zz.
-    ///
-    /// # Errors
-    ///
-    /// When K_zz cannot be factorised.
-    pub fn new(
-        z: DMatrix<f64>,
-        kernel: Kernel,
-        mean: DMatrix<f64>,
-        jitter: f64,
-    ) -> Result<Self, NumericsError> {
-        let k = kernel.inducing_covariance(&z, jitter);
-        let coefficients = Factor::new(&k, "covariance of the dynamics inducing points")?.solve(&mean);
-        let sum = KernelSum::new(&z, &kernel, &coefficients);
-        Ok(Self { z, kernel, mean, k, sum })
-    }
-
-    /// Dynamics inducing inputs z [K x pQ_j], oldest state first.
-    pub fn z(&self) -> &DMatrix<f64> {
-        &self.z
-    }
-
-    /// The kernel of the expert; its signal variance is 1.
-    pub fn kernel(&self) -> &Kernel {
-        &self.kernel
-    }
-
-    /// Mean `E[u]` of the inducing outputs [K x Q_i].
-    pub fn mean(&self) -> &DMatrix<f64> {
-        &self.mean
-    }
-
-    /// f(x) = `k(x, z) K_zz^-1 E[u]`.
-    pub(in crate::models) fn sum(&self) -> &KernelSum {
-        &self.sum
-    }
-
-    /// K_zz [K x K].
-    pub(in crate::models) fn k(&self) -> &DMatrix<f64> {
-        &self.k
-    }
-}
 
 /// What experts about one target have learned from rows that the model's own sums do not hold, such as those of other movements that
 /// use the same primitives. The sources are stacked in order.
@@ -197,25 +66,8 @@ impl Vcgpdm {
     pub fn fit(objective: &Objective, params: &Params, terms: BoundTerms) -> Result<Self, NumericsError> {
         let posteriors = objective.posteriors(params)?;
         let (order, jitter) = (objective.sequences().order(), objective.jitter());
-        let mut parts = Vec::with_capacity(params.part_count());
-        for (part, v) in params.parts.iter().zip(posteriors.kinematics) {
-            let (r, kernel) = (part.r.clone(), part.kernel.clone());
-            parts.push(PoseMap::new(r, kernel, part.beta, v.mean, v.covariance, jitter)?);
-        }
-        let mut experts = Vec::with_capacity(params.part_count());
-        for (j, row) in params.experts.iter().enumerate() {
-            let mut fitted = Vec::with_capacity(row.len());
-            for (i, expert) in row.iter().enumerate() {
-                let before = (0..j).map(|l| params.experts[l][i].z.nrows()).sum();
-                let mean = posteriors.dynamics[i].mean.rows(before, expert.z.nrows()).into_owned();
-                fitted.push(FittedExpert::new(expert.z.clone(), expert.kernel.clone(), mean, jitter)?);
-            }
-            experts.push(fitted);
-        }
-        let starts = objective.sequences().ranges().map(|range| {
-            let start = |part: &PartParams| part.latents.mean.rows(range.start, range.len()).into_owned();
-            params.parts.iter().map(start).collect()
-        });
+        let FittedMaps { parts, experts } = FittedMaps::new(params, &posteriors, jitter)?;
+        let starts = objective.sequences().ranges().map(|range| params.latent_means(&range));
         Ok(Self {
             order,
             jitter,
@@ -237,7 +89,7 @@ impl Vcgpdm {
 
     /// Latent dimensions Q of each part `[M]`.
     pub fn latent_dimensions(&self) -> Vec<usize> {
-        self.parts.iter().map(|part| part.r.ncols()).collect()
+        self.parts.iter().map(|part| part.r().ncols()).collect()
     }
 
     /// The kind of model: a vCGPDM, or a vGPDM if it has one part.
@@ -294,7 +146,7 @@ impl Vcgpdm {
 
     /// w_j f^{ji} of every source j about the target i.
     fn reweighted(&self, i: usize, weights: &[f64]) -> Vec<KernelSum> {
-        self.experts.iter().zip(weights).map(|(row, w)| row[i].sum.weighted(*w)).collect()
+        self.experts.iter().zip(weights).map(|(row, w)| row[i].sum().weighted(*w)).collect()
     }
 
     /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise variance alpha^i.
@@ -303,15 +155,15 @@ impl Vcgpdm {
         let sources = self.experts.iter().zip(weights).zip(&inferred.offsets);
         let sums = sources.map(|((row, w), offset)| {
             let expert = &row[i];
-            let coefficients = inferred.coefficients.rows(*offset, expert.k.nrows()) * *w;
-            KernelSum::new(&expert.z, &expert.kernel, &coefficients)
+            let coefficients = inferred.coefficients.rows(*offset, expert.k().nrows()) * *w;
+            KernelSum::new(expert.z(), expert.kernel(), &coefficients)
         });
         Ok(sums.collect())
     }
 
     /// Where each source's block begins in what is stacked over the sources into the target i, and last the height of the stack.
     pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
-        stack_offsets(self.experts.iter().map(|row| row[i].k.nrows()))
+        stack_offsets(self.experts.iter().map(|row| row[i].k().nrows()))
     }
 
     /// The inducing outputs of all experts about the target i, inferred again under weights w and noise variance alpha^i: the mean
@@ -326,7 +178,7 @@ impl Vcgpdm {
         let (psi2, b) = self.sums[i].weighted(weights, &offsets);
         let mut a = psi2 / noise;
         for (row, offset) in self.experts.iter().zip(&offsets) {
-            let k = &row[i].k;
+            let k = row[i].k();
             let mut block = a.view_mut((*offset, *offset), k.shape());
             block += k;
         }
@@ -362,9 +214,9 @@ impl Vcgpdm {
     /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and kernels of all maps,
     /// couplings, and one start.
     pub fn stored_numbers(&self) -> usize {
-        let poses = self.parts.iter().map(|p| p.r.len() + p.mean.len() + p.kernel.lambda.len() + 1);
-        let experts = self.experts.iter().flatten().map(|e| e.z.len() + e.mean.len() + e.kernel.lambda.len());
-        let start = self.parts.iter().map(|p| self.order * p.r.ncols());
+        let poses = self.parts.iter().map(PoseMap::stored_numbers);
+        let experts = self.experts.iter().flatten().map(FittedExpert::stored_numbers);
+        let start = self.latent_dimensions().into_iter().map(|q| self.order * q);
         poses.sum::<usize>() + experts.sum::<usize>() + self.alpha.len() + start.sum::<usize>()
     }
 }

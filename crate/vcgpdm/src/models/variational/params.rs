@@ -3,6 +3,7 @@
 use crate::gp::{Gaussians, Kernel};
 use crate::models::flat::{ALPHA, BETA, IPS, Kind, LAMBDA, MU, Parameters, S, SIGNAL};
 use nalgebra::DMatrix;
+use std::ops::Range;
 use std::slice::{from_mut, from_ref};
 
 /// The parameters of one part: its latents and its map from latents to poses.
@@ -45,6 +46,12 @@ impl Params {
     /// Number of parts M.
     pub fn part_count(&self) -> usize {
         self.parts.len()
+    }
+
+    /// The latent means of each part in these frames of the stack [T x Q_i] `[M]`.
+    pub(in crate::models) fn latent_means(&self, frames: &Range<usize>) -> Vec<DMatrix<f64>> {
+        let means = self.parts.iter().map(|part| &part.latents.mean);
+        means.map(|x| x.rows(frames.start, frames.len()).into_owned()).collect()
     }
 
     /// The same shapes, all entries zero.

@@ -4,7 +4,6 @@
 //! uses one primitive of each part, under couplings of its own. The plain model is one movement of one primitive for each part.
 
 use crate::models::sequences::Sequences;
-use std::ops::Range;
 use thiserror::Error;
 
 /// Why primitives and movements do not fit each other.
@@ -60,7 +59,6 @@ pub enum RepertoireError {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Movement {
     sequences: Sequences,
-    which: Range<usize>,
     uses: Vec<usize>,
 }
 
@@ -68,11 +66,6 @@ impl Movement {
     /// Its sequences, where they lie in the stack of all frames.
     pub fn sequences(&self) -> &Sequences {
         &self.sequences
-    }
-
-    /// Which of all sequences they are.
-    pub fn which(&self) -> Range<usize> {
-        self.which.clone()
     }
 
     /// The primitive that each part uses `[M]`.
@@ -92,11 +85,7 @@ pub struct Repertoire {
 impl Repertoire {
     /// One movement, in which each of M = `parts` parts has its own primitive: the plain model.
     pub fn plain(sequences: Sequences, parts: usize) -> Self {
-        let movement = Movement {
-            which: 0..sequences.lengths().len(),
-            sequences: sequences.clone(),
-            uses: (0..parts).collect(),
-        };
+        let movement = Movement { sequences: sequences.clone(), uses: (0..parts).collect() };
         Self { sequences, primitives: (0..parts).collect(), movements: vec![movement] }
     }
 
@@ -131,14 +120,10 @@ impl Repertoire {
                     return Err(RepertoireError::Primitive { movement, part, found: *used });
                 }
             }
-            let which = first..first + count;
-            let found = which.end;
-            let some = sequences.some(which.clone());
-            out.push(Movement {
-                sequences: some.map_err(|_| RepertoireError::Sequences { expected, found })?,
-                which,
-                uses,
-            });
+            let found = first + count;
+            let some = sequences.some(first..found);
+            let sequences = some.map_err(|_| RepertoireError::Sequences { expected, found })?;
+            out.push(Movement { sequences, uses });
             first = found;
         }
         if first != expected {
@@ -177,7 +162,7 @@ mod tests {
         let repertoire = Repertoire::new(sequences(), 2, vec![0, 1, 1], movements).unwrap();
         let lengths: Vec<_> = repertoire.movements().iter().map(|m| m.sequences().lengths()).collect();
         assert_eq!(lengths, [&[5, 4][..], &[6][..]]);
-        assert_eq!(repertoire.movements()[1].which(), 2..3);
+        assert_eq!(repertoire.movements()[1].sequences().ranges().next(), Some(9..15));
         let plain = Repertoire::plain(sequences(), 2);
         assert_eq!(plain, Repertoire::new(sequences(), 2, vec![0, 1], vec![(3, vec![0, 1])]).unwrap());
     }

@@ -1,6 +1,7 @@
 //! Where the training of a variational model starts: slow latents, pose maps that are nearly linear in them, inducing inputs from a
 //! random subset of the latents.
 
+use crate::gp::linalg::stacked;
 use crate::gp::{Gaussians, Kernel};
 use crate::models::latents::{STAND_IN, starting_couplings, starting_dynamics, starting_pose};
 use crate::models::sequences::Sequences;
@@ -57,17 +58,30 @@ pub(super) fn starting_point_of(
         let r = random_subset(&latents.mean, settings.pose_ips, &mut rng);
         parts.push(PartParams { latents: latents.clone(), r, kernel, beta });
     }
+    let counts = vec![settings.dynamics_ips; y.len()];
     let mut experts = Vec::with_capacity(y.len());
     for (primitive, part) in repertoire.primitives().iter().enumerate() {
-        let histories = histories_of(primitive, repertoire, &latents[*part].mean);
-        let mut row = Vec::with_capacity(y.len());
-        for _target in 0..y.len() {
-            let z = random_subset(&histories, settings.dynamics_ips, &mut rng);
-            row.push(Expert { z, kernel: starting_dynamics(settings.latent, sequences.order()) });
-        }
-        experts.push(row);
+        experts.push(starting_experts(primitive, repertoire, &latents[*part].mean, &counts, &mut rng));
     }
     Params { parts, experts, alpha: vec![starting_couplings(y.len()); repertoire.movements().len()] }
+}
+
+/// The experts of a primitive, about each part one, with so many inducing inputs each: histories of the latents `x` [N x Q] of its part
+/// in the movements that use it.
+pub fn starting_experts(
+    primitive: usize,
+    repertoire: &Repertoire,
+    x: &DMatrix<f64>,
+    counts: &[usize],
+    rng: &mut ChaCha8Rng,
+) -> Vec<Expert> {
+    let histories = histories_of(primitive, repertoire, x);
+    let order = repertoire.sequences().order();
+    let expert = |count: &usize| Expert {
+        z: random_subset(&histories, *count, rng),
+        kernel: starting_dynamics(x.ncols(), order),
+    };
+    counts.iter().map(expert).collect()
 }
 
 /// The histories of latents `x` [N x Q] in the movements that use a primitive of their part [rows x pQ].
@@ -77,13 +91,7 @@ fn histories_of(primitive: usize, repertoire: &Repertoire, x: &DMatrix<f64>) -> 
     if blocks.is_empty() {
         return repertoire.sequences().windows(x);
     }
-    let mut all = DMatrix::zeros(blocks.iter().map(|block| block.nrows()).sum(), blocks[0].ncols());
-    let mut at = 0;
-    for block in &blocks {
-        all.rows_mut(at, block.nrows()).copy_from(block);
-        at += block.nrows();
-    }
-    all
+    stacked(&blocks)
 }
 
 /// A kernel of functions that are nearly linear in latents of unit variance and vary as much there as those of `kernel`: of a slope with

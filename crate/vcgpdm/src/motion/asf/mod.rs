@@ -2,6 +2,9 @@
 //!
 //! A bone of an ASF file turns at its start and reaches to its end; a joint of BVH stands where it turns. So each bone becomes a joint at the
 //! end of its parent bone, under the name that the usual BVH conversions of these recordings give it. Lengths are in the file's units.
+//!
+//! The conversions in circulation have a frame at rest first, and leave out the bones of the thorax and the hands: their neck and shoulders
+//! stand where the thorax begins, and their fingers where the hand begins. All else is the same to the digits that they write.
 
 mod error;
 mod file;

@@ -282,7 +282,7 @@ proptest! {
         // Where a root has places of its own, its offset means nothing, and is left out.
         let mut skeleton = clip.skeleton.clone();
         let root = &mut skeleton.joints[0];
-        if root.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3 {
+        if root.is_placed() {
             root.offset = [0.0; 3];
         }
         prop_assert_eq!(&again.skeleton, &skeleton);

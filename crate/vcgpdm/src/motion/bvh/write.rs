@@ -92,8 +92,8 @@ fn hierarchy(skeleton: &Skeleton, text: &mut String) -> Vec<usize> {
                 let _ = writeln!(text, "{tabs}{keyword} {}\n{tabs}{{", safe_name(&joint.name));
                 depth += 1;
                 // Readers disagree whether a position is added to the offset: without an offset they agree.
-                let placed = joint.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3;
-                let offset = if joint.parent.is_none() && placed { [0.0; 3] } else { joint.offset };
+                let offset =
+                    if joint.parent.is_none() && joint.is_placed() { [0.0; 3] } else { joint.offset };
                 let _ = writeln!(text, "{tabs}\tOFFSET {}", spaced(&offset));
                 let _ = write!(text, "{tabs}\tCHANNELS {}", joint.channels.len());
                 for channel in &joint.channels {

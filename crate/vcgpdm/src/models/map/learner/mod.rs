@@ -155,6 +155,7 @@ impl Learner for MapLearner {
             iteration: ascent.iteration(),
             max_iterations: ascent.max_iterations(),
             evaluations: 0,
+            setbacks: search.setbacks,
             objective: ascent.value(),
             best: search.best,
             phase: None,

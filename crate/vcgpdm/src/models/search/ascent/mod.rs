@@ -2,7 +2,9 @@
 //! optimiser at a time, the best kept.
 
 use crate::gp::NumericsError;
+use crate::gp::linalg::counting_jittered;
 use crate::models::flat::{Group, Parameters};
+use crate::models::progress::Setbacks;
 use crate::models::search::optimizer::{Evaluate, Optimizer};
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -57,6 +59,8 @@ pub struct Search<T: Target> {
     pub best_terms: T::Terms,
     /// Evaluations so far.
     pub evaluations: usize,
+    /// What went wrong in them.
+    pub setbacks: Setbacks,
     parameters: T::Parameters,
     /// The flat vector, held entries included.
     flat: Vec<f64>,
@@ -71,7 +75,9 @@ impl<T: Target> Search<T> {
             self.flat[*k] = *value;
         }
         self.parameters.set_flat(&self.flat);
-        if let Ok(value) = self.target.compute(&self.parameters) {
+        let (computed, jittered) = counting_jittered(|| self.target.compute(&self.parameters));
+        self.setbacks.jittered += jittered;
+        if let Ok(value) = computed {
             let gradient = self.target.gradient().to_flat_gradient(&self.parameters);
             if gradient.iter().all(|g| g.is_finite()) {
                 if value > self.best {
@@ -82,6 +88,7 @@ impl<T: Target> Search<T> {
                 return (-value, free.iter().map(|k| -gradient[*k]).collect());
             }
         }
+        self.setbacks.turned_back += 1;
         // A point that no jitter could save: worse than all that was seen, so that the line search turns back.
         (1e3 * (1.0 + self.best.abs()), vec![0.0; free.len()])
     }
@@ -98,6 +105,8 @@ impl<T: Target> Search<T> {
 pub struct Ascent<T: Target> {
     search: Arc<Mutex<Search<T>>>,
     phases: Vec<Phase>,
+    /// Entries of the flat vector that are free in no phase; empty: none are held.
+    held: Vec<bool>,
     phase: usize,
     phase_iterations: usize,
     iteration: usize,
@@ -133,10 +142,20 @@ where
         });
         let flat = parameters.to_flat();
         let best_flat = flat.clone();
-        let search = Search { target, best: value, best_terms, evaluations: 0, parameters, flat, best_flat };
+        let search = Search {
+            target,
+            best: value,
+            best_terms,
+            evaluations: 0,
+            setbacks: Setbacks::default(),
+            parameters,
+            flat,
+            best_flat,
+        };
         Self {
             search: Arc::new(Mutex::new(search)),
             phases,
+            held: Vec::new(),
             phase: 0,
             phase_iterations: 0,
             iteration: 0,
@@ -147,6 +166,11 @@ where
             value,
             reason: None,
         }
+    }
+
+    /// Before the first step: holds these entries of the flat vector in every phase, whatever their group.
+    pub fn hold(&mut self, held: Vec<bool>) {
+        self.held = held;
     }
 
     /// What the evaluations left behind.
@@ -205,7 +229,9 @@ where
         search.flat = search.best_flat.clone();
         let groups = self.phases[self.phase].groups;
         let kinds = search.parameters.flat_kinds();
-        let free: Vec<usize> = (0..kinds.len()).filter(|k| groups.contains(&kinds[*k].group)).collect();
+        let held = |k: usize| self.held.get(k).copied().unwrap_or(false);
+        let free: Vec<usize> =
+            (0..kinds.len()).filter(|k| groups.contains(&kinds[*k].group) && !held(*k)).collect();
         let start = free.iter().map(|k| search.flat[*k]).collect();
         let boxes: Vec<(f64, f64)> = free.iter().map(|k| kinds[*k].flat_box()).collect();
         drop(search);

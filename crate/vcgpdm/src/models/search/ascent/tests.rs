@@ -1,5 +1,6 @@
 use super::*;
 use crate::models::flat::{BETA, Kind, MU};
+use crate::models::progress::Setbacks;
 
 /// Two free parameters and a positive one.
 #[derive(Clone)]
@@ -82,7 +83,14 @@ fn the_optimum_is_found_in_the_parameters_own_units() {
 #[test]
 fn an_optimiser_that_gives_up_begins_anew() {
     // Two line searches in a row find only points that cannot be computed: the optimiser stops far from the optimum.
-    let (best, reason) = end(search(12..21));
+    let mut ascent = search(12..21);
+    while ascent.reason().is_none() {
+        ascent.step();
+    }
+    let search = ascent.search();
+    let best = search.best_parameters();
     assert!((best.free[0] - 1.0).abs() < 1e-4, "{:?}", best.free);
-    assert_eq!(reason, Some(SearchEnd::Settled));
+    assert_eq!(ascent.reason(), Some(SearchEnd::Settled));
+    // The first of all evaluations was made before the search.
+    assert_eq!(search.setbacks, Setbacks { jittered: 0, turned_back: 9 });
 }

@@ -9,8 +9,9 @@
 
 use crate::elementary::Elementary;
 use crate::gp::bound::{InducingPosterior, SparseGp};
-use crate::gp::outputs::{Outputs, StoredOutputs};
+use crate::gp::outputs::Outputs;
 use crate::gp::psi::{PairWorkspace, Purpose};
+use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::variational::elbo::expert_room::ExpertRoom;
 use crate::models::variational::elbo::objective::Objective;

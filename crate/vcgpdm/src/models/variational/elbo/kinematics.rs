@@ -3,8 +3,9 @@
 use crate::gp::NumericsError;
 use crate::gp::bound::{InducingPosterior, SparseGp};
 use crate::gp::kernel::KernelAdjoint;
-use crate::gp::outputs::{Outputs, StoredOutputs};
+use crate::gp::outputs::Outputs;
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
+use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::Params;

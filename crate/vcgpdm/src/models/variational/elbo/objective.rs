@@ -1,17 +1,17 @@
 //! What the bound is computed on.
 
-use crate::gp::bound::BoundWorkspace;
-use crate::gp::outputs::{Outputs, StoredOutputs};
+use crate::gp::outputs::Outputs;
+use crate::gp::stored_outputs::StoredOutputs;
 use crate::models::sequences::Sequences;
 use crate::models::variational::repertoire::Repertoire;
 use nalgebra::DMatrix;
 
-/// The inducing outputs of all maps as they were learned before, for a bound in which they stay so.
+/// The inducing outputs of maps as they were learned before, for a bound in which they stay so.
 #[derive(Clone, Debug)]
 pub struct StoredMaps {
     /// v of each part's pose map `[M]`.
     pub kinematics: Vec<StoredOutputs>,
-    /// u into each part, the experts of all primitives stacked in order `[M]`.
+    /// u into each part, the experts of the first primitives stacked in order `[M]`; those of primitives after them are not stored.
     pub dynamics: Vec<StoredOutputs>,
 }
 
@@ -40,7 +40,7 @@ impl Objective {
     }
 
     /// The same for maps whose inducing outputs are stored and stay as they are: the bound of new movements, of which only latents
-    /// and couplings are to be learned.
+    /// and couplings are to be learned, and new primitives where there are more than those that are stored.
     pub fn under(self, stored: StoredMaps) -> Self {
         Self { stored: Some(stored), ..self }
     }
@@ -51,10 +51,7 @@ impl Objective {
         which: impl Fn(&'a StoredMaps) -> &'a StoredOutputs,
         (points, columns): (usize, usize),
     ) -> Outputs {
-        match &self.stored {
-            Some(stored) => Outputs::Stored(Box::new(which(stored).clone())),
-            None => Outputs::Best(Box::new(BoundWorkspace::new(points, columns))),
-        }
+        Outputs::new(self.stored.as_ref().map(which), points, columns)
     }
 
     /// The sequences of all movements.

@@ -1,9 +1,12 @@
 //! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best kept.
 
+mod reduced;
+
 use crate::gp::NumericsError;
-use crate::models::flat::Group;
+use crate::models::flat::{Group, Parameters};
 use crate::models::latents::{check_dimensions, check_training};
-use crate::models::progress::TrainingPhase;
+use crate::models::progress::{Setbacks, TrainingPhase};
+use crate::models::provenance::{ENGINE, Provenance};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::settings::VariationalSettings;
 use crate::models::training_error::{TrainingError, in_range};
@@ -12,6 +15,7 @@ use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
 use crate::models::variational::repertoire::Repertoire;
 use crate::models::variational::start::starting_point_of;
+use crate::models::variational::trainer::reduced::reduced;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -31,6 +35,8 @@ pub struct TrainingProgress {
     pub max_iterations: usize,
     /// Evaluations of the bound with its gradient so far.
     pub evaluations: usize,
+    /// What went wrong so far and was survived.
+    pub setbacks: Setbacks,
     /// The bound at the point reached, in nats.
     pub bound: f64,
     /// The best bound so far.
@@ -76,6 +82,7 @@ pub struct Trainer {
     ascent: Ascent<Bound>,
     settings: VariationalSettings,
     seed: u32,
+    notices: Vec<String>,
 }
 
 impl Trainer {
@@ -123,10 +130,12 @@ impl Trainer {
         settings: &VariationalSettings,
         seed: u32,
     ) -> Result<Self, TrainingError> {
-        let params = starting_point_of(&y, &repertoire, settings, seed);
+        let (allowed, notices) = reduced(settings, &repertoire, &y);
+        let params = starting_point_of(&y, &repertoire, &allowed, seed);
         let phases = schedule(settings.max_iterations);
         let objective = Objective::of_movements(y, repertoire, JITTER);
-        Self::from_start(objective, params, phases, settings, seed)
+        // The settings stay as they were asked for: with the same data they are reduced to the same.
+        Ok(Self { notices, ..Self::from_start(objective, params, phases, settings, seed)? })
     }
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
@@ -153,7 +162,15 @@ impl Trainer {
         let value = (terms.total(), terms);
         let bound = Bound { objective, workspace };
         let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
-        Ok(Self { ascent, settings: settings.clone(), seed })
+        Ok(Self { ascent, settings: settings.clone(), seed, notices: Vec::new() })
+    }
+
+    /// Before the first step: holds, in every phase, the parameters whose entries in `held` are not 0, such as those of maps that were
+    /// learned before. `held` has the shapes of the starting point.
+    pub(in crate::models) fn hold(&mut self, held: &Params) {
+        let mut entries = Vec::new();
+        held.visit(&mut |_, values| entries.extend(values.iter().map(|v| *v != 0.0)));
+        self.ascent.hold(entries);
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -177,6 +194,7 @@ impl Trainer {
             iteration: ascent.iteration(),
             max_iterations: ascent.max_iterations(),
             evaluations: search.evaluations,
+            setbacks: search.setbacks,
             bound: ascent.value(),
             best: search.best,
             terms: search.best_terms.clone(),
@@ -192,9 +210,29 @@ impl Trainer {
         &self.settings
     }
 
+    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    pub fn notices(&self) -> &[String] {
+        &self.notices
+    }
+
     /// The seed of everything random.
     pub fn seed(&self) -> u32 {
         self.seed
+    }
+
+    /// How the best so far was made; `frames_per_second` is the rate that the data set was asked for.
+    pub fn provenance(&self, frames_per_second: f64) -> Provenance<VariationalSettings> {
+        let progress = self.progress();
+        Provenance {
+            engine: ENGINE.to_owned(),
+            settings: self.settings.clone(),
+            seed: self.seed,
+            frames_per_second,
+            objective: progress.best,
+            iterations: progress.iteration,
+            evaluations: progress.evaluations,
+            note: None,
+        }
     }
 
     /// The parameters of the best bound so far; before the first step, the starting point.

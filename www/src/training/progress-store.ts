@@ -1,9 +1,9 @@
-// One training of this view: a fit of couplings, or a library that is learned. How far it is, and how it ended.
+// One training that a view of its own does: how far it is, and how it ended.
 import type { LibraryReport } from "../engine/library-protocol";
-import type { TrainingOutcome } from "../engine/protocol";
-import { endingWords } from "../training/words";
+import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
+import { endingWords } from "./words";
 
 /** Carries the training out, and tells how far it is. */
 export type Work<Found> = (
@@ -53,13 +53,15 @@ export class ProgressStore<Found> extends Store {
     this.#stop = new AbortController();
     this.changed();
     let found: Found | null = null;
+    const seen: { last?: TrainingProgress } = {};
     try {
       const outcome = await work((report) => {
         this.#report = report;
+        seen.last = report.progress;
         found = report.found ?? found;
         this.changedSoon();
       }, this.#stop.signal);
-      this.#ending = { words: endingWords(outcome), failed: false };
+      this.#ending = { words: endingWords(outcome, seen.last), failed: false };
     } catch (problem) {
       found = null;
       const left = problem === this.#stop.signal.reason;

@@ -1,0 +1,63 @@
+//! What a training will cost, before it begins: so that one that would take a day, or more memory than there is, is not begun unawares.
+
+use crate::models::settings::VariationalSettings;
+
+/// Seconds of one step of the sums below, a few multiplications, of the native program on one core of a usual machine.
+/// `cargo run --release --example scaling` sets measured beside estimated times.
+const STEP: f64 = 1e-9;
+/// Evaluations of the bound in an iteration: now and then a line search needs a second one.
+const EVALUATIONS: f64 = 1.06;
+/// Vectors of all parameters that the optimiser holds: 20 pairs of steps and gradients, and those of its line search.
+const OPTIMISER_VECTORS: f64 = 60.0;
+
+/// What a training will cost on one core: an estimate, good to a factor of two or so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrainingCost {
+    /// Seconds of one evaluation of the bound with its gradient.
+    pub evaluation_seconds: f64,
+    /// Seconds until all iterations are used; a bound that settles ends the training sooner.
+    pub seconds: f64,
+    /// Bytes of memory.
+    pub bytes: f64,
+}
+
+impl VariationalSettings {
+    /// What a training on so many frames costs, of parts with so many `columns` each.
+    pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
+        let d = columns.iter().sum::<usize>() as f64;
+        let [n, m, q, p, l, k] =
+            [frames, columns.len(), self.latent, self.order, self.pose_ips, self.dynamics_ips]
+                .map(|count| count as f64);
+        let (pose_pairs, pairs) = (l * (l + 1.0) / 2.0, k * (k + 1.0) / 2.0);
+        // Of each frame: psi2 and psi1 with the observations of every pose map; psi2 of every expert, psi2 of every two experts, psi1.
+        let poses = m * pose_pairs * (1.0 + q) + l * d;
+        let dynamics = m * m * (pairs * (1.0 + p * q) + (m - 1.0) / 2.0 * k * k + k * q);
+        let factors = m * ((m * k).powi(3) + l.powi(3));
+        let evaluation_seconds = STEP * (n * (poses + dynamics) + factors);
+        let parameters = 2.0 * n * m * q + m * l * q + m * m * k * p * q;
+        // The summands of psi2 are kept for the gradient.
+        let rooms = m * pairs + pose_pairs + 2.0 * d + m * (2.0 * l + 2.0 * k + 4.0 * p * q);
+        let numbers = parameters * OPTIMISER_VECTORS + n * rooms + 8.0 * m * (m * k).powi(2);
+        let seconds = evaluation_seconds * EVALUATIONS * self.max_iterations as f64;
+        TrainingCost { evaluation_seconds, seconds, bytes: 8.0 * numbers }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The times are checked by the example, against a clock.
+    #[test]
+    fn costs_grow_as_the_sums_do() {
+        let usual = VariationalSettings::default();
+        let cost = |frames| usual.cost(frames, &[30, 30]);
+        let (short, long) = (cost(1000), cost(2000));
+        assert!((1.9..2.0).contains(&(long.evaluation_seconds / short.evaluation_seconds)));
+        assert!((1.9..2.0).contains(&(long.bytes / short.bytes)));
+        let twice = VariationalSettings { max_iterations: 2 * usual.max_iterations, ..usual.clone() };
+        assert_eq!(twice.cost(1000, &[30, 30]).seconds, 2.0 * short.seconds);
+        let points = VariationalSettings { dynamics_ips: 120, pose_ips: 120, ..usual };
+        assert!(points.cost(1000, &[30, 30]).seconds > 80.0 * short.seconds);
+    }
+}

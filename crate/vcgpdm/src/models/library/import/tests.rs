@@ -1,0 +1,141 @@
+use super::*;
+use crate::models::dataset::{Dataset, Source};
+use crate::models::library::TrainedLibrary;
+use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+use crate::models::settings::VariationalSettings;
+use crate::motion::{Clip, parts, samples};
+use std::sync::OnceLock;
+
+fn clip(id: &str) -> Clip {
+    samples::clip(id).unwrap().cut(0, 90).unwrap()
+}
+
+/// A library of the movement `name` from these clips.
+fn library(name: &str, ids: &[&str], latent: usize, seed: u32) -> TrainedLibrary {
+    let clips: Vec<Clip> = ids.iter().map(|id| clip(id)).collect();
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let dataset = Dataset::new(&sources, &parts::presets(&clips[0].skeleton)[1].parts, 30.0).unwrap();
+    let settings = VariationalSettings {
+        latent,
+        dynamics_ips: 8,
+        pose_ips: 8,
+        max_iterations: 60,
+        ..Default::default()
+    };
+    let movement = PlannedMovement { name: name.to_owned(), sequences: ids.len() };
+    let plan = LibraryPlan::new(vec![movement], vec![false, false]).unwrap();
+    let mut trainer =
+        LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed).unwrap();
+    while !trainer.step().done {}
+    TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap()
+}
+
+fn host() -> &'static TrainedLibrary {
+    static HOST: OnceLock<TrainedLibrary> = OnceLock::new();
+    HOST.get_or_init(|| library("wave", &["walk-wave-1"], 3, 1))
+}
+
+/// Of other latent dimensions.
+fn donor() -> &'static TrainedLibrary {
+    static DONOR: OnceLock<TrainedLibrary> = OnceLock::new();
+    DONOR.get_or_init(|| library("walk", &["walk-1"], 2, 2))
+}
+
+fn request(host: &TrainedLibrary, donor: &TrainedLibrary) -> ImportRequest {
+    ImportRequest { companions: host.companions(donor), max_iterations: 40, seed: 1 }
+}
+
+#[test]
+fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
+    let legs = donor().select(&[0]).unwrap();
+    assert_eq!(
+        host().check_fit(&legs).unwrap_err().to_string(),
+        "the latent dimensions of lower differ: expected 3, found 2"
+    );
+    let observed = [host().observed(&clip("walk-1")).unwrap()];
+    for frames in [ImportFrames::Remembered, ImportFrames::Clips(&observed)] {
+        let mut trainer = ImportTrainer::new(host(), &legs, frames, &request(host(), &legs)).unwrap();
+        let begin = trainer.progress().bound;
+        while !trainer.step().done {}
+        assert!(trainer.progress().best > begin + 100.0);
+        let lost = trainer.lost();
+        assert!(lost[0] < 0.05 && (0.0..1.0).contains(&lost[1]), "{lost:?}");
+        let library = trainer.library().unwrap();
+        let before = &host().library;
+        assert_eq!(library.library.parts, before.parts);
+        assert_eq!(library.library.primitives[..2], before.primitives[..]);
+        assert_eq!(library.library.movements[..1], before.movements[..]);
+        let (new, movement) = (&library.library.primitives[2], &library.library.movements[1]);
+        assert_eq!((new.name.as_str(), new.part, new.experts.len()), ("walk", 0, 2));
+        // The host's arms took part; nothing of theirs may change.
+        assert_eq!((movement.name.as_str(), &movement.uses), ("walk", &vec![2, 1]));
+        assert!(movement.sums.is_none());
+        let origin = library.origin(2);
+        let relearned = origin.relearned.unwrap();
+        assert_eq!((relearned.primitive.as_str(), relearned.frames), ("walk", frames.from()));
+        assert_eq!(relearned.clips, donor().body.sequences);
+        assert_eq!(origin.training.objective, trainer.progress().best);
+        // What is kept of the rows gives the outputs again.
+        for expert in &new.experts {
+            let known = expert.elsewhere.as_ref().unwrap();
+            let a = expert.fitted.k() + &known.precision;
+            let mean = expert.fitted.k() * a.try_inverse().unwrap() * &known.b;
+            approx::assert_relative_eq!(mean, *expert.fitted.mean(), epsilon = 1e-5);
+        }
+        let again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
+        assert_eq!(again.library, library.library);
+        assert!(library.movement(1).unwrap().model.rollout(0, 60).is_ok());
+    }
+}
+
+#[test]
+fn a_whole_movement_comes_with_its_rows() {
+    let mut trainer =
+        ImportTrainer::new(host(), donor(), ImportFrames::Generated, &request(host(), donor())).unwrap();
+    while !trainer.step().done {}
+    let library = trainer.library().unwrap();
+    let movement = &library.library.movements[1];
+    assert_eq!(movement.uses, [2, 3]);
+    assert!(movement.sums.is_some());
+    assert!(library.library.primitives[2].experts.iter().all(|expert| expert.elsewhere.is_none()));
+    // Inferred again from its rows it is as learned.
+    let model = library.movement(1).unwrap().model;
+    use crate::models::couplings::Reading;
+    let step = |reading| {
+        let dynamics = model.dynamics(&model.alpha, reading).unwrap();
+        dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()
+    };
+    for (a, b) in step(Reading::AsLearned).iter().zip(&step(Reading::ReInferred)) {
+        approx::assert_relative_eq!(a, b, epsilon = 1e-6);
+    }
+}
+
+#[test]
+fn what_cannot_be_learned_again_is_refused_in_words() {
+    let words = |donor: &TrainedLibrary, frames: ImportFrames, companions: Vec<Option<usize>>| {
+        let request = ImportRequest { companions, ..request(host(), donor) };
+        ImportTrainer::new(host(), donor, frames, &request).err().unwrap().to_string()
+    };
+    let legs = donor().select(&[0]).unwrap();
+    let no_frames = "the file keeps no movement to learn its primitives again from: expected clips";
+    assert_eq!(words(&legs, ImportFrames::Generated, vec![Some(0), Some(1)]), no_frames);
+    assert_eq!(words(&legs, ImportFrames::Clips(&[]), vec![Some(0), Some(1)]), no_frames);
+    assert!(
+        words(&legs, ImportFrames::Remembered, vec![Some(0), None])
+            .starts_with("expected a primitive of upper")
+    );
+    assert_eq!(
+        words(&legs, ImportFrames::Remembered, vec![Some(0), Some(0)]),
+        "expected a primitive of part 1, found primitive 0"
+    );
+    assert_eq!(
+        words(&legs, ImportFrames::Remembered, vec![]),
+        "expected a primitive for each of 2 parts, found 0"
+    );
+    // A file that keeps only the first frames.
+    let mut short = legs.clone();
+    for start in short.library.primitives[0].excerpts.iter_mut().flat_map(|excerpt| &mut excerpt.starts) {
+        *start = start.iter().map(|x| x.rows(0, 2).into_owned()).collect();
+    }
+    assert_eq!(words(&short, ImportFrames::Remembered, vec![Some(0), Some(1)]), no_frames);
+}

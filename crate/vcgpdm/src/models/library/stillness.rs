@@ -1,0 +1,93 @@
+//! Which parts of a combination stand still, and to whom they listen.
+
+use crate::models::couplings::{Reading, coupling_weights};
+use crate::models::library::{Library, WalkError};
+use nalgebra::DMatrix;
+
+/// Frames of the rollout that is looked at, of which the second half counts: what a start leaves behind has faded by then.
+const FRAMES: usize = 240;
+/// A part stands still where its latents vary less than this share of what they varied in training.
+const STILL: f64 = 0.05;
+
+/// How much a part of a combination moves in the long run, and to whom it listens.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartMotion {
+    /// The variance of its latents as a share of that in the movements that its primitive learned from.
+    pub share: f64,
+    /// Whether it stands still.
+    pub still: bool,
+    /// The other part whose predictions about it weigh most; `None` where there is no other.
+    pub leader: Option<Leader>,
+}
+
+/// A part to which another listens.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leader {
+    /// The part, counted from 0.
+    pub part: usize,
+    /// The weight of its predictions, 0 to 1.
+    pub weight: f64,
+    /// Whether its primitive learned together with that of the part that listens.
+    pub met: bool,
+}
+
+impl Library {
+    /// What each part of a combination does in the long run under the couplings `alpha` [M x M].
+    ///
+    /// # Errors
+    ///
+    /// When the primitives or the couplings do not fit the parts.
+    pub fn motion(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Vec<PartMotion>, WalkError> {
+        let model = self.combination(uses, alpha)?;
+        let start = model.start(0, 0).unwrap_or_else(|_| self.at_rest());
+        let path = model.dynamics(alpha, Reading::AsLearned)?.path(&start, FRAMES)?;
+        let motion = |(part, path): (usize, &DMatrix<f64>)| {
+            let share =
+                variance(&[path.rows(FRAMES / 2, FRAMES / 2).into_owned()]) / self.varied(uses[part], part);
+            PartMotion {
+                share,
+                still: share.is_nan() || share < STILL,
+                leader: self.leader(uses, alpha, part),
+            }
+        };
+        Ok(path.iter().enumerate().map(motion).collect())
+    }
+
+    /// The variance of a part's latents in all movements of one of its primitives.
+    fn varied(&self, primitive: usize, part: usize) -> f64 {
+        let latents = self.starts_of(primitive).map(|start| start[part].clone());
+        variance(&latents.collect::<Vec<_>>()).max(f64::MIN_POSITIVE)
+    }
+
+    fn leader(&self, uses: &[usize], alpha: &DMatrix<f64>, part: usize) -> Option<Leader> {
+        let (_, weights) = coupling_weights(alpha.column(part).as_slice());
+        let others = weights.into_iter().enumerate().filter(|(source, _)| *source != part);
+        let (source, weight) = others.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (own, other) = (uses[part], uses[source]);
+        let excerpt_of_both = |a: usize, b: usize| {
+            let names = |a: usize| self.primitives[a].excerpts.iter().map(|excerpt| &excerpt.movement);
+            names(a).any(|name| names(b).any(|other| other == name))
+        };
+        let met = self
+            .movements
+            .iter()
+            .any(|m| m.sums.is_some() && m.uses.contains(&own) && m.uses.contains(&other))
+            || excerpt_of_both(own, other);
+        Some(Leader { part: source, weight, met })
+    }
+}
+
+/// The mean over all rows of their squared distance from the mean row.
+fn variance(latents: &[DMatrix<f64>]) -> f64 {
+    let count: usize = latents.iter().map(DMatrix::nrows).sum();
+    let Some(first) = latents.first() else { return 0.0 };
+    let mut mean = first.row_mean() * 0.0;
+    for x in latents {
+        for row in x.row_iter() {
+            mean += row / count.max(1) as f64;
+        }
+    }
+    let rows =
+        latents.iter().flat_map(|x| x.row_iter().map(|row| (row - &mean).norm_squared()).collect::<Vec<_>>());
+    rows.sum::<f64>() / count.max(1) as f64
+}

@@ -1,0 +1,86 @@
+//! Settings that the data allow: what is more than that is reduced, and said.
+
+use crate::models::settings::VariationalSettings;
+use crate::models::variational::repertoire::Repertoire;
+use crate::words::counted;
+use nalgebra::DMatrix;
+
+/// The settings with no more inducing points than there are rows to begin with, and what a visitor should know of them, in sentences without
+/// a full stop.
+pub(super) fn reduced(
+    settings: &VariationalSettings,
+    repertoire: &Repertoire,
+    y: &[DMatrix<f64>],
+) -> (VariationalSettings, Vec<String>) {
+    let mut settings = settings.clone();
+    let mut notices = Vec::new();
+    let frames = repertoire.sequences().frames();
+    if settings.pose_ips > frames {
+        notices.push(fewer("pose", settings.pose_ips, &counted(frames, "frame")));
+        settings.pose_ips = frames;
+    }
+    let rows = (0..repertoire.primitives().len()).map(|primitive| {
+        let in_use = repertoire.movements().iter().filter(|movement| movement.uses().contains(&primitive));
+        in_use.map(|movement| movement.sequences().transitions()).sum::<usize>()
+    });
+    // A primitive that no movement uses begins with the histories of all.
+    let rows = rows.filter(|rows| *rows > 0).min().unwrap_or(frames);
+    if settings.dynamics_ips > rows {
+        let there = format!("{} with a history", counted(rows, "frame"));
+        notices.push(fewer("dynamics", settings.dynamics_ips, &there));
+        settings.dynamics_ips = rows;
+    }
+    if let Some(columns) = y.iter().map(DMatrix::ncols).min().filter(|columns| *columns < settings.latent) {
+        notices.push(format!(
+            "a part has only {}: {} of its {} latent dimensions begin as noise",
+            counted(columns, "column"),
+            settings.latent - columns,
+            settings.latent
+        ));
+    }
+    (settings, notices)
+}
+
+fn fewer(what: &str, asked: usize, there: &str) -> String {
+    format!("{asked} {what} inducing points are reduced, because there are only {there}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::sequences::Sequences;
+
+    fn of(
+        lengths: &[usize],
+        columns: usize,
+        asked: (usize, usize, usize),
+    ) -> (VariationalSettings, Vec<String>) {
+        let (latent, dynamics_ips, pose_ips) = asked;
+        let settings =
+            VariationalSettings { latent, dynamics_ips, pose_ips, ..VariationalSettings::default() };
+        let sequences = Sequences::new(lengths.to_vec(), settings.order).unwrap();
+        let y = [DMatrix::zeros(sequences.frames(), columns), DMatrix::zeros(sequences.frames(), 9)];
+        reduced(&settings, &Repertoire::plain(sequences, 2), &y)
+    }
+
+    #[test]
+    fn what_the_data_allow_stays() {
+        let (settings, notices) = of(&[8, 8], 3, (3, 12, 16));
+        assert_eq!((settings.dynamics_ips, settings.pose_ips), (12, 16));
+        assert_eq!(notices, [""; 0]);
+    }
+
+    #[test]
+    fn more_than_that_is_reduced_and_said() {
+        let (settings, notices) = of(&[8, 8], 1, (3, 13, 17));
+        assert_eq!((settings.latent, settings.dynamics_ips, settings.pose_ips), (3, 12, 16));
+        assert_eq!(
+            notices,
+            [
+                "17 pose inducing points are reduced, because there are only 16 frames",
+                "13 dynamics inducing points are reduced, because there are only 12 frames with a history",
+                "a part has only 1 column: 2 of its 3 latent dimensions begin as noise",
+            ]
+        );
+    }
+}

@@ -1,0 +1,148 @@
+//! Trainings of libraries: of primitives, and of couplings alone.
+
+use crate::clip::TrainingSet;
+use crate::convert::{from_js, rows, to_js};
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::given::{Text, Whole};
+use crate::library::{Library, uses_of};
+use crate::model::Model;
+use crate::settings::{Task, settings_from_js};
+use serde::Deserialize;
+use std::rc::Rc;
+use vcgpdm::models::library::{
+    CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement, TrainedLibrary,
+};
+use vcgpdm::models::{Dataset, SequenceInfo, Source};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What a library learns: movements with how many clips each has, in order, and of each part whether its primitive is the same in all. */
+export interface LibraryPlan {
+    movements: { name: string; sequences: number }[];
+    shared: boolean[];
+}
+"#;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Planned {
+    movements: Vec<PlannedName>,
+    shared: Vec<bool>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlannedName {
+    name: String,
+    sequences: usize,
+}
+
+/// A training of a library under way, step by step.
+#[wasm_bindgen]
+pub struct LibraryTrainer {
+    dataset: Dataset,
+    training: Training,
+    frames_per_second: f64,
+}
+
+#[wasm_bindgen]
+impl LibraryTrainer {
+    /// Prepares the clips, which are those of the plan's movements one after the other, and finds the starting point.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        clips: &TrainingSet,
+        #[wasm_bindgen(unchecked_param_type = "TrainingSettings")] settings: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "LibraryPlan")] plan: JsValue,
+    ) -> Result<LibraryTrainer, VcgpdmError> {
+        let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
+        let Planned { movements, shared } = from_js(ErrorCode::Training, "the plan", &plan)?;
+        let movements = movements
+            .into_iter()
+            .map(|movement| PlannedMovement { name: movement.name, sequences: movement.sequences });
+        let plan = LibraryPlan::new(movements.collect(), shared)
+            .map_err(|reason| VcgpdmError::new(ErrorCode::Training, &reason))?;
+        let sources: Vec<Source> =
+            clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+        let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
+        let training = Training::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
+            .map_err(|reason| dataset.refusal(reason))?;
+        Ok(LibraryTrainer { dataset, training, frames_per_second })
+    }
+
+    /// One iteration of the optimiser: a few milliseconds to some tens.
+    #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.training.step())
+    }
+
+    /// Allows so many more iterations: training goes on where it stopped.
+    pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
+        self.training.extend(iterations.count(ErrorCode::Training, "the number of iterations")?);
+        Ok(())
+    }
+
+    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    pub fn notices(&self) -> Vec<String> {
+        self.training.notices().to_vec()
+    }
+
+    /// The best library so far, at any time.
+    pub fn library(&self) -> Result<Library, VcgpdmError> {
+        let trained = TrainedLibrary::trained(&self.dataset, &self.training, self.frames_per_second)?;
+        Ok(Library { trained: Rc::new(trained) })
+    }
+}
+
+/// A fit of couplings under way: of a combination, to clips, while its primitives stay.
+#[wasm_bindgen]
+pub struct CouplingTrainer {
+    trained: Rc<TrainedLibrary>,
+    fit: Fit,
+    sequences: Vec<SequenceInfo>,
+}
+
+#[wasm_bindgen]
+impl CouplingTrainer {
+    /// Prepares the clips, which must have the library's body.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        library: &Library,
+        #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
+        clips: &TrainingSet,
+        max_iterations: &Whole,
+    ) -> Result<CouplingTrainer, VcgpdmError> {
+        let iterations = max_iterations.count(ErrorCode::Training, "the number of iterations")?;
+        let observed = library.observed(clips)?;
+        let fit = library.trained.coupling_trainer(&uses_of(&uses)?, &observed, iterations)?;
+        let sequences = observed.into_iter().map(|clip| clip.info).collect();
+        Ok(CouplingTrainer { trained: Rc::clone(&library.trained), fit, sequences })
+    }
+
+    /// One iteration of the optimiser. The bound is that of the clips under the stored primitives.
+    #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.fit.step())
+    }
+
+    /// The best couplings so far, `alpha[source][target]`.
+    #[wasm_bindgen(unchecked_return_type = "number[][]")]
+    pub fn alpha(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&rows(&self.fit.alpha()))
+    }
+
+    /// A library with the combination as a movement of that name, which starts where the clips do.
+    pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
+        let name = name.get(ErrorCode::Model, "the name")?;
+        let mut trained = TrainedLibrary::clone(&self.trained);
+        trained.add(self.fit.movement(&name), self.sequences.clone());
+        Ok(Library { trained: Rc::new(trained) })
+    }
+
+    /// The combination with the best couplings so far.
+    pub fn model(&self) -> Result<Model, VcgpdmError> {
+        let mut trained = TrainedLibrary::clone(&self.trained);
+        trained.add(self.fit.movement(""), self.sequences.clone());
+        Ok(Model { model: Rc::new(trained.movement(trained.library.movements.len() - 1)?) })
+    }
+}

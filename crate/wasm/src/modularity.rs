@@ -1,0 +1,92 @@
+//! The modularity test on the sample trials, one trial at a time.
+
+use crate::convert::{from_js, to_js, to_js_beside};
+use crate::error::{ErrorCode, VcgpdmError};
+use serde::{Deserialize, Serialize};
+use vcgpdm::evaluation::{FoldTraining, ModularityTest, Trained};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** One trial held out. */
+export interface ModularityFold {
+    /** The id of the sample. */
+    sample: string;
+    /** Whether a model of its movement alone is trained, not a library. */
+    alone: boolean;
+    /** Most iterations of each seed; absent: as many as the test has. */
+    maxIterations?: number;
+}
+
+/** How well a trial that was held out is predicted, by the seed of the highest bound. */
+export interface ModularityOutcome {
+    /** The name of the trial's movement. */
+    movement: string;
+    score: Score;
+    /** The bound on the log evidence of all movements trained on, in nats. */
+    bound: number;
+    /** Numbers that must be kept to roll out all movements trained on. */
+    storedNumbers: number;
+    /** Frames trained on. */
+    frames: number;
+}
+"#;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Asked {
+    sample: String,
+    alone: bool,
+    max_iterations: Option<usize>,
+}
+
+#[derive(Serialize)]
+struct Named<'a> {
+    movement: &'a str,
+}
+
+/// The training of one fold of the modularity test: a sample trial is held out, and predicted by a library in which walking and walking
+/// with waving share the primitive of the lower body, or by a model of its movement alone. What is trained and how it is scored is what
+/// docs/modularity.md has.
+#[wasm_bindgen]
+pub struct ModularityTraining {
+    movement: String,
+    training: FoldTraining,
+}
+
+#[wasm_bindgen]
+impl ModularityTraining {
+    /// Ready to hold a sample out.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "ModularityFold")] fold: JsValue,
+    ) -> Result<ModularityTraining, VcgpdmError> {
+        let Asked { sample, alone, max_iterations } = from_js(ErrorCode::Comparison, "the fold", &fold)?;
+        let unknown = || format!("expected a sample of walking or of walking with waving, found {sample}");
+        let place = ModularityTest::place_of(&sample)
+            .ok_or_else(|| VcgpdmError::new(ErrorCode::Comparison, &unknown()))?;
+        let mut test = ModularityTest::on_samples();
+        if let Some(iterations) = max_iterations {
+            test.settings.max_iterations = iterations;
+        }
+        let trained = if alone { Trained::Alone } else { Trained::Together };
+        let training = test.training(place, trained)?;
+        let movement = test.movements.swap_remove(place.0).name;
+        Ok(ModularityTraining { movement, training })
+    }
+
+    /// One iteration of the optimiser.
+    #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
+    pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        to_js(&self.training.step()?)
+    }
+
+    /// What came of it; null before a seed is over.
+    #[wasm_bindgen(unchecked_return_type = "ModularityOutcome | null")]
+    pub fn outcome(&self) -> Result<JsValue, VcgpdmError> {
+        match self.training.best() {
+            None => Ok(JsValue::NULL),
+            Some((outcome, _)) => to_js_beside(&Named { movement: &self.movement }, outcome),
+        }
+    }
+}

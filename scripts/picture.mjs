@@ -1,0 +1,135 @@
+// `npm run picture`: docs/playground.webp, the moving picture of the README: the walker, its latents, and what a slider does. The built page is
+// stepped frame by frame in a headless Chromium, so that the picture is as smooth on a slow machine. sharp puts the pictures together; it is
+// installed into .tools when it is first asked for.
+import { mkdirSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { build } from "./build.mjs";
+import { launchChromium } from "./chromium.mjs";
+import { at, Failure, main, run, step, whenChanged } from "./run.mjs";
+import { serve } from "./serve.mjs";
+import { dist } from "./site.mjs";
+
+const SHARP = "0.35.5";
+const OUT = at("docs/playground.webp");
+const LARGEST = 1_000_000;
+const SIZE = { width: 1200, height: 880 };
+/** The picture is narrower than the page that it shows. */
+const WIDTH = 900;
+/** Frames of the motion (30 a second) from one picture to the next. */
+const STEP = 3;
+const QUALITY = 60;
+
+/** What is seen: so many pictures while the slider goes from where it is to there; null: it rests. */
+const SCENES = [
+  { pictures: 14, slider: null },
+  { pictures: 9, slider: -2.4 },
+  { pictures: 26, slider: null },
+  { pictures: 7, slider: "back" },
+  { pictures: 12, slider: null },
+];
+
+async function loadSharp() {
+  const folder = at(".tools/picture");
+  await whenChanged(
+    "picture",
+    { inputs: [], outputs: [at(".tools/picture/node_modules/sharp")], salt: SHARP },
+    async () => {
+      mkdirSync(folder, { recursive: true });
+      writeFileSync(at(".tools/picture/package.json"), '{ "private": true }\n');
+      const npm = process.env.npm_execpath;
+      const args = ["install", "--prefix", folder, "--no-audit", "--no-fund", `sharp@${SHARP}`];
+      await (npm ? run(process.execPath, npm, ...args) : run("npm", ...args));
+    },
+  );
+  return createRequire(at(".tools/picture/package.json"))("sharp");
+}
+
+/** A pointer, where no window has one. */
+function pointer() {
+  const dot = document.createElement("div");
+  const look = { position: "fixed", width: "18px", height: "18px", left: "-99px", top: "0", "border-radius": "50%" };
+  const more = {
+    background: "rgb(30 30 30 / 45%)",
+    border: "2px solid white",
+    "z-index": "99",
+    "pointer-events": "none",
+  };
+  for (const [name, value] of Object.entries({ ...look, ...more })) dot.style.setProperty(name, value);
+  document.body.append(dot);
+  addEventListener(
+    "pointermove",
+    ({ clientX, clientY }) => {
+      dot.style.setProperty("left", `${clientX - 11}px`);
+      dot.style.setProperty("top", `${clientY - 11}px`);
+    },
+    true,
+  );
+}
+
+/** The page's pictures one after the other, as PNG. */
+async function pictures() {
+  const { address, close } = await serve(dist);
+  const browser = await launchChromium();
+  try {
+    const page = await browser.newPage({ viewport: SIZE, reducedMotion: "reduce" });
+    await page.goto(`${address}?embed`);
+    await page.waitForSelector("html[data-engine=ready]");
+    await page.evaluate(pointer);
+    const slider = page.getByTestId("coupling-0-1");
+    const learned = Number(await slider.inputValue());
+    const box = await slider.boundingBox();
+    if (!box) throw new Failure("the page shows no slider");
+    const [low, high] = await slider.evaluate((/** @type {HTMLInputElement} */ { min, max }) => [
+      Number(min),
+      Number(max),
+    ]);
+    let at = learned;
+    const grip = () => {
+      // A thumb's middle stays half its width within the track.
+      const share = (at - (low ?? 0)) / ((high ?? 1) - (low ?? 0));
+      return page.mouse.move(box.x + 8 + share * (box.width - 16), box.y + box.height / 2);
+    };
+    const found = [];
+    for (const { pictures, slider: to } of SCENES) {
+      const [from, goal] = [at, to === null ? at : to === "back" ? learned : Number(to)];
+      for (let i = 1; i <= pictures; i++) {
+        if (to !== null) {
+          await grip();
+          await page.mouse.down();
+          at = from + ((goal - from) * i) / pictures;
+          await grip();
+          await page.mouse.up();
+          // The motion under the new couplings, and what is drawn of it.
+          await page.waitForTimeout(250);
+        }
+        await page.evaluate((frames) => {
+          const { clock } = /** @type {any} */ (document.querySelector("pg-page"));
+          for (let k = 0; k < frames; k++) clock.step(1);
+        }, STEP);
+        await page.waitForTimeout(120);
+        found.push(await page.screenshot({ type: "png" }));
+      }
+    }
+    return found;
+  } finally {
+    await browser.close();
+    await close();
+  }
+}
+
+await main(async () => {
+  await build();
+  const sharp = await loadSharp();
+  await step("docs/playground.webp", async () => {
+    const found = await Promise.all(
+      (await pictures()).map((png) => sharp(png).resize({ width: WIDTH }).png().toBuffer()),
+    );
+    const delay = found.map(() => Math.round((1000 * STEP) / 30));
+    await sharp(found, { join: { animated: true } })
+      .webp({ quality: QUALITY, effort: 6, smartSubsample: true, delay, loop: 0 })
+      .toFile(OUT);
+    const { size } = statSync(OUT);
+    if (size > LARGEST) throw new Failure(`docs/playground.webp has ${size} bytes, more than ${LARGEST}`);
+    return `${found.length} pictures, ${Math.round(size / 1000)} kB`;
+  });
+});

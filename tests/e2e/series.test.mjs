@@ -1,0 +1,118 @@
+// Time series that are no body: tables in, their model's curves, couplings and files out.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, drop, keepsNobodyOut, openSite, ready, saved } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** A trial of two machines, of which the second follows the first. */
+function trial(/** @type {number} */ phase) {
+  const rows = Array.from({ length: 60 }, (_, row) => {
+    const now = phase + row / 3;
+    const values = [row / 50, Math.sin(now), 2 * Math.cos(now), 10 + Math.sin(now - 0.7)];
+    return values.map((value) => value.toFixed(4)).join(",");
+  });
+  return `time,drive_a,drive_b,load_c\n${rows.join("\n")}\n`;
+}
+
+/** What the curve of a column looks like, solid. */
+const course = (/** @type {Page} */ page, /** @type {number} */ curve) =>
+  page.locator(`[data-testid=curve-${curve}] .rolled-out path`).getAttribute("d");
+
+describe("tables of columns", () => {
+  it("are dropped, trained on, looked at as curves, changed and saved, and their model opens again", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "latent=2&dynamics=6&poses=6&iterations=40" });
+    await ready(page);
+    await drop(page, { "trial-1.csv": trial(0), "trial-2.csv": trial(2), "gap.csv": "x,y\n1,\n2,3\n" });
+    await page.getByText("gap.csv, line 2, column 2 (y): expected a number (fill gaps before)").waitFor();
+    assert.equal(await page.getByTestId("tables").getByRole("listitem").count(), 2);
+    const parts = page.locator("pg-tables .part-names input");
+    assert.deepEqual([await parts.nth(0).inputValue(), await parts.nth(1).inputValue()], ["drive", "load"]);
+    await parts.nth(1).fill("machine");
+    await parts.nth(1).press("Enter");
+
+    await page.getByTestId("series-train").click();
+    await page.getByTestId("series-words").filter({ hasText: "Trained." }).waitFor({ timeout: 60_000 });
+    await page.locator(".series-curve").nth(2).waitFor();
+    assert.equal(await page.locator(".series-curve").count(), 3);
+    assert.equal(await page.locator(".series-curve .recorded").count(), 3);
+    assert.equal(await page.locator("pg-series-latent canvas").count(), 2);
+    await page.getByText("machine").first().waitFor();
+    const learned = await saved(page, "save-curves");
+    const rows = learned.text.trim().split("\n");
+    assert.equal(rows[0], "frame,time,drive_a,drive_b,load_c");
+    // Half as long again as the trial.
+    assert.equal(rows.length, 91);
+    const before = await course(page, 2);
+    await page.locator("pg-series [data-testid=coupling-0-1]").fill("-3");
+    await page.waitForFunction(
+      (before) => document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") !== before,
+      before,
+    );
+    assert.notEqual((await saved(page, "save-curves")).text, learned.text);
+    await page.getByTestId("series-reset").click();
+    await page.waitForFunction(
+      (before) => document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") === before,
+      before,
+    );
+
+    // What is not saved makes no place before the visitor was asked; whoever only closes the question keeps it.
+    const leaving = () => page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
+    assert.ok(await leaving(), "the browser would ask");
+    await page.getByTestId("series-train").focus();
+    await page.keyboard.press("Enter");
+    const question = page.getByTestId("unsaved");
+    await question.waitFor();
+    assert.match(await question.innerText(), /Not saved: the model of tables that was trained here/);
+    assert.deepEqual(await barriers(page), []);
+    await page.keyboard.press("Escape");
+    await question.waitFor({ state: "detached" });
+    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "series-train");
+    assert.equal(await course(page, 2), before);
+    // Enough for a look on the way.
+    await page.getByTestId("series-maxIterations").fill("5000");
+    await page.getByTestId("series-train").click();
+    await question.waitFor();
+    const model = await saved(page, "unsaved-save");
+    assert.ok(!(await leaving()), "it is on a disk");
+    await page.getByTestId("series-cancel").click();
+    await page.getByTestId("series-train").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+
+    // Another visitor has the model alone, and then a table too.
+    const other = await site.visit();
+    await ready(other.page);
+    await drop(other.page, { "model.json": model.text });
+    await other.page.getByTestId("series-start").waitFor();
+    assert.equal(await other.page.locator(".series-curve .recorded").count(), 0);
+    assert.equal((await saved(other.page, "save-curves")).text, learned.text);
+    assert.equal((await saved(other.page, "save-series")).text, model.text);
+    await drop(other.page, { "trial-1.csv": trial(0) });
+    await other.page.locator(".series-curve .recorded").nth(2).waitFor();
+    assert.deepEqual(other.problems, []);
+    await other.leave();
+  });
+
+  keepsNobodyOut(
+    (options) => site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10", ...options }),
+    async (page) => {
+      await ready(page);
+      // On a phone the clips have a tab of their own.
+      const tab = page.getByRole("tab", { name: "Clips" });
+      if (await tab.isVisible()) await tab.click();
+      await page.getByTestId("show-series").click();
+      await page.getByTestId("series-example").click();
+      await page.getByTestId("series-train").and(page.locator(":enabled")).click({ timeout: 60_000 });
+      await page.locator(".series-curve").nth(4).waitFor({ timeout: 60_000 });
+      assert.deepEqual(await barriers(page), []);
+    },
+  );
+});

@@ -1,0 +1,43 @@
+// Models of tables: their couplings, weights and latents.
+import assert from "node:assert/strict";
+import { after, before, it } from "node:test";
+import { installPackage } from "./package.mjs";
+
+/** @type {Awaited<ReturnType<typeof installPackage>>} */
+let installed;
+before(async () => {
+  installed = await installPackage();
+});
+after(() => installed?.remove());
+
+const settings = { latent: 2, dynamicsIps: 6, poseIps: 6, order: 2, framesPerSecond: 30, seed: 1, maxIterations: 20 };
+
+it("couplings change the curves, and weights and latents are there", () => {
+  const { AnyModel, Table, TableTrainer } = installed.vcgpdm;
+  const rows = Array.from({ length: 60 }, (_, t) => [Math.sin(t / 4), Math.cos(t / 4), Math.sin(t / 4 - 1)]);
+  const table = Table.of("trial", ["x", "y", "follower"], new Float64Array(rows.flat()), 0.02);
+  const parts = [
+    { name: "machine", columns: ["x", "y"] },
+    { name: "follower", columns: ["follower"] },
+  ];
+  const trainer = new TableTrainer({ parts, ...settings });
+  trainer.add(table);
+  while (!trainer.step().done);
+  assert.equal(trainer.latents(0).length, 60 * 2);
+  assert.throws(() => trainer.latents(2), { name: "VcgpdmError" });
+
+  const model = AnyModel.fromJson(trainer.model().toJson());
+  const { alpha } = model.info();
+  assert.equal(alpha?.length, 2);
+  const learned = model.rollout({ frames: 40, sequence: 0 });
+  const row = alpha?.[0];
+  if (row) row[1] = (row[1] ?? 1) * 100;
+  const changed = model.rollout({ frames: 40, sequence: 0, alpha });
+  assert.notDeepEqual(changed.values(), learned.values());
+  const [before, after] = [learned.weights(), changed.weights()];
+  assert.ok((after?.[0]?.[1] ?? 1) < (before?.[0]?.[1] ?? 0));
+  for (const weights of [before, after])
+    for (const target of [0, 1])
+      assert.ok(Math.abs((weights?.[0]?.[target] ?? 0) + (weights?.[1]?.[target] ?? 0) - 1) < 1e-12);
+  assert.equal(changed.latents(1).length, 40 * 2);
+});

@@ -1,0 +1,66 @@
+// What the page and the workers of the whole program say to each other about time series that are no body. Types only.
+import type { AnyModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
+import type { LibraryReport } from "./library-protocol";
+import type { Couplings, Reading, TrainingOutcome } from "./protocol";
+
+export type { TableInfo, TablePart } from "vcgpdm";
+export type SeriesInfo = AnyModelInfo;
+
+/** A file of columns: every worker that trains on it reads it for itself. */
+export interface TableSource {
+  name: string;
+  file: Blob;
+}
+
+export interface ReadTable {
+  info: TableInfo;
+  /** [rows x columns] */
+  values: Float64Array;
+}
+
+export interface SeriesJob {
+  /** At least one; the columns of the others may stand in another order than those of the first. */
+  tables: TableSource[];
+  settings: TableTrainingSettings;
+}
+
+export interface TrainedSeries {
+  /** The model's document. */
+  text: string;
+  /** Latent means of the training rows of each part [rows x Q]. */
+  latents: Float64Array[];
+}
+
+export interface SeriesRequest {
+  /** The model's document. */
+  text: string;
+  frames: number;
+  /** The training table whose start begins it. */
+  sequence: number;
+  /** Null: as learned. */
+  alpha: Couplings | null;
+  reading: Reading;
+}
+
+export interface SeriesRollout {
+  /** [frames x columns] */
+  values: Float64Array;
+  /** Latent path of each part [frames x Q]; none of a model of another kind than vCGPDM and vGPDM. */
+  latents: Float64Array[];
+  /** w[source][target]; null as latents. */
+  weights: Couplings | null;
+}
+
+/** What a worker does for time series. It keeps nothing that is missed when it dies. */
+export interface SeriesWorker {
+  readTable(source: TableSource): Promise<ReadTable>;
+  /** Why these tables cannot be trained on together; empty when they can. */
+  checkTables(tables: TableSource[]): Promise<string>;
+  /** Throws with the reason when the text is no model of tables. */
+  openSeries(text: string): SeriesInfo;
+  rolloutSeries(request: SeriesRequest): SeriesRollout;
+  /** The rollout as CSV: frame, time in seconds, and a column for each. */
+  seriesCsv(request: SeriesRequest): string;
+  trainSeries(job: SeriesJob, report: (report: LibraryReport<TrainedSeries>) => void): Promise<TrainingOutcome>;
+  cancelSeries(): void;
+}

@@ -1,0 +1,71 @@
+// For tests: a worker that reads tables and takes texts for models of two parts, and computes nothing.
+import type { LibraryReport } from "./library-protocol";
+import type { PendingTraining } from "./library.fake";
+import type { Couplings } from "./protocol";
+import type { ReadTable, SeriesInfo, SeriesJob, SeriesRequest, TableSource, TrainedSeries } from "./series-protocol";
+import type { WholeProgramWorker } from "./whole-engine";
+
+type SeriesCalls = "readTable" | "checkTables" | "openSeries" | "rolloutSeries" | "seriesCsv" | "trainSeries";
+
+const LEARNED: Couplings = [
+  [1, 2],
+  [3, 4],
+];
+
+/** A model's document: of tables with these names, or of another kind without couplings. */
+export const seriesText = (tables: readonly string[], { coupled = true } = {}) => JSON.stringify({ tables, coupled });
+
+function infoOf(text: string): SeriesInfo {
+  const { tables, coupled } = JSON.parse(text) as { tables: string[]; coupled: boolean };
+  return {
+    kind: coupled ? "vcgpdm" : "tmp",
+    parts: [
+      { name: "arm", joints: [0, 1] },
+      { name: "leg", joints: [2] },
+    ],
+    columns: ["arm_x", "arm_y", "leg_x"],
+    frameTime: 0.1,
+    sequences: tables.map((name) => ({
+      ...{ name, sha256: name, frames: 10, restsFrom: null, piece: null, bonesOf: null, whole: true },
+    })),
+    alpha: coupled ? LEARNED : null,
+    body: null,
+    provenance: { seed: 1 } as SeriesInfo["provenance"],
+  };
+}
+
+async function read({ name, file }: TableSource): Promise<ReadTable> {
+  const [head = "", ...rows] = (await file.text()).trim().split("\n");
+  if (rows.length < 2) throw new Error(`${name}, line 1: expected at least two rows of numbers`);
+  const values = Float64Array.from(rows.flatMap((row) => row.split(",").map(Number)));
+  return { info: { name, sha256: name, columns: head.split(","), rows: rows.length, frameTime: 0.1 }, values };
+}
+
+export class FakeSeries {
+  /** All rollouts that were asked for. */
+  readonly rollouts: Omit<SeriesRequest, "text">[] = [];
+  readonly trainings: PendingTraining<SeriesJob, TrainedSeries>[] = [];
+  /** Why tables do not go together; empty when they do. */
+  clash = "";
+
+  worker(): Pick<WholeProgramWorker, SeriesCalls> {
+    return {
+      readTable: read,
+      checkTables: async () => this.clash,
+      openSeries: async (text) => infoOf(text),
+      rolloutSeries: async ({ text, ...asked }) => {
+        this.rollouts.push(asked);
+        const { alpha } = infoOf(text);
+        const values = new Float64Array(3 * asked.frames).fill(asked.alpha?.[0]?.[1] ?? 0);
+        const latents = alpha ? [new Float64Array(2 * asked.frames), new Float64Array(asked.frames)] : [];
+        return { values, latents, weights: alpha && (asked.alpha ?? alpha) };
+      },
+      seriesCsv: async ({ alpha }) => `csv of ${JSON.stringify(alpha)}`,
+      trainSeries: (job, report: (report: LibraryReport<TrainedSeries>) => void, signal) =>
+        new Promise((end) => {
+          this.trainings.push({ job, report, end });
+          signal.addEventListener("abort", () => end({ cancelled: true, reason: null }), { once: true });
+        }),
+    };
+  }
+}

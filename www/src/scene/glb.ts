@@ -1,0 +1,195 @@
+// A motion as a GLB file: the skeleton with its rotations, a simple skin in the colours of the parts, metres, y up. Loaded when it is first
+// asked for. The skeleton comes from the motion's BVH, and how large it is and where it stands from the positions that the stage shows.
+import {
+  AnimationClip,
+  type Bone,
+  Color,
+  Float32BufferAttribute,
+  Group,
+  type KeyframeTrack,
+  Matrix4,
+  MeshStandardMaterial,
+  BufferGeometry,
+  Skeleton,
+  SkinnedMesh,
+  Uint16BufferAttribute,
+  Vector3,
+} from "three";
+import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
+import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
+import type { Figure, Motion, PartSpec } from "../engine/protocol";
+import { partColour } from "../ui/palette";
+import { partOfJoints } from "./part-of-joints";
+
+export interface MovedBody {
+  figure: Figure;
+  parts: readonly PartSpec[];
+  motion: Motion;
+}
+
+/** Where along a bone it is widest, and how wide, as shares of its length. */
+const WIDEST = 0.18;
+const WIDTH = 0.09;
+/** Of bones without a part. */
+const NO_PART = "#9a9a9a";
+
+/** The bytes of the file. `bvh` is the same motion as text. */
+export async function motionGlb(bvh: string, { figure, parts, motion }: MovedBody): Promise<ArrayBuffer> {
+  const { skeleton, clip } = new BVHLoader().parse(bvh);
+  const { bones } = skeleton;
+  const [root] = bones;
+  if (!root) throw new Error("expected a motion with a skeleton, found none");
+  const joints = bones.filter(({ name }) => name !== "ENDSITE");
+  root.updateMatrixWorld(true);
+  const skin = skinOf(bones, partOfBones(bones, joints, parts));
+  const animation = animationOf(clip, joints);
+  skin.add(root);
+  // Bound before it stands in its group: the group's place, size and turn then hold for bones and skin.
+  skin.bind(new Skeleton(bones));
+  const body = new Group();
+  body.name = "body";
+  body.add(skin);
+  pose(animation.tracks, joints);
+  root.updateMatrixWorld(true);
+  standAs(body, joints.map(placeOf), jointsAt(figure, motion.positions, joints.length));
+  for (const bone of bones) if (bone.name === "ENDSITE") bone.name = `${bone.parent?.name ?? ""}_end`;
+  const options = { binary: true, trs: true, animations: [animation] };
+  const file = await new GLTFExporter().parseAsync(body, options);
+  if (!(file instanceof ArrayBuffer)) throw new Error("expected bytes, found text");
+  return file;
+}
+
+const placeOf = (bone: Bone) => new Vector3().setFromMatrixPosition(bone.matrixWorld);
+
+/** The part of each bone, by the joint that it begins at; -1: none. */
+function partOfBones(bones: readonly Bone[], joints: readonly Bone[], parts: readonly PartSpec[]): number[] {
+  const part = partOfJoints(joints.length, parts);
+  return bones.map((bone) => part[joints.indexOf(bone)] ?? -1);
+}
+
+/** World positions of the joints in the first frame. */
+function jointsAt({ nodes }: Figure, positions: Float32Array, joints: number): Vector3[] {
+  const places = Array.from({ length: joints }, () => new Vector3());
+  nodes.forEach(({ joint, endSite }, node) => {
+    if (!endSite) places[joint]?.fromArray(positions, 3 * node);
+  });
+  return places;
+}
+
+/** Tracks that move something, of bones that are named by what is unique; loaders make names their own. */
+function animationOf(clip: AnimationClip, joints: readonly Bone[]): AnimationClip {
+  // The loader makes two tracks a joint, in order: where it is, and how it is turned.
+  const tracks = clip.tracks.flatMap((track, i) => {
+    const bone = joints[Math.floor(i / 2)];
+    const isPosition = i % 2 === 0;
+    if (!bone || (isPosition && rests(track, bone.position))) return [];
+    track.name = `${bone.uuid}.${isPosition ? "position" : "quaternion"}`;
+    return [track];
+  });
+  return new AnimationClip("motion", -1, tracks);
+}
+
+function rests({ values }: KeyframeTrack, at: Vector3): boolean {
+  const place = at.toArray();
+  return values.every((value, i) => Math.abs(value - (place[i % 3] ?? 0)) < 1e-9);
+}
+
+/** Puts the joints as they are in the first frame. */
+function pose(tracks: readonly KeyframeTrack[], joints: readonly Bone[]): void {
+  for (const { name, values } of tracks) {
+    const bone = joints.find(({ uuid }) => name.startsWith(uuid));
+    if (name.endsWith("position")) bone?.position.fromArray(values);
+    else bone?.quaternion.fromArray(values);
+  }
+}
+
+/** Moves, turns and sizes a group so that places in it come to lie where they shall; both are the same but for that. */
+function standAs(group: Group, from: readonly Vector3[], to: readonly Vector3[]): void {
+  const [a, b, c] = corners(from);
+  const [before, after] = [frameOf(from, a, b, c), frameOf(to, a, b, c)];
+  const size = (places: readonly Vector3[]) => places[a]?.distanceTo(places[b] ?? new Vector3()) ?? 1;
+  group.scale.setScalar(size(to) / size(from));
+  group.quaternion.setFromRotationMatrix(after.multiply(before.transpose()));
+  const place = (from[a] ?? new Vector3()).clone().multiply(group.scale).applyQuaternion(group.quaternion);
+  group.position.copy(to[a] ?? new Vector3()).sub(place);
+}
+
+/** Three places that are far from lying in a line: the first, the one farthest from it, and the one farthest from the line of both. */
+function corners(places: readonly Vector3[]): [number, number, number] {
+  const origin = places[0] ?? new Vector3();
+  const farthest = (away: (place: Vector3) => number) =>
+    places.reduce((best, place, i) => (away(place) > away(places[best] ?? origin) ? i : best), 0);
+  const b = farthest((place) => place.distanceTo(origin));
+  const along = (places[b] ?? origin).clone().sub(origin).normalize();
+  const c = farthest((place) => place.clone().sub(origin).cross(along).length());
+  return [0, b, c];
+}
+
+/** The axes of a triangle of places, as columns. */
+function frameOf(places: readonly Vector3[], a: number, b: number, c: number): Matrix4 {
+  const [origin, second, third] = [a, b, c].map((i) => places[i] ?? new Vector3()) as [Vector3, Vector3, Vector3];
+  const along = second.clone().sub(origin).normalize();
+  const across = third.clone().sub(origin).cross(along).normalize();
+  return new Matrix4().makeBasis(along, across, along.clone().cross(across));
+}
+
+/** An octahedron for each bone from its joint to the next, as they stand unturned; each belongs to one bone wholly. */
+function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
+  const [points, colours, owners]: [number[], number[], number[]] = [[], [], []];
+  bones.forEach((bone) => {
+    const owner = bones.indexOf(bone.parent as Bone);
+    if (owner < 0) return;
+    const [from, to] = [placeOf(bone.parent as Bone), placeOf(bone)];
+    const colour = new Color((part[owner] ?? -1) < 0 ? NO_PART : partColour(part[owner] ?? 0)).toArray();
+    for (const corner of octahedron(from, to)) {
+      points.push(...corner.toArray());
+      colours.push(...colour);
+      owners.push(owner);
+    }
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
+  geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
+  const four = (value: (owner: number) => number) => owners.flatMap((owner) => [value(owner), 0, 0, 0]);
+  geometry.setAttribute(
+    "skinIndex",
+    new Uint16BufferAttribute(
+      four((owner) => owner),
+      4,
+    ),
+  );
+  geometry.setAttribute(
+    "skinWeight",
+    new Float32BufferAttribute(
+      four(() => 1),
+      4,
+    ),
+  );
+  geometry.computeVertexNormals();
+  const skin = new SkinnedMesh(
+    geometry,
+    new MeshStandardMaterial({ vertexColors: true, roughness: 0.7, metalness: 0 }),
+  );
+  skin.name = "skin";
+  return skin;
+}
+
+/** The corners of its eight triangles, three each, seen from outside counter-clockwise; none for a bone without length. */
+function octahedron(from: Vector3, to: Vector3): Vector3[] {
+  const along = to.clone().sub(from);
+  const length = along.length();
+  if (length < 1e-9) return [];
+  along.divideScalar(length);
+  const aside = new Vector3(1, 0, 0);
+  if (Math.abs(along.x) > 0.9) aside.set(0, 1, 0);
+  const right = along.clone().cross(aside).normalize();
+  const front = along.clone().cross(right);
+  const waist = from.clone().addScaledVector(along, WIDEST * length);
+  const ring = [right, front, right.clone().negate(), front.clone().negate()].map((way) =>
+    waist.clone().addScaledVector(way, WIDTH * length),
+  );
+  return ring.flatMap((corner, i) => {
+    const next = ring[(i + 1) % 4] ?? corner;
+    return [from, next, corner, to, corner, next];
+  });
+}

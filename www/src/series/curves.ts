@@ -1,0 +1,36 @@
+// The columns of a model over time: as it rolls them out, and as they were recorded. Drawing only.
+import type { SeriesInfo } from "../engine/series-protocol";
+import type { TableEntry } from "./tables-store";
+
+export interface Curve {
+  name: string;
+  /** The place of its part. */
+  part: number;
+  /** [frames] */
+  rolledOut: number[];
+  /** [rows], in the same steps of time; null where the table is not open. */
+  recorded: number[] | null;
+}
+
+const column = (values: ArrayLike<number>, width: number, place: number): number[] =>
+  Array.from({ length: Math.floor(values.length / width) }, (_, row) => values[row * width + place] ?? 0);
+
+/** The curves part after part; `values` [frames x columns]. The recording may have its columns in another order. */
+export function curvesOf(
+  { parts, columns }: Pick<SeriesInfo, "parts" | "columns">,
+  values: Float64Array,
+  recorded: Pick<TableEntry, "info" | "values"> | null,
+): Curve[] {
+  return parts.flatMap(({ joints: places }, part) =>
+    places.map((place) => {
+      const name = columns[place] ?? "";
+      const found = recorded?.info.columns.indexOf(name) ?? -1;
+      return {
+        name,
+        part,
+        rolledOut: column(values, columns.length, place),
+        recorded: recorded && found >= 0 ? column(recorded.values, recorded.info.columns.length, found) : null,
+      };
+    }),
+  );
+}

@@ -1,0 +1,90 @@
+// The columns over time in place of a figure: what the model rolls out, and dashed what was recorded.
+import { html, nothing, svg } from "lit";
+import { axes, path, type Plot, ticksAcross, widthOf } from "../figures/chart";
+import "../figures/figures.css";
+import { linearScale } from "../figures/scale";
+import { partColour, onThemeChange } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import { View } from "../ui/view";
+import { type Curve, curvesOf } from "./curves";
+import type { SeriesStore } from "./series-store";
+
+const HEIGHT = 150;
+const TYPE = 12;
+/** Labels of an upright axis at most: charts are low. */
+const TICKS = 3;
+
+export class SeriesCurves extends View {
+  static override properties = { room: { state: true } };
+  declare model: SeriesStore;
+  /** The width of a chart, pixels. */
+  declare room: number;
+  /** Where the frames lie: of the first, and of one step of time. */
+  #across = { first: 0, step: 0 };
+
+  constructor() {
+    super();
+    this.room = 400;
+  }
+
+  protected override stores() {
+    return [this.model];
+  }
+
+  protected override arrived(): void {
+    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
+    this.whenLeaving(this.model.clock.on(() => this.#markNow()));
+    const measure = () => {
+      this.room = this.querySelector(".series-curve")?.clientWidth || this.room;
+    };
+    this.watchSize(this, measure);
+  }
+
+  protected override updated(): void {
+    this.#markNow();
+    this.room = this.querySelector(".series-curve")?.clientWidth || this.room;
+  }
+
+  #markNow(): void {
+    const x = String(this.#across.first + this.#across.step * this.model.clock.frame);
+    for (const line of this.querySelectorAll(".playhead")) {
+      line.setAttribute("x1", x);
+      line.setAttribute("x2", x);
+    }
+  }
+
+  #chart({ name, part, rolledOut, recorded }: Curve, frameTime: number, order: number) {
+    const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
+    const up = linearScale([...rolledOut, ...(recorded ?? [])], bottom, top);
+    const upTicks = up.ticks(TICKS);
+    const plot: Plot = { left: Math.max(44, widthOf(upTicks, TYPE)), right: this.room - 8, bottom, type: TYPE };
+    const end = Math.max(rolledOut.length, recorded?.length ?? 0) - 1;
+    const right = linearScale([0, end * frameTime], plot.left, plot.right);
+    const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);
+    const placed = (values: readonly number[]) =>
+      values.map((value, frame): [number, number] => [right.at(frame * frameTime), up.at(value)]);
+    const first = right.at(0);
+    this.#across = { first, step: right.at(frameTime) - first };
+    return html`
+      <figure class="figure-card series-curve" data-testid="curve-${order}" style=${partStyle(partColour(part), { "--series": partColour(part) })}>
+        <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
+          ${axes(plot, { scale: right, ticks: rightTicks, title: "time (s)" }, { scale: up, ticks: upTicks, title: name })}
+          ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
+          <g class="rolled-out">${path(placed(rolledOut))}</g>
+          <line class="playhead" y1=${top} y2=${bottom}></line>
+        </svg>
+      </figure>`;
+  }
+
+  protected override render() {
+    const { known, rollout, recorded } = this.model;
+    if (!known || !rollout) return nothing;
+    const { info } = known;
+    return html`<div class="series-curves" tabindex="0" role="group" aria-label="Columns over time">${curvesOf(
+      info,
+      rollout.values,
+      recorded,
+    ).map((curve, i) => this.#chart(curve, info.frameTime, i))}</div>`;
+  }
+}
+customElements.define("pg-series-curves", SeriesCurves);

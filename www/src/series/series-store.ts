@@ -1,0 +1,209 @@
+// The model of tables that is looked at: its couplings as the sliders have them, and its rollout.
+import { Latest } from "../engine/latest";
+import type { Couplings, Reading } from "../engine/protocol";
+import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
+import { askDesk } from "../engine/whole-desk";
+import type { WholeProgram } from "../engine/whole-engine";
+import { download } from "../ui/download";
+import { messageOf } from "../ui/format";
+import { Store } from "../ui/store";
+import { mayLose, type Work } from "../ui/unsaved";
+import { SeriesClock } from "./series-clock";
+import type { TableEntry, TablesStore } from "./tables-store";
+
+/** A rollout goes on for so long, as a share of the table that it begins as: what comes after the recording is worth seeing too. */
+const AS_LONG = 1.5;
+
+/** What a rollout is asked for, without the document. */
+type Asked = Omit<SeriesRequest, "text">;
+
+interface Known {
+  text: string;
+  info: SeriesInfo;
+  /** Latent means of the training rows of each part; null for a model from a file. */
+  training: Float64Array[] | null;
+  /** Whether it was trained here, and not saved since. */
+  unsaved: boolean;
+}
+
+interface Rolled {
+  asked: Asked;
+  rollout: SeriesRollout;
+  /** The same start as learned. */
+  learned: SeriesRollout;
+}
+
+export class SeriesStore extends Store {
+  readonly clock = new SeriesClock();
+  readonly #whole: WholeProgram;
+  readonly #tables: TablesStore;
+  readonly #rollouts: Latest<Asked, Rolled>;
+  #known: Known | null = null;
+  #alpha: Couplings | null = null;
+  #reading: Reading = "re-inferred";
+  #sequence = 0;
+  #rolled: Rolled | null = null;
+  #problem = "";
+
+  constructor(whole: WholeProgram, tables: TablesStore) {
+    super();
+    this.#whole = whole;
+    this.#tables = tables;
+    // The table that a rollout begins as may have been opened, or be gone.
+    tables.on(() => this.changed());
+    this.#rollouts = new Latest(
+      (asked) => this.#roll(asked),
+      (rolled) => this.#show(rolled),
+      (problem) => {
+        this.#problem = messageOf(problem);
+        this.changed();
+      },
+    );
+  }
+
+  get known(): Known | null {
+    return this.#known;
+  }
+
+  /** The rollout with the couplings as they are; null before the first. */
+  get rollout(): SeriesRollout | null {
+    return this.#rolled?.rollout ?? null;
+  }
+
+  get learned(): SeriesRollout | null {
+    return this.#rolled?.learned ?? null;
+  }
+
+  /** Why the newest couplings could not be rolled out; empty when they could. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /** alpha[source][target]; null for a model of another kind than vCGPDM and vGPDM. */
+  get alpha(): Couplings | null {
+    return this.#alpha;
+  }
+
+  get reading(): Reading {
+    return this.#reading;
+  }
+
+  /** The training table that the rollout begins as. */
+  get sequence(): number {
+    return this.#sequence;
+  }
+
+  /** Whether a coupling is not as learned. */
+  get altered(): boolean {
+    return JSON.stringify(this.#alpha) !== JSON.stringify(this.#known?.info.alpha ?? null);
+  }
+
+  /** The table that the rollout begins as, where it is open: the model's file does not hold it. */
+  get recorded(): TableEntry | null {
+    const { sha256 } = this.#known?.info.sequences[this.#sequence] ?? {};
+    return this.#tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
+  }
+
+  /** The model, where leaving it would lose it. */
+  get unsaved(): Work | null {
+    return this.#known?.unsaved ? { what: "the model of tables that was trained here", save: () => this.save() } : null;
+  }
+
+  /** Saves the model to the visitor's disk. */
+  save(): void {
+    if (!this.#known) return;
+    download("series.model.json", new Blob([this.#known.text], { type: "application/json" }));
+    this.#known = { ...this.#known, unsaved: false };
+    this.changed();
+  }
+
+  /** Takes a model from a file up, and says whether; the one before stays where that fails, or where the visitor keeps it. */
+  async open(text: string): Promise<boolean> {
+    const opened = await this.#read(text, null);
+    if (!(await mayLose(this.unsaved))) return false;
+    this.#takeUp(opened);
+    return true;
+  }
+
+  /** Takes a model up that was trained here. */
+  async takeTrained({ text, latents }: TrainedSeries): Promise<void> {
+    this.#takeUp(await this.#read(text, latents));
+  }
+
+  async #read(text: string, training: TrainedSeries["latents"] | null): Promise<{ known: Known; rolled: Rolled }> {
+    const info = await askDesk(this.#whole, (worker) => worker.openSeries(text));
+    const known = { text, info, training, unsaved: training !== null };
+    return { known, rolled: await this.#roll(asLearned(info, 0), known) };
+  }
+
+  #takeUp({ known, rolled }: { known: Known; rolled: Rolled }): void {
+    this.#rollouts.drop();
+    this.#known = known;
+    this.#alpha = known.info.alpha;
+    this.#sequence = 0;
+    this.#rolled = null;
+    this.#show(rolled);
+  }
+
+  setCoupling(source: number, target: number, alpha: number): void {
+    if (!this.#alpha) return;
+    this.#alpha = this.#alpha.map((row, i) => row.map((value, j) => (i === source && j === target ? alpha : value)));
+    this.#request();
+  }
+
+  resetCoupling(source: number, target: number): void {
+    const learned = this.#known?.info.alpha?.[source]?.[target];
+    if (learned !== undefined) this.setCoupling(source, target, learned);
+  }
+
+  resetCouplings(): void {
+    this.#alpha = this.#known?.info.alpha ?? null;
+    this.#request();
+  }
+
+  setReading(reading: Reading): void {
+    this.#reading = reading;
+    this.#request();
+  }
+
+  setSequence(sequence: number): void {
+    this.#sequence = sequence;
+    this.#request();
+  }
+
+  /** The rollout that is shown as CSV: a row a frame, a column for each of the model's. */
+  async csv(): Promise<string> {
+    const [known, rolled] = [this.#known, this.#rolled];
+    if (!known || !rolled) throw new Error("There is no model yet: train one or open one.");
+    return askDesk(this.#whole, (worker) => worker.seriesCsv({ ...rolled.asked, text: known.text }));
+  }
+
+  #request(): void {
+    const { info } = this.#known ?? {};
+    this.changed();
+    if (!info) return;
+    const asked = asLearned(info, this.#sequence);
+    this.#rollouts.request(this.altered ? { ...asked, alpha: this.#alpha, reading: this.#reading } : asked);
+  }
+
+  async #roll(asked: Asked, known = this.#known): Promise<Rolled> {
+    if (!known) throw new Error("There is no model yet: train one or open one.");
+    const { text, info } = known;
+    const ask = (asked: Asked) => askDesk(this.#whole, (worker) => worker.rolloutSeries({ ...asked, text }));
+    const before = known === this.#known && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
+    const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
+    return { asked, learned, rollout: asked.alpha ? await ask(asked) : learned };
+  }
+
+  #show(rolled: Rolled): void {
+    this.#rolled = rolled;
+    this.#problem = "";
+    this.clock.load(rolled.asked.frames, this.#known?.info.frameTime ?? 1);
+    this.changed();
+  }
+}
+
+function asLearned({ sequences }: SeriesInfo, sequence: number): Asked {
+  const frames = Math.max(2, Math.round(AS_LONG * (sequences[sequence]?.frames ?? 0)));
+  return { frames, sequence, alpha: null, reading: "as learned" };
+}

@@ -1,0 +1,46 @@
+// A training on the ticked tables, with the settings that trainings on clips have too.
+import type { TrainedSeries } from "../engine/series-protocol";
+import { workInPool } from "../engine/whole-desk";
+import type { WholeProgram } from "../engine/whole-engine";
+import type { SettingsStore } from "../settings/settings-store";
+import { ProgressStore } from "../training/progress-store";
+import { mayLose } from "../ui/unsaved";
+import type { SeriesStore } from "./series-store";
+import type { TablesStore } from "./tables-store";
+
+export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
+  readonly #whole: WholeProgram;
+  readonly #settings: Pick<SettingsStore, "values">;
+  readonly #tables: TablesStore;
+  readonly #series: SeriesStore;
+
+  constructor(whole: WholeProgram, settings: Pick<SettingsStore, "values">, tables: TablesStore, series: SeriesStore) {
+    super();
+    this.#whole = whole;
+    this.#settings = settings;
+    this.#tables = tables;
+    this.#series = series;
+  }
+
+  /** Why it cannot begin now; empty when it can. */
+  get whyNot(): string {
+    const { ticked, clash } = this.#tables;
+    if (ticked.length === 0) return "Open a table, or tick one.";
+    return clash ? "The ticked tables do not go together." : "";
+  }
+
+  /** Trains; the model takes the place of the one that is looked at. */
+  async train(): Promise<void> {
+    if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const parts = this.#tables.parts.filter(({ columns }) => columns.length > 0);
+    const job = {
+      tables: this.#tables.ticked.map(({ source }) => source),
+      settings: { parts, latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations },
+    };
+    const found = await this.run((report, signal) =>
+      workInPool(this.#whole, signal, (worker) => worker.trainSeries(job, report, signal)),
+    );
+    if (found) await this.#series.takeTrained(found);
+  }
+}

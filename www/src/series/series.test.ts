@@ -1,0 +1,172 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { progress } from "../engine/engine.fake";
+import type { LibraryReport } from "../engine/library-protocol";
+import { seriesText } from "../engine/series.fake";
+import type { TrainedSeries } from "../engine/series-protocol";
+import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { download } from "../ui/download";
+import { visitor } from "../ui/unsaved-dialog.fake";
+import { curvesOf } from "./curves";
+import { openSeries, type Series } from "./series";
+
+vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/download", () => ({ download: vi.fn() }));
+
+const CSV = "arm_x,arm_y,leg_x\n1,2,3\n4,5,6\n";
+const file = (name: string, text = CSV) => new File([text], name);
+
+let program: FakeProgram;
+let series: Series;
+beforeEach(() => {
+  program = new FakeProgram();
+  series = openSeries(program, new SettingsStore(new FakeAddressBar("latent=2&iterations=50")));
+});
+
+describe("tables", () => {
+  it("are opened once each, with parts by their columns", async () => {
+    const { tables, training } = series;
+    expect(training.whyNot).toMatch(/Open a table/);
+    for (const name of ["a.csv", "b.csv", "a.csv"]) await tables.open(file(name));
+    expect(tables.all.map(({ info, ticked }) => [info.name, ticked])).toEqual([
+      ["a.csv", true],
+      ["b.csv", true],
+    ]);
+    expect(tables.parts.map(({ name }) => name)).toEqual(["arm", "leg"]);
+    await expect(tables.open(file("c.csv", "x\n"))).rejects.toThrow(/^c\.csv, line 1/);
+    expect(training.whyNot).toBe("");
+  });
+
+  it("of other columns get other parts, and say why they do not go together", async () => {
+    const { tables, training } = series;
+    await tables.open(file("a.csv"));
+    tables.moveColumn("arm_y", 1);
+    program.series.clash = "b.csv cannot be trained together with a.csv";
+    await tables.open(file("b.csv", "x,y\n1,2\n3,4\n"));
+    expect(tables.clash).toMatch(/b\.csv cannot/);
+    expect(training.whyNot).toMatch(/do not go together/);
+    // What the visitor has changed stays while the columns do.
+    expect(tables.parts[1]?.columns).toEqual(["arm_y", "leg_x"]);
+    const [first] = tables.all;
+    if (first) await tables.tick(first, false);
+    expect([tables.parts, tables.clash]).toEqual([[{ name: "whole", columns: ["x", "y"] }], ""]);
+  });
+});
+
+describe("a training", () => {
+  const report = (found: TrainedSeries | null) =>
+    ({ progress: { ...progress(50), fraction: 1 }, elapsed: 2, found }) as LibraryReport<TrainedSeries>;
+
+  it("is asked for with the parts that have columns, and its model is looked at", async () => {
+    const { tables, model, training } = series;
+    await tables.open(file("a.csv"));
+    tables.addPart();
+    const over = training.train();
+    await settled();
+    const [asked] = program.series.trainings;
+    expect(asked?.job.settings).toMatchObject({
+      latent: 2,
+      maxIterations: 50,
+      parts: [{ name: "arm" }, { name: "leg" }],
+    });
+    expect(asked?.job.tables.map(({ name }) => name)).toEqual(["a.csv"]);
+    const latents = [new Float64Array(4), new Float64Array(2)];
+    asked?.report(report({ text: seriesText(["a.csv"]), latents }));
+    asked?.end({ cancelled: false, reason: "settled" });
+    await over;
+    expect(model.known?.training).toEqual(latents);
+    expect(model.recorded?.info.name).toBe("a.csv");
+    expect([model.clock.lastFrame, model.altered]).toEqual([14, false]);
+  });
+
+  it("gives a model that makes place for no other, opened or trained, before the visitor was asked", async () => {
+    const { tables, model, training } = series;
+    const train = async () => {
+      const over = training.train();
+      await settled();
+      const asked = program.series.trainings.shift();
+      asked?.report(report({ text: seriesText(["a.csv"]), latents: [new Float64Array(4)] }));
+      asked?.end({ cancelled: false, reason: "settled" });
+      await over;
+      return asked !== undefined;
+    };
+    visitor.arrives("keep");
+    await tables.open(file("a.csv"));
+    await model.open(seriesText(["old.csv"]));
+    await train();
+    expect(visitor.asked).toEqual([]);
+    const { known } = model;
+    expect(await model.open(seriesText(["old.csv"]))).toBe(false);
+    expect([await train(), training.busy, model.known]).toEqual([false, false, known]);
+    expect(visitor.asked).toHaveLength(2);
+    // Saved first, nobody needs to be asked again.
+    visitor.arrives("save");
+    expect([await train(), await train(), visitor.asked.length]).toEqual([true, true, 2]);
+    model.save();
+    expect([await model.open(seriesText(["old.csv"])), visitor.asked.length]).toEqual([true, 2]);
+    expect(vi.mocked(download)).toHaveBeenCalledTimes(3);
+  });
+
+  it("that fails leaves the model that was there", async () => {
+    const { tables, model, training } = series;
+    await model.open(seriesText(["old.csv"]));
+    await tables.open(file("a.csv"));
+    const over = training.train();
+    await settled();
+    program.series.trainings[0]?.report(report(null));
+    program.series.trainings[0]?.end({ cancelled: true, reason: null });
+    await over;
+    expect(model.known?.text).toBe(seriesText(["old.csv"]));
+    expect(training.busy).toBe(false);
+  });
+});
+
+describe("a model of tables", () => {
+  it("is rolled out anew when a coupling changes, the newest only, and as learned again", async () => {
+    const { model } = series;
+    await model.open(seriesText(["a.csv", "b.csv"]));
+    expect(model.recorded).toBeNull();
+    for (const alpha of [10, 20, 30]) model.setCoupling(0, 1, alpha);
+    await settled();
+    expect(program.series.rollouts.map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
+    expect([model.rollout?.values[0], model.learned?.values[0], model.altered]).toEqual([30, 0, true]);
+    expect(await model.csv()).toContain("30");
+    model.resetCouplings();
+    await settled();
+    expect([model.altered, model.rollout]).toEqual([false, model.learned]);
+  });
+
+  it("begins as another table when asked to", async () => {
+    const { model } = series;
+    await model.open(seriesText(["a.csv", "b.csv"]));
+    model.setSequence(1);
+    await settled();
+    expect(program.series.rollouts.at(-1)).toMatchObject({ sequence: 1, frames: 15, alpha: null });
+  });
+
+  it("of another kind has curves alone", async () => {
+    const { model } = series;
+    await model.open(seriesText(["a.csv"], { coupled: false }));
+    model.setCoupling(0, 1, 5);
+    await settled();
+    expect([model.alpha, model.rollout?.latents, program.series.rollouts.length]).toEqual([null, [], 1]);
+  });
+});
+
+it("a curve finds its recording by name, wherever it stands in the table", () => {
+  const info = {
+    parts: [
+      { name: "leg", joints: [1] },
+      { name: "arm", joints: [0] },
+    ],
+    columns: ["a", "l"],
+  };
+  const table = { info: { name: "t", sha256: "", columns: ["l", "x", "a"], rows: 2, frameTime: null } };
+  const curves = curvesOf(info, Float64Array.of(1, 2, 3, 4), { ...table, values: Float64Array.of(5, 0, 6, 7, 0, 8) });
+  expect(curves).toEqual([
+    { name: "l", part: 0, rolledOut: [2, 4], recorded: [5, 7] },
+    { name: "a", part: 1, rolledOut: [1, 3], recorded: [6, 8] },
+  ]);
+  expect(curvesOf(info, Float64Array.of(1, 2), null)[0]?.recorded).toBeNull();
+});

@@ -1,0 +1,60 @@
+// A clock that is played, stepped and scrubbed. It tells of every frame: views that show no time do not listen to it.
+import { Store } from "../ui/store";
+import { Player } from "./player";
+
+export class Clock extends Store {
+  protected readonly player = new Player();
+
+  /** The frame now; need not be whole. */
+  get frame(): number {
+    return this.player.frame;
+  }
+
+  get lastFrame(): number {
+    return this.player.last;
+  }
+
+  get playing(): boolean {
+    return this.player.playing;
+  }
+
+  /** Moves on by seconds. */
+  advance(seconds: number): void {
+    if (!this.player.playing) return;
+    const laps = this.player.advance(seconds);
+    if (laps > 0) this.lapped(laps);
+    this.changed();
+  }
+
+  play(): void {
+    this.player.play();
+    this.changed();
+  }
+
+  togglePlay(): void {
+    if (this.player.playing) this.player.pause();
+    else this.player.play();
+    this.changed();
+  }
+
+  /** Stops at the next whole frame in a direction. */
+  step(direction: 1 | -1): void {
+    this.player.step(direction);
+    this.jumped();
+    this.changed();
+  }
+
+  /** Stops at a frame. */
+  scrub(frame: number): void {
+    this.player.pause();
+    this.player.scrub(frame);
+    this.jumped();
+    this.changed();
+  }
+
+  /** So many laps have ended, before anybody is told. */
+  protected lapped(_laps: number): void {}
+
+  /** The visitor has gone to another frame, before anybody is told. */
+  protected jumped(): void {}
+}

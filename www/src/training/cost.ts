@@ -1,0 +1,79 @@
+// What a training would cost, known before it begins.
+import type { ClipsStore } from "../clips/clips-store";
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { CostQuestion, TrainingCost } from "../engine/protocol";
+import type { SettingsStore } from "../settings/settings-store";
+import { duration } from "../ui/format";
+
+/** A training that takes longer, in seconds, or more memory, in bytes, is warned of. Ours: a lecture is over, or a tab of the browser full. */
+const LONG = 45 * 60;
+const LARGE = 1.5e9;
+/** Shorter ones, in seconds, are not worth a word. */
+const SHORT = 20;
+/** Columns of a joint: its rotation. */
+const COLUMNS = 3;
+
+export class Cost {
+  readonly #settings: SettingsStore;
+  readonly #clips: ClipsStore;
+  readonly #latest: Latest<CostQuestion, TrainingCost | undefined>;
+  #asked = "";
+  #known: TrainingCost | null = null;
+
+  constructor(engine: EngineStore, settings: SettingsStore, clips: ClipsStore, changed: () => void) {
+    this.#settings = settings;
+    this.#clips = clips;
+    const done = (cost: TrainingCost | undefined) => {
+      this.#known = cost ?? null;
+      changed();
+    };
+    const failed = () => done(undefined);
+    this.#latest = new Latest(async (question) => engine.engine?.trainingCost(question), done, failed);
+    for (const store of [engine, settings, clips]) store.on(() => this.#ask());
+  }
+
+  /** Null as long as nothing is known. */
+  get now(): TrainingCost | null {
+    return this.#known;
+  }
+
+  #ask(): void {
+    const { latent, order, dynamicsIps, poseIps, maxIterations, framesPerSecond } = this.#settings.values;
+    const { ticked, parts } = this.#clips;
+    const seconds = ticked.map(({ first, end, loaded }) => (end - first) * loaded.info.frameTime);
+    const frames = Math.round(seconds.reduce((sum, some) => sum + some, 0) * framesPerSecond);
+    if (frames === 0) return;
+    const columns = parts.map(({ joints }) => COLUMNS * joints.length);
+    const settings = { latent, order, dynamicsIps, poseIps, maxIterations };
+    const question = { settings, frames, columns };
+    const words = JSON.stringify(question);
+    if (words === this.#asked) return;
+    this.#asked = words;
+    this.#latest.request(question);
+  }
+}
+
+/** What a visitor should know of it; `workers` trainings of `count` run at once. */
+export function costWords(
+  cost: TrainingCost | null,
+  count: number,
+  workers: number,
+): { words: string; absurd: boolean } {
+  if (!cost) return { words: "", absurd: false };
+  const seconds = cost.seconds * Math.ceil(count / Math.max(1, workers));
+  const bytes = cost.bytes * Math.min(count, workers);
+  const absurd = seconds > LONG || bytes > LARGE;
+  if (!absurd && seconds < SHORT) return { words: "", absurd };
+  const time = `At most about ${rounded(seconds)}.`;
+  if (!absurd) return { words: time, absurd };
+  const memory = bytes > LARGE ? ` It needs about ${(bytes / 1e9).toFixed(1)} GB of memory.` : "";
+  return { words: `${time}${memory} Fewer frames a second, points or iterations make it shorter.`, absurd };
+}
+
+function rounded(seconds: number): string {
+  if (seconds >= 48 * 3600) return `${Math.round(seconds / 86400)} days`;
+  if (seconds >= 3600) return `${Math.round(seconds / 360) / 10} hours`;
+  const step = seconds > 600 ? 60 : seconds > 60 ? 10 : 5;
+  return duration(Math.ceil(seconds / step) * step);
+}

@@ -1,0 +1,30 @@
+import { describe, expect, it } from "vitest";
+import { progress } from "../engine/engine.fake";
+import { goingWords } from "./progress-row";
+import { ProgressStore } from "./progress-store";
+
+describe("the words of a training that is under way", () => {
+  it("say what it does, and how long it takes once that is known", async () => {
+    const store = new ProgressStore<string>();
+    expect(goingWords(store)).toEqual([]);
+    const told: string[][] = [];
+    await store.run(async (report) => {
+      told.push(goingWords(store));
+      const halfway = { ...progress(7), fraction: 0.5 };
+      report({ progress: halfway, elapsed: 0.2, found: null });
+      told.push(goingWords(store));
+      report({ progress: halfway, elapsed: 8, found: "this" });
+      told.push(goingWords(store));
+      store.cancel();
+      told.push(goingWords(store));
+      return { cancelled: true, reason: null };
+    });
+    expect(told).toEqual([
+      ["Setting up"],
+      ["Iteration 7", "Estimating the time left."],
+      ["Iteration 7", "At most 8 s left."],
+      ["Stopping"],
+    ]);
+    expect(goingWords(store)).toEqual([]);
+  });
+});

@@ -1,0 +1,43 @@
+import { describe, expect, it } from "vitest";
+import { progress } from "../engine/engine.fake";
+import { costWords } from "./cost";
+import { endingWords } from "./words";
+
+describe("how a training ended", () => {
+  const done = { cancelled: false, reason: "settled" as const };
+
+  it("says what went wrong and was survived, and nothing else", () => {
+    expect(endingWords(done, progress(3))).toBe("the bound no longer rises");
+    const setbacks = { jittered: 3, turnedBack: 1 };
+    expect(endingWords(done, { ...progress(3), setbacks })).toBe(
+      "The bound no longer rises. A covariance needed jitter on its diagonal 3 times. The search turned back once where there was no finite number.",
+    );
+  });
+
+  it("says what was reduced", () => {
+    const notices = ["40 pose inducing points are reduced, because there are only 20 frames"];
+    expect(endingWords({ ...done, notices }, progress(3))).toBe(
+      "The bound no longer rises. 40 pose inducing points are reduced, because there are only 20 frames.",
+    );
+  });
+});
+
+describe("what a training would cost", () => {
+  const words = (seconds: number, bytes = 1e7, count = 1, workers = 1) => costWords({ seconds, bytes }, count, workers);
+
+  it("is said where one has to wait", () => {
+    expect(costWords(null, 1, 1).words).toBe("");
+    expect(words(5).words).toBe("");
+    expect(words(43)).toEqual({ words: "At most about 45 s.", absurd: false });
+    expect(words(43, 1e7, 4, 2).words).toBe("At most about 1 min 30 s.");
+  });
+
+  it("is a warning where nobody would wait, or the memory is full", () => {
+    expect(words(3600 * 5)).toEqual({
+      words: "At most about 5 hours. Fewer frames a second, points or iterations make it shorter.",
+      absurd: true,
+    });
+    expect(words(1e7).words).toContain("116 days");
+    expect(words(60, 1e9, 2, 2).words).toContain("2.0 GB of memory");
+  });
+});

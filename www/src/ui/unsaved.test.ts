@@ -1,0 +1,35 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { mayLose, type Work } from "./unsaved";
+import { visitor } from "./unsaved-dialog.fake";
+
+vi.mock("./unsaved-dialog", () => import("./unsaved-dialog.fake"));
+
+let saved: string[];
+const work = (what: string): Work => ({ what, save: async () => void saved.push(what) });
+beforeEach(() => {
+  saved = [];
+  visitor.arrives("keep");
+});
+
+describe("work that is not saved", () => {
+  it("is asked about; where there is none nobody is asked", async () => {
+    expect(await mayLose()).toBe(true);
+    expect(await mayLose(null, null)).toBe(true);
+    expect(visitor.asked).toEqual([]);
+    expect(await mayLose(null, work("a model"), work("a study"))).toBe(false);
+    expect(visitor.asked).toEqual(["a model", "a study"]);
+  });
+
+  it("is lost where the visitor says so, after it was saved where the visitor wants that", async () => {
+    visitor.arrives("discard");
+    expect([await mayLose(work("a model")), saved]).toEqual([true, []]);
+    visitor.arrives("save");
+    expect([await mayLose(work("a model"), work("a study")), saved]).toEqual([true, ["a model", "a study"]]);
+  });
+
+  it("stays where it cannot be saved", async () => {
+    visitor.arrives("save");
+    const full = { what: "a model", save: () => Promise.reject(new Error("no room")) };
+    await expect(mayLose(full)).rejects.toThrow("no room");
+  });
+});
