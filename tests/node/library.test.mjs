@@ -1,6 +1,8 @@
 // A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while primitives change.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
 import { installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
@@ -52,14 +54,14 @@ after(() => installed?.remove());
 function largestStep(
   /** @type {Float32Array[]} */ batches,
   /** @type {number} */ width,
-  /** @type {number[]} */ nodes,
+  /** @type {number[]} */ nodes = Array.from({ length: width / 3 }, (_, node) => node),
 ) {
   const all = batches.flatMap((batch) => [...batch]);
   let largest = 0;
   for (let frame = width; frame < all.length; frame += width)
     for (const node of nodes) {
-      const at = frame + 3 * node;
-      const by = [0, 1, 2].map((axis) => (all[at + axis] ?? 0) - (all[at + axis - width] ?? 0));
+      const place = frame + 3 * node;
+      const by = [0, 1, 2].map((axis) => (all[place + axis] ?? 0) - (all[place + axis - width] ?? 0));
       largest = Math.max(largest, Math.hypot(...by));
     }
   return largest;
@@ -130,11 +132,29 @@ describe("a library of primitives", () => {
     walk.use(1, 3);
     const after = walk.advance(40).positions();
     assert.ok(largestStep([before, after], width, legs) < 1.3 * largestStep([before], width, legs));
-    walk.mix(1, 2, 0.5);
+    walk.mix(1, 2, 0.5, 45);
     walk.setTempo(1, 0.8);
     walk.setAlpha(library.nearestCouplings([0, 3]));
     assert.ok([...walk.advance(40).positions()].every(Number.isFinite));
     assert.throws(() => walk.setTempo(1, 9), { code: "rollout", message: /a tempo from 0.25 to 2, found 9/ });
+  });
+
+  it("mixes primitives without a leap, from whatever frame it begins at", () => {
+    const made = vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
+    const width = 3 * made.info().figure.nodes.length;
+    const largest = (/** @type {number} */ frames) => {
+      const steps = Array.from({ length: 38 }, (_, k) => {
+        const walk = made.walk([0, 3]);
+        const before = walk.advance(20 + 10 * k).positions();
+        walk.mix(1, 2, 0.5, frames);
+        return largestStep([before.slice(-width), walk.advance(60).positions()], width);
+      });
+      return Math.max(...steps);
+    };
+    // The waving hand goes 0.3 m in a frame without any mix. The page takes 45 frames.
+    const [slow, sudden] = [largest(45), largest(0)];
+    assert.ok(slow < 0.4, `${slow} m`);
+    assert.ok(sudden > 0.8, `${sudden} m`);
   });
 
   it("says where a combination stands still, and to whom its parts listen", () => {

@@ -80,11 +80,20 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another one of the part: a share of it from 0 to 1.
-    pub fn mix(&mut self, part: &Whole, other: &Whole, share: f64) -> Result<(), VcgpdmError> {
+    /// Mixes the predictions of a part's primitive with those of another one of the part: a share of it from 0 to 1. It gets there
+    /// evenly, at the pace of a whole exchange in `frames`; at once without.
+    pub fn mix(
+        &mut self,
+        part: &Whole,
+        other: &Whole,
+        share: f64,
+        frames: Option<Whole>,
+    ) -> Result<(), VcgpdmError> {
         let part = part.count(ErrorCode::Rollout, "the part")?;
         let other = other.count(ErrorCode::Rollout, "the primitive")?;
-        Ok(self.walk.latents.mix(&self.trained.library, part, other, share)?)
+        let frames = frames
+            .map_or(Ok(0), |frames| frames.count(ErrorCode::Rollout, "the frames of a whole exchange"))?;
+        Ok(self.walk.latents.mix(&self.trained.library, part, other, share, frames)?)
     }
 
     /// Other couplings, `alpha[source][target]`, from the next frame on.

@@ -24,7 +24,7 @@ export type {
 export type WalkChange =
   /** The part goes on with another of its primitives. */
   | { kind: "use"; part: number; primitive: number }
-  /** The predictions of the part are so much, 0 to 1, those of another of its primitives. */
+  /** The predictions of the part become so much, 0 to 1, those of another of its primitives: little by little. */
   | { kind: "mix"; part: number; other: number; share: number }
   | { kind: "couplings"; alpha: Couplings }
   /** The couplings of a combination that nobody has fitted. */

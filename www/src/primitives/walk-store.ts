@@ -17,16 +17,6 @@ const LEAD = 3;
 /** So many are asked for at once, so that the worker is nearly always free when the visitor changes something. */
 const PIECE = 6;
 
-/** A part takes so many frames to go all the way to another of its primitives: at once it would jump. */
-const MIX_FRAMES = 30;
-
-/** A part on its way to another of its primitives: how far it is, and how far it shall go. */
-interface Mixing {
-  other: number;
-  share: number;
-  goal: number;
-}
-
 /** What acts on all frames after this one. */
 interface Made {
   after: number;
@@ -60,9 +50,6 @@ export class WalkStore extends Store {
   #made: Made[] = [];
   /** The farthest that the clock has been. */
   #seen = 0;
-  readonly #mixing = new Map<number, Mixing>();
-  /** Whether one has just set out: from the frame that is seen. */
-  #setsOut = false;
   /** Whether one of them would make the figure jump. */
   #leaps = false;
   #busy = false;
@@ -87,8 +74,6 @@ export class WalkStore extends Store {
     this.#track = null;
     this.#changes = [];
     this.#made = [];
-    this.#mixing.clear();
-    this.#setsOut = false;
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, Math.round(KEPT_SECONDS / frameTime));
     const motion = await this.#held.ask(async (worker) => {
       await worker.startWalk([...uses]);
@@ -110,14 +95,6 @@ export class WalkStore extends Store {
    */
   change(change: WalkChange, leaps = change.kind === "use"): void {
     this.#leaps ||= leaps;
-    if (change.kind === "mix") {
-      const { part, other, share: goal } = change;
-      const before = this.#mixing.get(part);
-      this.#setsOut ||= !this.#isMixing;
-      this.#mixing.set(part, { other, share: before?.other === other ? before.share : 0, goal });
-      return;
-    }
-    if (change.kind === "use") this.#mixing.delete(change.part);
     this.#changes.push(change);
     this.#fillSoon();
   }
@@ -151,24 +128,6 @@ export class WalkStore extends Store {
     this.changed();
   }
 
-  /** Whether a part is on its way to another of its primitives: frame by frame. */
-  get #isMixing(): boolean {
-    return [...this.#mixing.values()].some(({ share, goal }) => share !== goal);
-  }
-
-  /** Moves the mixes as far as so many frames allow. */
-  #mixOn(frames: number): WalkChange[] {
-    const changes: WalkChange[] = [];
-    for (const [part, mixing] of this.#mixing) {
-      const { other, share, goal } = mixing;
-      if (share === goal) continue;
-      const most = frames / MIX_FRAMES;
-      mixing.share = Math.abs(goal - share) <= most ? goal : share + Math.sign(goal - share) * most;
-      changes.push({ kind: "mix", part, other, share: mixing.share });
-    }
-    return changes;
-  }
-
   /** The last frame that stays as it is: of a figure that stands, the one that its picture leads to as well. */
   get #kept(): number {
     return this.player.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
@@ -183,21 +142,18 @@ export class WalkStore extends Store {
   async #fill(seconds: number): Promise<void> {
     const track = this.#track;
     if (!track || this.#busy) return;
-    const again = this.#changes.length > 0 || this.#setsOut;
+    const again = this.#changes.length > 0;
     const from = again ? Math.min(this.#kept, track.last) : track.last;
     const back = track.last - from;
-    const piece = again || this.#isMixing ? 1 : PIECE;
+    const piece = again ? 1 : PIECE;
     const ahead = LEAD + piece - 1 + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
     // A figure that stands goes on to where the leap is over: what the visitor did is to be seen.
     const onward = this.#leaps && !this.player.playing ? SEAM_FRAMES : 0;
-    // A part that sets out goes on in small pieces, of which each is one step.
-    const fewest = this.#changes.length > 0 ? back : 0;
-    const frames = Math.max(fewest, Math.ceil(ahead + onward + this.player.frame - from));
+    const frames = Math.max(back, Math.ceil(ahead + onward + this.player.frame - from));
     if (frames < piece) return;
     this.#busy = true;
     const walks = this.#walks;
-    const changes = this.#changesAfter(from, Math.max(frames - back, this.#setsOut ? 1 : 0));
-    this.#setsOut = false;
+    const changes = this.#changesAfter(from);
     const leaps = this.#leaps;
     this.#leaps = false;
     try {
@@ -216,10 +172,10 @@ export class WalkStore extends Store {
     }
   }
 
-  /** What acts after a frame: what is taken back with the frames after it, what is new, and the mixes, so many frames on. */
-  #changesAfter(frame: number, more: number): WalkChange[] {
+  /** What acts after a frame: what is taken back with the frames after it, and what is new. */
+  #changesAfter(frame: number): WalkChange[] {
     const again = this.#made.filter(({ after }) => after >= frame).flatMap(({ changes }) => changes);
-    const changes = newest([...again, ...this.#changes, ...this.#mixOn(more)]);
+    const changes = newest([...again, ...this.#changes]);
     this.#changes = [];
     const seen = Math.floor(this.#seen);
     const before = this.#made.filter(({ after }) => after >= seen && after < frame);

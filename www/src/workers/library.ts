@@ -53,13 +53,16 @@ function motionOf(positions: Float32Array, frames: number): Motion {
   return handOver({ positions, frames, nodes, frameTime }, positions);
 }
 
+/** A part takes so many frames to go all the way to another of its primitives: at once it would jump. tests/node/library.test.mjs has how far. */
+const MIX_FRAMES = 45;
+
 function change(walk: LibraryWalk, change: WalkChange): void {
   switch (change.kind) {
     case "use":
       walk.use(change.part, change.primitive);
       break;
     case "mix":
-      walk.mix(change.part, change.other, change.share);
+      walk.mix(change.part, change.other, change.share, MIX_FRAMES);
       break;
     case "couplings":
       walk.setAlpha(change.alpha);

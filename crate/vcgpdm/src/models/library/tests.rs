@@ -182,14 +182,43 @@ fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
     assert!((0..44).any(|t| waving.rows(t, 2) == arms));
     // Wholly mixed, the other primitive takes over.
     let mut mixed = LatentWalk::new(&library, &[0, 1]).unwrap();
-    mixed.mix(&library, 1, 2, 1.0).unwrap();
+    mixed.mix(&library, 1, 2, 1.0, 0).unwrap();
     let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
     other.parts_for_tests(1, 2);
     assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
     let words = |result: Result<(), WalkError>| result.unwrap_err().to_string();
     assert_eq!(words(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
-    assert_eq!(words(walk.mix(&library, 0, 1, 0.5)), "expected a primitive of part 0, found primitive 1");
-    assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN)), "expected a share from 0 to 1, found NaN");
+    assert_eq!(words(walk.mix(&library, 0, 1, 0.5, 0)), "expected a primitive of part 0, found primitive 1");
+    assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
+}
+
+/// However many frames are asked for at once, a mix takes one even step in each: on a slow display the arms once jumped a third of the
+/// way. Taken back, it goes on from the share that it had.
+#[test]
+fn a_mix_takes_even_steps_however_many_frames_are_made_at_once() {
+    let library = trained([true, false]);
+    let path = |pieces: &[usize]| {
+        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+        walk.mix(&library, 1, 2, 0.5, 30).unwrap();
+        let made: Vec<_> = pieces.iter().map(|frames| walk.advance(&library, *frames)).collect();
+        made.iter().flat_map(|made| made[1].row_iter().map(|row| (row[0], row[1]))).collect::<Vec<_>>()
+    };
+    assert_eq!(path(&[40]), path(&[1, 3, 16, 20]));
+    let at_once = |share: f64, frames: usize| {
+        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+        walk.mix(&library, 1, 2, share, frames).unwrap();
+        walk.advance(&library, 1)[1].clone()
+    };
+    assert_eq!(at_once(0.5, 30), at_once(1.0 / 30.0, 0));
+    // There and back again, and nothing is left of it.
+    let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
+    walk.mix(&library, 1, 2, 0.1, 30).unwrap();
+    walk.advance(&library, 3);
+    walk.mix(&library, 1, 2, 0.0, 30).unwrap();
+    walk.advance(&library, 4);
+    let (mut here, mut there) = (walk.clone(), walk);
+    there.mix(&library, 1, 2, 0.0, 0).unwrap();
+    assert_eq!(here.advance(&library, 5), there.advance(&library, 5));
 }
 
 /// A part alone goes through its own time at its tempo: half as fast, a turn takes twice as many frames.

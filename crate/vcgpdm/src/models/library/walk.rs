@@ -51,12 +51,30 @@ pub enum WalkError {
     Pose(#[from] PoseError),
 }
 
+/// Another primitive of a part, and how far its predictions have taken the place of the first one's.
+#[derive(Clone, Copy, Debug)]
+struct Mix {
+    other: usize,
+    /// 0 to 1.
+    share: f64,
+    /// Where the share goes, and by how much at most in a frame.
+    goal: f64,
+    pace: f64,
+}
+
+impl Mix {
+    /// A frame later; none any more when the first primitive has its place back.
+    fn next(self) -> Option<Self> {
+        let share = self.share + (self.goal - self.share).clamp(-self.pace, self.pace);
+        (share > 0.0).then_some(Self { share, ..self })
+    }
+}
+
 /// What one part does.
 #[derive(Clone, Debug)]
 struct PartWalk {
     primitive: usize,
-    /// Another primitive of the part, and how far its predictions have taken the place of the first one's, 0 to 1.
-    other: Option<(usize, f64)>,
+    mix: Option<Mix>,
     /// Frames of its own time that pass in a frame.
     tempo: f64,
     /// Its latents [frames x Q], newest last.
@@ -123,7 +141,7 @@ impl LatentWalk {
     fn begin(library: &Library, uses: &[usize], start: &[DMatrix<f64>]) -> Self {
         let part = |(primitive, start): (&usize, &DMatrix<f64>)| PartWalk {
             primitive: *primitive,
-            other: None,
+            mix: None,
             tempo: 1.0,
             path: start.rows(0, library.order).transpose().as_slice().to_vec(),
         };
@@ -177,23 +195,33 @@ impl LatentWalk {
             self.parts[part].path = state.transpose().as_slice().to_vec();
         }
         self.parts[part].primitive = primitive;
-        self.parts[part].other = None;
+        self.parts[part].mix = None;
         Ok(())
     }
 
     /// Mixes the predictions of a part's primitive with those of another one of the part: 1 - `share` of the first, `share` of the other.
+    /// It gets there evenly, at the pace of a whole exchange in `frames`; with 0, at once. A mix with a third primitive begins anew.
     ///
     /// # Errors
     ///
     /// When the other is not a primitive of the part, or the share is not from 0 to 1.
-    pub fn mix(&mut self, library: &Library, part: usize, other: usize, share: f64) -> Result<(), WalkError> {
+    pub fn mix(
+        &mut self,
+        library: &Library,
+        part: usize,
+        other: usize,
+        share: f64,
+        frames: usize,
+    ) -> Result<(), WalkError> {
         if library.primitives.get(other).is_none_or(|primitive| primitive.part != part) {
             return Err(CombinationError::Primitive { part, found: other }.into());
         }
         if !(0.0..=1.0).contains(&share) {
             return Err(WalkError::Range { what: "a share", lowest: 0.0, highest: 1.0, found: share });
         }
-        self.parts[part].other = (share > 0.0).then_some((other, share));
+        let before = self.parts[part].mix.filter(|mix| mix.other == other).map_or(0.0, |mix| mix.share);
+        let pace = if frames == 0 { 1.0 } else { 1.0 / frames as f64 };
+        self.parts[part].mix = Some(Mix { other, share: before, goal: share, pace });
         Ok(())
     }
 
@@ -221,15 +249,18 @@ impl LatentWalk {
         let widest = self.latent.iter().max().copied().unwrap_or(0);
         let mut scratch = vec![0.0; self.order * widest];
         for _ in 0..frames {
+            for part in &mut self.parts {
+                part.mix = part.mix.and_then(Mix::next);
+            }
             let histories: Vec<Vec<f64>> = (0..m).map(|j| self.history(j)).collect();
             let next: Vec<Vec<f64>> = (0..m)
                 .map(|i| {
                     let mut predicted = vec![0.0; self.latent[i]];
                     for ((part, history), w) in self.parts.iter().zip(&histories).zip(&weights[i]) {
-                        let (other, share) = part.other.unwrap_or((part.primitive, 0.0));
+                        let share = part.mix.map_or(0.0, |mix| mix.share);
                         let first = library.expert(part.primitive, i);
                         add(first, w * (1.0 - share), history, &mut scratch, &mut predicted);
-                        if share > 0.0 {
+                        if let Some(Mix { other, .. }) = part.mix {
                             add(library.expert(other, i), w * share, history, &mut scratch, &mut predicted);
                         }
                     }
