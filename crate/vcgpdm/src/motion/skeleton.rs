@@ -12,6 +12,9 @@ pub const MAX_JOINTS: usize = 2_000;
 /// nodes can move for 17 minutes at 120 frames a second.
 pub const MAX_PLACES: usize = 5_000_000;
 
+/// Nothing in a file is larger, in any unit; sums and products of such numbers stay finite.
+pub(crate) const LARGEST_NUMBER: f64 = 1e9;
+
 /// One degree of freedom of a joint, as BVH files name it. Rotations are in degrees, positions in file units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Channel {

@@ -1,6 +1,7 @@
 //! From bytes to words with their lines: encodings, line ends, numbers.
 
 use crate::motion::bvh::error::{BvhError, BvhProblem};
+use crate::motion::skeleton::LARGEST_NUMBER;
 
 /// The text of a file, and a warning when its encoding was not UTF-8.
 pub(super) fn decode(bytes: &[u8]) -> (String, Option<String>) {
@@ -143,12 +144,9 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Nothing in a file is larger, in any unit; sums and products of such numbers stay finite.
-const LARGEST: f64 = 1e9;
-
 /// The number a word spells; `None` for anything else: NaN, infinities and absurd sizes included.
 pub(super) fn finite(word: &str) -> Option<f64> {
-    word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST)
+    word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST_NUMBER)
 }
 
 /// The largest finite number has 309 digits before its point.

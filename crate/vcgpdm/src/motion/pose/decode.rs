@@ -4,11 +4,8 @@ use crate::motion::clip::Clip;
 use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS};
 use crate::motion::pose::root::{RootPose, RootStart, RootTrack};
 use crate::motion::rotation;
-use crate::motion::skeleton::WorldPose;
+use crate::motion::skeleton::{LARGEST_NUMBER, WorldPose};
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
-
-/// The largest size of a number in a row; squares of larger ones could overflow.
-const LARGEST: f64 = 1e9;
 
 impl PoseMapping {
     /// The motion of rows of Y [frames x columns] that begins at `start`, `frame_time` seconds a frame: the inverse of
@@ -19,7 +16,7 @@ impl PoseMapping {
     /// # Errors
     ///
     /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`] for numbers that
-    /// are not finite or too large.
+    /// are not finite or too large, [`PoseError::Away`] for a root that goes farther than a file can say.
     pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
         self.check_start(start)?;
         self.check(y)?;
@@ -47,6 +44,9 @@ impl PoseMapping {
                 }
             }
         });
+        if let Some(at) = values.iter().position(|x| x.abs() > LARGEST_NUMBER) {
+            return Err(PoseError::Away { frame: at % y.nrows(), found: values.as_slice()[at] });
+        }
         Ok(Clip::new("motion.bvh", self.skeleton.clone(), frame_time, values))
     }
 
@@ -118,7 +118,7 @@ impl PoseMapping {
             return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
         }
         for (at, &found) in y.iter().enumerate() {
-            if !(-LARGEST..=LARGEST).contains(&found) {
+            if !(-LARGEST_NUMBER..=LARGEST_NUMBER).contains(&found) {
                 return Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found });
             }
         }

@@ -94,6 +94,14 @@ pub enum PoseError {
         /// The number found.
         found: f64,
     },
+    /// The root has gone so far, step after step, that no file can say where it is.
+    #[error("frame {frame}: expected a place from -1e9 to 1e9 in the units of the file, found {found:e}")]
+    Away {
+        /// The frame, counted from 0.
+        frame: usize,
+        /// The number found.
+        found: f64,
+    },
     /// The root is so far away that squares of its numbers would drown all others.
     #[error(
         "frame {frame}: expected the root less than {most} leg lengths from the frame before and from the ground, found {found:.0}; is \

@@ -3,6 +3,7 @@
 use super::mapping::ROOT_COLUMNS;
 use super::*;
 use crate::json::Field;
+use crate::motion::bvh;
 use crate::motion::clip::Clip;
 use crate::motion::rotation;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
@@ -217,6 +218,22 @@ fn wrong_bodies_widths_and_numbers_are_refused() {
     y[(2, 7)] = f64::NAN;
     let message = mapping.decode(&y, &start, 0.1).unwrap_err().to_string();
     assert!(message.contains("frame 2, column 7"), "{message}");
+}
+
+/// Step after step within bounds, a root went where the written file could not be read back.
+#[test]
+fn a_walk_out_of_what_a_file_can_say_is_refused() {
+    let mapping = PoseMapping::new(&walker());
+    let walked = |units: f64| {
+        let mut y = DMatrix::zeros(40, mapping.column_count());
+        // Straight ahead, in leg lengths a frame.
+        y.column_mut(1).fill(units / mapping.leg() / 40.0);
+        mapping.decode(&y, &RootStart::default(), 0.1)
+    };
+    let near = walked(0.9e9).unwrap();
+    assert!(bvh::read("near.bvh", bvh::write(&near).as_bytes()).is_ok());
+    let message = walked(1.1e9).err().unwrap().to_string();
+    assert!(message.contains("a place from -1e9 to 1e9 in the units of the file"), "{message}");
 }
 
 #[test]
