@@ -36,9 +36,11 @@ fn files_called_minus_are_stdin_and_stdout() {
 fn sigterm_keeps_the_best_so_far() {
     let folder = folder("sigterm");
     let (model, start) = (folder.join("model.json"), folder.join("start.json"));
+    // A bound that does not settle for minutes: a small one had settled before the signal came.
     let child = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
-        .args(["train", "sample:walk-1", "sample:walk-2", "--parts", "whole", "--fps", "10"])
-        .args(["--max-iterations", "1000000", "--out", text(&model), "--write-start", text(&start)])
+        .args(["train", "sample:walk-1", "sample:walk-2", "sample:walk-3", "--parts", "lower,upper"])
+        .args(["--dynamics-ips", "40", "--pose-ips", "40", "--max-iterations", "1000000"])
+        .args(["--out", text(&model), "--write-start", text(&start)])
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
