@@ -40,7 +40,13 @@ async function round(/** @type {import("playwright-core").Page} */ page, /** @ty
   await page.getByTestId("live").waitFor();
   await page.waitForTimeout(1000);
   await page.getByRole("button", { name: "clip", exact: true }).click();
-  for (const view of ["compare", "synthetic", "play"]) await page.getByTestId(`view-${view}`).click();
+  await page.getByTestId("view-compare").click();
+  await page.getByTestId("compare").and(page.locator(":enabled")).click();
+  await page
+    .getByTestId("compare-progress")
+    .getByText(/trainings? done\.$/)
+    .waitFor({ timeout: 120_000 });
+  for (const view of ["synthetic", "primitives", "play"]) await page.getByTestId(`view-${view}`).click();
   await drop(page, { "again.model.json": text });
   await page.getByTestId("help").click();
   await page.locator("dialog[open]").waitFor();
@@ -56,9 +62,11 @@ await main(async () => {
   if (!(minutes > 0)) throw new Failure(`expected minutes above 0, found "${process.argv[2]}"`);
   const site = await openSite();
   try {
-    const settings = "trainings=1&iterations=20&fps=15&dynamics=6&poses=6";
+    const settings = "trainings=1&iterations=20&fps=15&dynamics=6&poses=6&models=dmp-rhythmic,dmp-discrete";
     const { page, problems, leave } = await site.visit({ settings, moving: true });
     await ready(page);
+    // Results of the round before are on no disk.
+    await page.addLocatorHandler(page.getByTestId("unsaved"), () => page.getByTestId("unsaved-discard").click());
     const cdp = await page.context().newCDPSession(page);
     await cdp.send("Performance.enable");
     const clip = bvh();

@@ -119,7 +119,11 @@ describe("the declared types", () => {
       "each table has a row",
     );
     hold("Results.comparison", comparison);
-    hold("Results.jobs", more.jobs(plan()));
+    const planned = more.jobs(plan());
+    hold("Results.jobs", planned);
+    const costs = planned.map(({ job }) => more.costOf(clips, job));
+    for (const cost of costs) hold("Results.costOf", cost);
+    assert.ok(costs.some(({ seconds, bytes }) => seconds > 0 && bytes > 0));
 
     const experiment = new SyntheticExperiment(1, true);
     hold("SyntheticExperiment.step", experiment.step());

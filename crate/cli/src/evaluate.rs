@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use crate::results::Store;
-use crate::train::parts;
+use crate::train::{parts, warn_of_cost};
 use crate::usage::usage;
 use crate::{files, interrupt};
 use serde_json::json;
@@ -114,6 +114,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let work = Work::new(open, store)?;
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(work.jobs.len());
+    let cost = work.jobs.iter().map(|job| job.cost(&clips, &parts, arguments.fps)).sum();
+    warn_of_cost(
+        cost,
+        threads.max(1),
+        "fewer models, folds, seeds or sizes, a lower --fps or fewer iterations",
+    );
     std::thread::scope(|scope| {
         for thread in 0..threads {
             let (work, folds) = (&work, &folds);

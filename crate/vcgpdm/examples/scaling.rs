@@ -14,7 +14,7 @@ use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::stats::exponent;
 use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{Dataset, Source, VariationalSettings};
+use vcgpdm::models::{Dataset, MapSettings, ModelSettings, Movements, Sequence, Source, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 /// Iterations enough for the optimiser to have filled its memory.
@@ -24,11 +24,13 @@ const ITERATIONS: usize = 40;
 struct Size {
     frames: usize,
     parts: usize,
-    ips: usize,
+    /// None: a MAP model.
+    ips: Option<usize>,
     latent: usize,
 }
 
-const BASE: Size = Size { frames: 500, parts: 2, ips: 12, latent: 3 };
+const IPS: usize = 12;
+const BASE: Size = Size { frames: 500, parts: 2, ips: Some(IPS), latent: 3 };
 
 /// All columns of the bundled walks, repeated to exactly so many frames, and the sequences' lengths.
 fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
@@ -61,20 +63,20 @@ fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
     (0..parts).map(|i| y.columns(place(i), place(i + 1) - place(i)).into_owned()).collect()
 }
 
-fn settings(size: Size) -> VariationalSettings {
-    VariationalSettings {
-        latent: size.latent,
-        dynamics_ips: size.ips,
-        pose_ips: size.ips,
-        max_iterations: ITERATIONS,
-        ..VariationalSettings::default()
-    }
+fn settings(latent: usize, ips: usize) -> VariationalSettings {
+    let (dynamics_ips, pose_ips, max_iterations) = (ips, ips, ITERATIONS);
+    VariationalSettings { latent, dynamics_ips, pose_ips, max_iterations, ..VariationalSettings::default() }
+}
+
+fn map_settings(latent: usize) -> ModelSettings {
+    ModelSettings::MapCgpdm(MapSettings { latent, ..MapSettings::default() })
 }
 
 /// Milliseconds of one bound with its gradient.
-fn measure(size: Size) -> f64 {
+fn measure(size: Size, ips: usize) -> f64 {
     let (y, lengths) = walks(size.frames);
-    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings(size), 0).unwrap();
+    let settings = settings(size.latent, ips);
+    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
     while !trainer.step().done {}
     let (objective, params) = (trainer.objective().clone(), trainer.best());
     // Its memory is that of a training alone.
@@ -91,6 +93,20 @@ fn measure(size: Size) -> f64 {
     times[times.len() / 2]
 }
 
+/// Milliseconds of an iteration of a MAP CGPDM: of the density with its gradient, now and then twice.
+fn measure_map(size: Size) -> f64 {
+    let (y, lengths) = walks(size.frames);
+    let sequences = lengths.into_iter().map(|frames| Sequence { frames, whole: true }).collect();
+    let movements = Movements { y: split(&y, size.parts), sequences };
+    let mut learner = map_settings(size.latent).learner(&movements, 0).unwrap();
+    learner.step();
+    let (begin, before) = (Instant::now(), learner.progress().iteration);
+    while begin.elapsed().as_secs_f64() < 1.0 {
+        learner.step();
+    }
+    1e3 * begin.elapsed().as_secs_f64() / (learner.progress().iteration - before) as f64
+}
+
 /// The largest memory of this process so far, in MB.
 fn peak_memory() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
@@ -100,7 +116,7 @@ fn peak_memory() -> Option<f64> {
 
 /// Time in milliseconds and memory in MB, from a process of its own.
 fn in_a_process(size: Size) -> (f64, Option<f64>) {
-    let numbers = [size.frames, size.parts, size.ips, size.latent].map(|n| n.to_string());
+    let numbers = [size.frames, size.parts, size.ips.unwrap_or(0), size.latent].map(|n| n.to_string());
     let output = Command::new(std::env::current_exe().unwrap()).args(numbers).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -115,7 +131,10 @@ fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f
         let (ms, memory) = in_a_process(size);
         let columns: Vec<usize> =
             split(&walks(size.frames).0, size.parts).iter().map(DMatrix::ncols).collect();
-        let cost = settings(size).cost(size.frames, &columns);
+        let cost = match size.ips {
+            Some(ips) => settings(size.latent, ips).cost(size.frames, &columns),
+            None => map_settings(size.latent).cost(size.frames, &columns),
+        };
         let (estimated, bytes) = (1e3 * cost.evaluation_seconds, cost.bytes / f64::from(1 << 20));
         let memory = memory.map_or(String::new(), |m| format!("{m:.0}"));
         println!("| {number} | {ms:.2} | {estimated:.2} | {memory} | {bytes:.0} |");
@@ -129,19 +148,27 @@ fn table(title: &str, sizes: impl Iterator<Item = (usize, Size)>) -> Vec<(f64, f
 fn main() {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().unwrap()).collect();
     if let [frames, parts, ips, latent] = numbers[..] {
-        let ms = measure(Size { frames, parts, ips, latent });
+        let size = Size { frames, parts, ips: (ips > 0).then_some(ips), latent };
+        let ms = size.ips.map_or_else(|| measure_map(size), |ips| measure(size, ips));
         println!("{ms} {}", peak_memory().map_or("-".to_owned(), |m| m.to_string()));
         return;
     }
-    println!("{} parts, {} + {} inducing points:\n", BASE.parts, BASE.ips, BASE.ips);
+    println!("{} parts, {IPS} + {IPS} inducing points:\n", BASE.parts);
     let frames = [250, 500, 1000, 2000, 4000, 8000, 16_000];
     let points = table("frames", frames.map(|frames| (frames, Size { frames, ..BASE })).into_iter());
     println!("Exponent in frames: {:.3}.\n", exponent(&points).unwrap());
-    println!("{} frames, {} + {} inducing points:\n", BASE.frames, BASE.ips, BASE.ips);
+    println!("{} frames, {IPS} + {IPS} inducing points:\n", BASE.frames);
     table("parts", (1..=5).map(|parts| (parts, Size { parts, ..BASE })));
     println!("{} frames, {} parts:\n", BASE.frames, BASE.parts);
     let ips = [8, 12, 16, 24, 32, 40, 80];
-    table("inducing points", ips.map(|ips| (ips, Size { ips, ..BASE })).into_iter());
-    println!("{} frames, {} parts, {} + {} inducing points:\n", BASE.frames, BASE.parts, BASE.ips, BASE.ips);
+    table("inducing points", ips.map(|ips| (ips, Size { ips: Some(ips), ..BASE })).into_iter());
+    println!("{} frames, {} parts, {IPS} + {IPS} inducing points:\n", BASE.frames, BASE.parts);
     table("latent dimensions", [2, 3, 4, 6, 8].map(|latent| (latent, Size { latent, ..BASE })).into_iter());
+    let map = Size { ips: None, ..BASE };
+    println!("MAP CGPDM, {} parts:\n", map.parts);
+    let frames = [125, 250, 500, 1000, 2000];
+    let points = table("frames", frames.map(|frames| (frames, Size { frames, ..map })).into_iter());
+    println!("Exponent in frames: {:.3}.\n", exponent(&points).unwrap());
+    println!("MAP CGPDM, {} frames:\n", map.frames);
+    table("parts", (1..=3).map(|parts| (parts, Size { parts, ..map })));
 }

@@ -5,6 +5,7 @@ use crate::convert::{from_js, from_json, to_js, to_js_beside, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
 use crate::given::Text;
+use crate::settings::cost_to_js;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
 use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
@@ -300,6 +301,18 @@ impl Results {
         let one_part = self.results.setting().parts.len() < 2;
         let jobs = self.results.jobs(&if one_part { plan.without_coupled() } else { plan })?;
         jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
+    }
+
+    /// What the training of a job will cost here, on these trials; nothing for TMP and DMP: beside the others they cost little.
+    #[wasm_bindgen(js_name = costOf, unchecked_return_type = "TrainingCost")]
+    pub fn cost_of(
+        &self,
+        clips: &TrainingSet,
+        #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
+    ) -> Result<JsValue, VcgpdmError> {
+        let job: Job = from_js(ErrorCode::Comparison, "job", &job)?;
+        let Setting { parts, frames_per_second, .. } = self.results.setting();
+        cost_to_js(job.cost(&clips.clips, parts, *frames_per_second))
     }
 
     /// Keeps the outcome of a job that this program trained. An outcome that is there already stays.

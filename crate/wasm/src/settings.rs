@@ -8,7 +8,7 @@ use crate::given::Whole;
 #[cfg(feature = "training")]
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use vcgpdm::models::VariationalSettings;
+use vcgpdm::models::{TrainingCost, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -66,7 +66,11 @@ pub fn training_cost(
 ) -> Result<JsValue, VcgpdmError> {
     let settings: VariationalSettings = from_js(ErrorCode::Settings, "settings", &settings)?;
     let columns: Vec<usize> = from_js(ErrorCode::Settings, "columns", &columns)?;
-    let cost = settings.cost(frames.count(ErrorCode::Settings, "the number of frames")?, &columns);
+    cost_to_js(settings.cost(frames.count(ErrorCode::Settings, "the number of frames")?, &columns))
+}
+
+/// What costs the native program so much, as it is here.
+pub fn cost_to_js(cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
     to_js(&Cost { seconds: SLOWER * cost.seconds, bytes: cost.bytes })
 }
 

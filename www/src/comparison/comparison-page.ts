@@ -78,11 +78,12 @@ export class ComparisonPage extends View {
       : html`<span>${sentence(ending)}</span>`;
     if (whyNot) return html`${ended}<span>${sentence(whyNot)}</span>`;
     if (!outlook) return ended;
-    const { asked, open, goesOn } = outlook;
+    const { asked, open, goesOn, cost } = outlook;
     const known = open < asked ? `, ${asked - open} finished before` : "";
     const words = open > 0 ? `${open} ${open === 1 ? "training" : "trainings"}${known}.` : "";
     const apart = goesOn ? "" : " Other trials, parts or frame rate than below: a comparison of its own.";
-    return html`${ended}<span>${words}${apart}</span>`;
+    const wait = html`<span class=${cost.absurd ? "bad" : ""} data-testid="comparison-cost">${cost.words}</span>`;
+    return html`${ended}<span>${words}${apart}</span>${wait}`;
   }
 
   /** Heard by screen readers: the state, not each training. */

@@ -193,7 +193,8 @@ describe("the outlook", () => {
   it("follows settings and clips while it is asked for", async () => {
     const stop = comparison.follow();
     await settled();
-    expect(comparison.outlook).toEqual({ asked: 6, open: 6, goesOn: true, growth: false });
+    const cost = { words: "At most about 3 min.", absurd: false };
+    expect(comparison.outlook).toEqual({ asked: 6, open: 6, goesOn: true, growth: false, cost });
     settings.change({ models: ["tmp"] });
     await settled();
     expect(comparison.outlook?.asked).toBe(3);

@@ -6,6 +6,7 @@ import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
 import type { Evaluated, PlannedComparison } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
+import type { CostWords } from "../training/cost";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { mayLose } from "../ui/unsaved";
@@ -17,7 +18,7 @@ import {
   saveResults,
   workOf,
 } from "./comparison-entry";
-import { type JobProgress, openJobs, summary, waiting } from "./jobs";
+import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type Question, questionOf } from "./question";
 import { studyRequestOf } from "./study-request";
 
@@ -37,6 +38,8 @@ export interface Outlook {
   goesOn: boolean;
   /** Whether models would be trained on so many numbers of trials that the growth of their time can be seen. */
   growth: boolean;
+  /** What the trainings that are not finished will cost. */
+  cost: CostWords;
 }
 
 /** What the visitor looks at. */
@@ -90,7 +93,10 @@ export class ComparisonStore extends Store {
     this.#clips = clips;
     this.#whole = whole;
     this.#planning = new Latest(
-      (asked) => askDesk(whole, (worker) => plan(worker, asked)),
+      async (asked) => {
+        this.#width = (await whole.load()).pool.width;
+        return askDesk(whole, (worker) => plan(worker, asked));
+      },
       (planned, asked) => this.#answered({ asked, planned }, ""),
       // A program that was not loaded or a worker that died says nothing about the plan: Compare can be pressed all the same.
       (problem) => this.#answered(null, isRefusal(problem) ? messageOf(problem) : ""),
@@ -145,11 +151,13 @@ export class ComparisonStore extends Store {
     const { asked, planned } = this.#planned;
     const known = planned.goesOn ? asked.known : null;
     const numbersOfTrials = new Set(planned.jobs.map(({ job }) => job.trainingTrials)).size;
+    const open = openJobs(planned.jobs, known?.predictions ?? new Map());
     return {
       asked: planned.jobs.length,
-      open: openJobs(planned.jobs, known?.predictions ?? new Map()).length,
+      open: open.length,
       goesOn: this.#shown === null || this.#shown === known,
       growth: numbersOfTrials >= NUMBERS_OF_TRIALS,
+      cost: costOf(open, planned, this.#width),
     };
   }
 

@@ -1,5 +1,6 @@
 // How far the trainings of a comparison are. No rendering, no worker.
-import type { Job, PlannedJob } from "../engine/whole-protocol";
+import type { Job, PlannedComparison, PlannedJob } from "../engine/whole-protocol";
+import { type CostWords, waitWords } from "../training/cost";
 
 /** A job that the last press of Compare asked for. */
 export interface JobProgress {
@@ -29,6 +30,18 @@ export function openJobs(planned: readonly PlannedJob[], predictions: ReadonlyMa
     const isShown = job.heldOut === first && job.trainingTrials === most;
     return !done || (isShown && !predictions.has(id));
   });
+}
+
+/** What the open ones of planned jobs will cost, so many at once. */
+export function costOf(
+  open: readonly PlannedJob[],
+  { jobs, costs }: Pick<PlannedComparison, "jobs" | "costs">,
+  width: number,
+): CostWords {
+  const all = costs.filter((_, place) => open.includes(jobs[place]!));
+  const seconds = all.reduce((sum, cost) => sum + cost.seconds, 0) / width;
+  const bytes = Math.max(0, ...all.map((cost) => cost.bytes)) * Math.min(width, open.length);
+  return waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
 }
 
 /** How much work a job is beside others, roughly; it only serves to say how long the rest takes before any of its kind has run. */

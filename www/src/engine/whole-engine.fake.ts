@@ -187,7 +187,8 @@ export class FakeProgram implements WholeProgram {
           const id = idOf(job);
           return { id, job, done: done.some((known) => idOf(known) === id) };
         });
-        return { results: resultsOf(setting, done), jobs, goesOn };
+        const costs = jobs.map(() => ({ seconds: 60, bytes: 1e7 }));
+        return { results: resultsOf(setting, done), jobs, costs, goesOn };
       },
       addOutcome: async (text, job) => {
         failing();

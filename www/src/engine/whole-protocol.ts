@@ -19,6 +19,7 @@ import type {
   StudyTrial,
   SyntheticFindings,
   SyntheticTruth,
+  TrainingCost,
 } from "vcgpdm";
 import type { LibraryWorker } from "./library-protocol";
 import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
@@ -86,6 +87,8 @@ export interface ResultsView {
 export interface PlannedComparison {
   results: ResultsView;
   jobs: PlannedJob[];
+  /** What each of the jobs will cost. */
+  costs: TrainingCost[];
   /** Whether the known results are of the same setting, and so stand among the results. */
   goesOn: boolean;
 }

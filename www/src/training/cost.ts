@@ -14,6 +14,12 @@ const SHORT = 20;
 /** Columns of a joint: its rotation. */
 const COLUMNS = 3;
 
+/** Words about a cost, empty where it is not worth one, and whether it is to be warned of. */
+export interface CostWords {
+  words: string;
+  absurd: boolean;
+}
+
 export class Cost {
   readonly #settings: SettingsStore;
   readonly #clips: ClipsStore;
@@ -55,20 +61,23 @@ export class Cost {
 }
 
 /** What a visitor should know of it; `workers` trainings of `count` run at once. */
-export function costWords(
-  cost: TrainingCost | null,
-  count: number,
-  workers: number,
-): { words: string; absurd: boolean } {
+export function costWords(cost: TrainingCost | null, count: number, workers: number): CostWords {
   if (!cost) return { words: "", absurd: false };
-  const seconds = cost.seconds * Math.ceil(count / Math.max(1, workers));
-  const bytes = cost.bytes * Math.min(count, workers);
+  const { seconds, bytes } = cost;
+  return waitWords(
+    { seconds: seconds * Math.ceil(count / Math.max(1, workers)), bytes: bytes * Math.min(count, workers) },
+    "Fewer frames a second, points or iterations make it shorter.",
+  );
+}
+
+/** What a visitor should know of a wait, and what makes it shorter. */
+export function waitWords({ seconds, bytes }: TrainingCost, shorter: string): CostWords {
   const absurd = seconds > LONG || bytes > LARGE;
   if (!absurd && seconds < SHORT) return { words: "", absurd };
   const time = `At most about ${rounded(seconds)}.`;
   if (!absurd) return { words: time, absurd };
   const memory = bytes > LARGE ? ` It needs about ${(bytes / 1e9).toFixed(1)} GB of memory.` : "";
-  return { words: `${time}${memory} Fewer frames a second, points or iterations make it shorter.`, absurd };
+  return { words: `${time}${memory} ${shorter}`, absurd };
 }
 
 function rounded(seconds: number): string {

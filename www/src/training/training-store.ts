@@ -7,7 +7,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { Cost, costWords } from "./cost";
+import { Cost, type CostWords, costWords } from "./cost";
 import { Kept, type Send } from "./kept";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
@@ -126,7 +126,7 @@ export class TrainingStore extends Store {
   }
 
   /** What a press of Train would cost, where that is worth a word. */
-  get cost(): { words: string; absurd: boolean } {
+  get cost(): CostWords {
     return costWords(this.#cost.now, this.count, this.workers);
   }
 

@@ -20,11 +20,13 @@ export function grouped(value: number, decimals = 0): string {
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 
-/** "3 s", "1 min 20 s", "2 h 5 min" */
+/** "3 s", "1 min 20 s", "2 min", "2 h 5 min" */
 export function duration(seconds: number): string {
   const whole = Math.round(seconds);
   if (whole >= 3600) return `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
-  return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
+  if (whole < 60) return `${whole} s`;
+  const minutes = `${Math.floor(whole / 60)} min`;
+  return whole % 60 === 0 ? minutes : `${minutes} ${whole % 60} s`;
 }
 
 /** Time left, rounded so that it does not flicker; null: not known yet. */

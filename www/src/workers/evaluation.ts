@@ -1,14 +1,7 @@
 // What a worker does for comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
 import * as Comlink from "comlink";
 import { Clip, Evaluation, Fold, Results, TrainingSet } from "vcgpdm";
-import type { TrainingClip } from "../engine/protocol";
-import type {
-  ComparisonSettings,
-  ComparisonWorker,
-  Evaluated,
-  EvaluationJob,
-  ResultsView,
-} from "../engine/whole-protocol";
+import type { ComparisonWorker, Evaluated, EvaluationJob, ResultsView } from "../engine/whole-protocol";
 import { ClipReader } from "./clip-reader";
 import { OneTask, type Task } from "./slices";
 import { using } from "./using";
@@ -55,10 +48,6 @@ async function evaluate(job: EvaluationJob, report: (fraction: number) => void, 
   });
 }
 
-async function emptyResults(chosen: TrainingClip[], settings: ComparisonSettings): Promise<Results> {
-  return using(await clips.set(chosen), (set) => Results.empty(set, settings));
-}
-
 /** Whether the known results are of the same setting, and so have been merged in. */
 function takeOver(results: Results, known: string | null): boolean {
   if (known === null) return false;
@@ -83,10 +72,13 @@ export const comparisonWorker: ComparisonWorker = {
   evaluate: (job, report) => evaluation.run((task) => evaluate(job, report, task)),
   cancelEvaluation: () => evaluation.cancel(),
   planComparison: async (chosen, settings, plan, known) =>
-    using(await emptyResults(chosen, settings), (results) => {
-      const goesOn = takeOver(results, known);
-      return { results: view(results), jobs: results.jobs(plan), goesOn };
-    }),
+    using(await clips.set(chosen), (set) =>
+      using(Results.empty(set, settings), (results) => {
+        const goesOn = takeOver(results, known);
+        const jobs = results.jobs(plan);
+        return { results: view(results), jobs, costs: jobs.map(({ job }) => results.costOf(set, job)), goesOn };
+      }),
+    ),
   addOutcome: (text, job, outcome) =>
     using(Results.fromJson(text), (results) => {
       results.add(job, outcome);

@@ -4,7 +4,7 @@ use crate::files;
 use crate::primitives::by_part;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
-use crate::train::steps::{train_steps, warn_of_cost};
+use crate::train::steps::{train_steps, warn_of_training};
 use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;
@@ -66,7 +66,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let plan = LibraryPlan::new(movements.collect(), shared)
         .map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
-    let ModelSettings::Vcgpdm(settings) = arguments.options.settings(ModelKind::Vcgpdm)? else {
+    let model_settings = arguments.options.settings(ModelKind::Vcgpdm)?;
+    let ModelSettings::Vcgpdm(settings) = &model_settings else {
         return Err("expected settings of a vcgpdm".into());
     };
     if arguments.options.write_start.is_some() {
@@ -77,9 +78,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let read = asked.iter().flat_map(|movement| &movement.clips).map(Path::new);
     files::check_outs([&arguments.out], read)?;
     let begin = Instant::now();
-    warn_of_cost(&settings, &dataset);
+    warn_of_training(&model_settings, &dataset);
     let seed = arguments.options.seed;
-    let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
+    let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, settings, seed)
         .map_err(|reason| dataset.refusal(reason))?;
     let reason = train_steps(|| trainer.step().into(), "bound")?;
     let seconds = begin.elapsed().as_secs_f64();

@@ -9,8 +9,8 @@ mod steps;
 
 pub use arguments::Arguments;
 pub use body::parts;
-pub use steps::train_steps;
-use steps::warn_of_cost;
+use steps::warn_of_training;
+pub use steps::{train_steps, warn_of_cost};
 
 use crate::files;
 use crate::usage::usage;
@@ -86,9 +86,7 @@ fn learn<S: Observed>(
     let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
     let outs = [Some(&arguments.out), arguments.options.write_start.as_ref()];
     files::check_outs(outs.into_iter().flatten(), read)?;
-    if let ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) = &settings {
-        warn_of_cost(settings, dataset);
-    }
+    warn_of_training(&settings, dataset);
     let begin = Instant::now();
     let seed = arguments.options.seed;
     let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;

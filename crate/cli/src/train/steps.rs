@@ -4,20 +4,32 @@ use crate::interrupt;
 use crate::progress::{Progress, say};
 use std::error::Error;
 use std::sync::atomic::Ordering;
-use vcgpdm::models::{Dataset, LearningProgress, Observed, VariationalSettings};
+use vcgpdm::models::{Dataset, LearningProgress, ModelSettings, Observed, TrainingCost};
 
 /// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small machine.
 const LONG: f64 = 1800.0;
 const LARGE: f64 = 4e9;
 
-/// Says before a training of a variational model that it would take long, or much memory.
-pub fn warn_of_cost<S: Observed>(settings: &VariationalSettings, dataset: &Dataset<S>) {
+/// Says before trainings on a data set that they would take long, or much memory.
+pub fn warn_of_training<S: Observed>(settings: &ModelSettings, dataset: &Dataset<S>) {
     let columns: Vec<usize> = dataset.y.iter().map(|y| y.ncols()).collect();
-    let cost = settings.cost(dataset.lengths().iter().sum(), &columns);
-    if cost.seconds > LONG || cost.bytes > LARGE {
-        let (hours, gigabytes) = (cost.seconds / 3600.0, cost.bytes / 1e9);
+    let less = match settings {
+        ModelSettings::Vcgpdm(_) | ModelSettings::Vgpdm(_) => {
+            "a lower --fps, fewer inducing points or iterations"
+        }
+        _ => "a lower --fps or fewer iterations",
+    };
+    warn_of_cost(settings.cost(dataset.lengths().iter().sum(), &columns), 1, less);
+}
+
+/// Says before trainings, so many at a time, that they would take long, or much memory, and what would need less.
+pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
+    let (seconds, bytes) = (cost.seconds / threads as f64, cost.bytes * threads as f64);
+    if seconds > LONG || bytes > LARGE {
+        let (hours, gigabytes) = (seconds / 3600.0, bytes / 1e9);
+        let cores = if threads == 1 { "one core".to_owned() } else { format!("{threads} cores") };
         say(&format!(
-            "up to about {hours:.1} hours on one core, and {gigabytes:.1} GB of memory; a lower --fps, fewer inducing points or iterations need less"
+            "up to about {hours:.1} hours on {cores}, and {gigabytes:.1} GB of memory; {less} need less"
         ));
     }
 }

@@ -9,6 +9,7 @@ mod claims;
 mod comparison;
 mod contender;
 mod correlation;
+mod cost;
 mod cross_validation;
 mod cycles;
 mod dtw;
