@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
+use vcgpdm::evaluation::stats::rank_correlation;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
@@ -26,6 +27,8 @@ use vcgpdm::motion::{Clip, bvh, parts, samples};
 use ways::{ITERATIONS, OTHERS, OURS, Way};
 
 const START_FRAMES: usize = 5;
+/// Evaluations after which a training may be judged.
+const EARLY: [usize; 6] = [30, 40, 60, 80, 120, 160];
 const FRAMES_PER_SECOND: f64 = 30.0;
 
 #[derive(Parser)]
@@ -42,6 +45,9 @@ struct Arguments {
     /// Seeds of each other way to train, from 0.
     #[arg(long, default_value_t = 8)]
     others: u32,
+    /// Of the other ways only those that have these words in their schedule.
+    #[arg(long, default_value = "")]
+    schedule: String,
     /// A command that trains from a starting point in a file, named last, and prints a JSON object with "elbo" and "seconds".
     #[arg(long)]
     peer: Option<String>,
@@ -107,6 +113,12 @@ impl Run {
             .iter()
             .find(|(.., best)| *best >= enough)
             .map(|(evaluations, seconds, _)| (*evaluations, *seconds))
+    }
+
+    /// The best bound after at most so many evaluations.
+    fn bound_after(&self, evaluations: usize) -> f64 {
+        let early = self.trace.iter().take_while(|(so_far, ..)| *so_far <= evaluations);
+        early.last().or(self.trace.first()).map_or(self.bound, |(.., best)| *best)
     }
 
     /// Evaluations and seconds of the whole training.
@@ -204,7 +216,8 @@ fn main() {
         println!("{frames} frames; a motionless prediction scores about {variance:.5}.\n");
         let ours = runs(&problem, &OURS, arguments.seeds, threads);
         let mut all = vec![(OURS, ours.clone())];
-        all.extend(OTHERS.map(|way| (way, runs(&problem, &way, arguments.others, threads))));
+        let others = OTHERS.into_iter().filter(|way| way.schedule.contains(&arguments.schedule));
+        all.extend(others.map(|way| (way, runs(&problem, &way, arguments.others, threads))));
         let peers = arguments.peer.as_ref().map(|command| peer(&problem, command, arguments.peer_seeds));
         let bounds = all.iter().flat_map(|(_, runs)| runs.iter().map(|run| run.bound));
         let best = bounds.chain(peers.iter().flatten().map(|p| p.0)).fold(f64::NEG_INFINITY, f64::max);
@@ -246,8 +259,28 @@ fn main() {
             "Seconds of a whole training of ours: {}.\n",
             range(ours.iter().map(|run| run.whole().1), 1)
         );
+        foretold(&all);
         who_drives_whom(&problem, &ours);
     }
+}
+
+/// Whether the bound early in a training tells where it ends: if it did, the best of several short ones could be continued.
+fn foretold(all: &[(Way, Vec<Run>)]) {
+    println!("Rank correlation over the seeds of the bound after so many evaluations with the last one:\n");
+    println!(
+        "| start | schedule | {} |\n|---|---|{}",
+        EARLY.map(|n| n.to_string()).join(" | "),
+        "---|".repeat(EARLY.len())
+    );
+    for (way, runs) in all.iter().filter(|(_, runs)| runs.len() >= 8) {
+        let correlation = |evaluations: usize| {
+            let pairs: Vec<(f64, f64)> =
+                runs.iter().map(|run| (run.bound_after(evaluations), run.bound)).collect();
+            rank_correlation(&pairs).map_or(String::new(), |r| format!("{r:.2}"))
+        };
+        println!("| {} | {} | {} |", way.start, way.schedule, EARLY.map(correlation).join(" | "));
+    }
+    println!();
 }
 
 /// Coupling variances alpha over the seeds, and how often each says that a part drives another.

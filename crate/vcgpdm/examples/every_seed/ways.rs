@@ -32,10 +32,15 @@ pub const OURS: Way = Way {
     phases: || schedule(ITERATIONS),
 };
 
-pub const OTHERS: [Way; 8] = [
+pub const OTHERS: [Way; 9] = [
     Way { start: "latents from columns as they are", begin: fast, ..OURS },
     Way { start: "pose maps that bend, lambda = 1", begin: bent, ..OURS },
     Way { schedule: "jointly", phases: || vec![phase(ALL, ITERATIONS)], ..OURS },
+    Way {
+        schedule: "one block of 25, the latents alone for 20, then jointly",
+        phases: || vec![phase(K_IP, 25), phase(X, 20), phase(ALL, ITERATIONS)],
+        ..OURS
+    },
     Way {
         schedule: "five blocks of 50, then jointly",
         phases: || [K_IP, X, K, IP, K, ALL].map(|groups| phase(groups, 50)).to_vec(),
