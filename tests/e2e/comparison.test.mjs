@@ -118,9 +118,10 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("brings the results of ten recorded walks, of all models", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=compare" });
-    await page.getByTestId("open-walks").and(page.locator(":enabled")).click({ timeout: 30_000 });
+  it("opens on the results of ten recorded walks, of all models, until there are others", async () => {
+    const settings = "view=compare&models=dmp-rhythmic&bases=10&fps=15&heldout=1";
+    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    await page.getByTestId("given").getByText("ten recorded walks").waitFor({ timeout: 30_000 });
     const table = page.locator("comparison-figures table").first();
     await table.waitFor({ timeout: 30_000 });
     for (const name of ["vCGPDM", "vGPDM", "MAP GPDM", "MAP CGPDM", "TMP", "DMP (discrete)", "DMP (rhythmic)"]) {
@@ -132,6 +133,15 @@ describe("a comparison of models", () => {
       .first()
       .waitFor();
     assert.deepEqual(await barriers(page), []);
+    await says(page, /^1 training\.$/);
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /1 of 1 trainings done/);
+    assert.equal(await page.getByTestId("given").count(), 0);
+    assert.equal(await table.getByText("vCGPDM", { exact: true }).count(), 0);
+    // There again when they are asked for, as any results: what was compared here is asked about.
+    await page.getByTestId("open-walks").click();
+    await page.getByTestId("unsaved-discard").click();
+    await table.getByText("vCGPDM", { exact: true }).first().waitFor();
     assert.deepEqual(problems, []);
     await leave();
   });

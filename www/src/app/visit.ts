@@ -12,6 +12,7 @@ export function visitOf(app: App): Visit {
   return {
     holdings(): Holdings {
       const { settings, clips, training, model, comparison, primitives } = app;
+      const shown = comparison.loaded?.shown;
       const ids = new Map(clips.all.map(({ key, loaded }) => [key, loaded.id]));
       return {
         fragment: settings.address.fragment.replace(/^#/, ""),
@@ -20,10 +21,10 @@ export function visitOf(app: App): Visit {
         runs: training.runs,
         chosen: training.chosen,
         model: training.chosen ? null : model.opened,
-        results: comparison.loaded?.shown?.results.text ?? null,
+        results: shown && !shown.given ? shown.results.text : null,
         unsaved: {
           model: model.unsaved,
-          results: comparison.loaded?.unsaved.some((entry) => entry === comparison.loaded?.shown) ?? false,
+          results: comparison.loaded?.unsaved.some((entry) => entry === shown) ?? false,
         },
         library: primitives.loaded?.library.kept ?? null,
       };

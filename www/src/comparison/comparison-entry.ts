@@ -18,6 +18,8 @@ export interface Positions {
 export interface ComparisonEntry {
   /** Null: the results are from a file. */
   readonly question: Question | null;
+  /** Whether they came with the page, and stand there until the visitor has others. */
+  readonly given: boolean;
   /** What the trials are called. */
   readonly titles: readonly string[];
   results: ResultsView;
@@ -40,8 +42,14 @@ export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actu
 /** Without a question: from a file. */
 export function newEntry(question: Question | null, results: ResultsView, onDisk = ""): ComparisonEntry {
   const titles = question?.titles ?? results.setting.trials.map(({ name }) => name);
-  return { question, titles, results, onDisk, jobs: [], predictions: new Map(), actual: new Map() };
+  return { question, given: false, titles, results, onDisk, jobs: [], predictions: new Map(), actual: new Map() };
 }
+
+/** Of results that come with the page. */
+export const givenEntry = (results: ResultsView): ComparisonEntry => ({
+  ...newEntry(null, results, results.text),
+  given: true,
+});
 
 /** Saves the results to the visitor's disk. */
 export function saveResults(entry: ComparisonEntry): void {

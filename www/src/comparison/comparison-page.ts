@@ -54,6 +54,8 @@ export class ComparisonPage extends View {
 
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());
+    // Nothing is lost where they do not come: the button is still there.
+    void this.comparison.showGiven(recordedWalks).catch(() => {});
     this.listen(window, "online", () => {
       this.#problem = "";
       this.comparison.reconnected();
@@ -189,6 +191,7 @@ export class ComparisonPage extends View {
         <div class="card stage-card"><pg-side-by-side .comparison=${comparison}></pg-side-by-side></div>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
         ${this.#failures()}
+        ${comparison.shown?.given ? html`<p class="hint" data-testid="given">All models on ten recorded walks of one person (CMU subject 35), measured before. What you compare takes their place.</p>` : nothing}
         <div class="card"><comparison-figures .comparison=${comparison.shown?.results.comparison ?? null} @save-failed=${saveFailed}></comparison-figures></div>
       </section>`;
   }

@@ -189,6 +189,33 @@ describe("a comparison", () => {
   });
 });
 
+describe("results that come with the page", () => {
+  it("stand there until there are others, and are nobody's work", async () => {
+    const text = savedResults([clip(8), clip(9)], { parts: clips.parts, framesPerSecond: 30 }, ["tmp"]);
+    await comparison.showGiven(async () => text);
+    expect([comparison.shown?.given, comparison.ending, comparison.unsaved]).toEqual([true, "", []]);
+    comparison.follow();
+    await settled();
+    expect(comparison.outlook?.goesOn).toBe(true);
+    await compare();
+    expect(comparison.shown?.given).toBe(false);
+    const own = comparison.shown;
+    await comparison.showGiven(async () => text);
+    expect(comparison.shown).toBe(own);
+  });
+
+  it("do not take the place of a comparison that began meanwhile", async () => {
+    let come: (text: string) => void = () => {};
+    const given = comparison.showGiven(() => new Promise((done) => (come = done)));
+    const over = comparison.begin();
+    come(savedResults([clip(8), clip(9)], { parts: clips.parts, framesPerSecond: 30 }, ["tmp"]));
+    await given;
+    expect(comparison.shown?.given).not.toBe(true);
+    await endAll();
+    await over;
+  });
+});
+
 describe("the outlook", () => {
   it("follows settings and clips while it is asked for", async () => {
     const stop = comparison.follow();

@@ -12,6 +12,7 @@ import { Store } from "../ui/store";
 import { mayLose } from "../ui/unsaved";
 import {
   type ComparisonEntry,
+  givenEntry,
   keepMotions,
   newEntry,
   type ReadonlyEntry,
@@ -155,7 +156,7 @@ export class ComparisonStore extends Store {
     return {
       asked: planned.jobs.length,
       open: open.length,
-      goesOn: this.#shown === null || this.#shown === known,
+      goesOn: this.#shown === null || this.#shown.given || this.#shown === known,
       growth: numbersOfTrials >= NUMBERS_OF_TRIALS,
       cost: costOf(open, planned, this.#width),
     };
@@ -272,6 +273,17 @@ export class ComparisonStore extends Store {
     [this.#ending, this.#failed] = [`${results.finished.length} results opened.`, false];
     this.#askAnew();
     return true;
+  }
+
+  /** Shows results that come with the page, if there are no others yet. */
+  async showGiven(text: () => Promise<string>): Promise<void> {
+    const isFree = () => this.#shown === null && !this.busy;
+    if (!isFree()) return;
+    const given = await text();
+    const results = await askDesk(this.#whole, (worker) => worker.openResults(given));
+    if (!isFree()) return;
+    this.#shown = givenEntry(results);
+    this.#askAnew();
   }
 
   #refuseWhileBusy(): void {

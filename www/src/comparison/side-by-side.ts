@@ -192,9 +192,9 @@ export class SideBySide extends View {
     const folds = shown ? foldsOf(shown) : [];
     if (!shown || folds.length === 0) {
       return html`<p class="empty waiting">${
-        shown && !shown.question
+        shown && !shown.question && !shown.given
           ? "A file of results holds no motions: press Compare with the clips to see the models move."
-          : "The models will walk here side by side, each with the real trial as a grey ghost."
+          : "Press Compare: the models will walk here side by side, each with the real trial as a grey ghost."
       }</p>`;
     }
     const fold = this.#foldNow(folds);
