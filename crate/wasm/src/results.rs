@@ -312,7 +312,7 @@ impl Results {
     ) -> Result<JsValue, VcgpdmError> {
         let job: Job = from_js(ErrorCode::Comparison, "job", &job)?;
         let Setting { parts, frames_per_second, .. } = self.results.setting();
-        cost_to_js(job.cost(&clips.clips, parts, *frames_per_second))
+        cost_to_js(job.candidate.kind(), job.cost(&clips.clips, parts, *frames_per_second))
     }
 
     /// Keeps the outcome of a job that this program trained. An outcome that is there already stays.
