@@ -1,12 +1,19 @@
 // `npm run soak -- [MINUTES]`: one visitor does everything again and again, and what the page holds is measured after each round. It must not
-// grow: after the warm-up neither heap nor nodes nor listeners by more than a tenth.
+// grow: after the warm-up neither heap nor nodes nor listeners by more than a tenth; and the figure walks on with as many pictures a second.
 import { drop, openSite, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
-/** Rounds after which all that is loaded on demand is there. */
-const WARM_UP = 3;
+/**
+ * Rounds after which all that is loaded on demand is there, as many comparisons are kept as the page keeps, and the browser has compiled what
+ * is used often: until then most of what grows is code.
+ */
+const WARM_UP = 40;
 const MOST = 1.1;
+/** The middle of so many rounds, at the beginning and at the end, says how many pictures there are a second; ours: at the end a tenth fewer at most. */
+const SOME = 10;
+const FEWEST = 0.9;
+const SECONDS = 2;
 
 /** @typedef {{ heap: number, nodes: number, listeners: number, workers: number }} Held */
 
@@ -26,11 +33,22 @@ async function held(
   };
 }
 
+/** How many pictures of the figure there are in a second. */
+async function picturesPerSecond(/** @type {import("playwright-core").Page} */ page) {
+  const stage = page.getByTestId("stage");
+  const drawn = async () => Number(await stage.getAttribute("data-frames-drawn"));
+  const [before, start] = [await drawn(), performance.now()];
+  await page.waitForTimeout(1000 * SECONDS);
+  return (1000 * ((await drawn()) - before)) / (performance.now() - start);
+}
+
+const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
+
 /** Everything that a visitor does. */
-async function round(/** @type {import("playwright-core").Page} */ page, /** @type {string} */ clip) {
+async function round(/** @type {import("playwright-core").Page} */ page, /** @type {Record<string, string>} */ clips) {
   const trainingIsOver = () => page.getByTestId("train").waitFor({ timeout: 120_000 });
-  await drop(page, { "mine.bvh": clip });
-  await page.getByTestId("own-clips").getByText("mine").waitFor();
+  await drop(page, Object.fromEntries(Object.entries(clips).map(([title, text]) => [`${title}.bvh`, text])));
+  for (const title of Object.keys(clips)) await page.getByTestId("own-clips").getByText(title).waitFor();
   await page.getByTestId("train").click();
   await trainingIsOver();
   const { text } = await saved(page, "save-model");
@@ -53,7 +71,7 @@ async function round(/** @type {import("playwright-core").Page} */ page, /** @ty
   await page.keyboard.press("Escape");
   await page.locator("dialog[open]").waitFor({ state: "detached" });
   await page.locator("pg-training").evaluate((view) => /** @type {any} */ (view).training.clear());
-  await page.getByRole("button", { name: "Remove mine" }).click();
+  for (const title of Object.keys(clips)) await page.getByRole("button", { name: `Remove ${title}` }).click();
   await page.getByTestId("own-clips").waitFor({ state: "detached" });
 }
 
@@ -69,17 +87,21 @@ await main(async () => {
     await page.addLocatorHandler(page.getByTestId("unsaved"), () => page.getByTestId("unsaved-discard").click());
     const cdp = await page.context().newCDPSession(page);
     await cdp.send("Performance.enable");
-    const clip = bvh();
+    const clips = { mine: bvh(0), other: bvh(1) };
     /** @type {Held | null} */
     let warm = null;
     const end = Date.now() + 60_000 * minutes;
-    console.log("round   heap MB   nodes   listeners   workers");
+    /** @type {number[]} */
+    const pictures = [];
+    console.log("round   heap MB   nodes   listeners   workers   pictures/s");
     for (let k = 1; Date.now() < end || k <= WARM_UP + 1; k++) {
-      await round(page, clip);
+      await round(page, clips);
       const now = await held(cdp, page);
       const { heap, nodes, listeners, workers } = now;
+      pictures.push(await picturesPerSecond(page));
+      const shown = (pictures.at(-1) ?? 0).toFixed(1).padStart(13);
       console.log(
-        `${String(k).padStart(5)}${(heap / 1e6).toFixed(2).padStart(10)}${String(nodes).padStart(8)}${String(listeners).padStart(12)}${String(workers).padStart(10)}`,
+        `${String(k).padStart(5)}${(heap / 1e6).toFixed(2).padStart(10)}${String(nodes).padStart(8)}${String(listeners).padStart(12)}${String(workers).padStart(10)}${shown}`,
       );
       if (problems.length > 0) throw new Failure(problems.join("\n"));
       if (k === WARM_UP) warm = now;
@@ -88,6 +110,9 @@ await main(async () => {
         if (now[what] > MOST * warm[what])
           throw new Failure(`${what}: ${now[what]}, after the warm-up it was ${warm[what]}`);
     }
+    const [first, last] = [median(pictures.slice(0, SOME)), median(pictures.slice(-SOME))];
+    console.log(`pictures a second, at first and at last: ${first.toFixed(1)}, ${last.toFixed(1)}`);
+    if (last < FEWEST * first) throw new Failure(`${last} pictures a second, at first there were ${first}`);
     await leave();
   } finally {
     await site.close();

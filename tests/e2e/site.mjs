@@ -207,6 +207,7 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
   for (const type of ["dragenter", "dragover", "drop"]) {
     await page.dispatchEvent("body", type, { dataTransfer, clientX: 640, clientY: 400 });
   }
+  await dataTransfer.dispose();
 }
 
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");

@@ -26,11 +26,10 @@ pub fn warn_of_training<S: Observed>(settings: &ModelSettings, dataset: &Dataset
 pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
     let (seconds, bytes) = (cost.seconds / threads as f64, cost.bytes * threads as f64);
     if seconds > LONG || bytes > LARGE {
-        let (hours, gigabytes) = (seconds / 3600.0, bytes / 1e9);
         let cores = if threads == 1 { "one core".to_owned() } else { format!("{threads} cores") };
-        say(&format!(
-            "up to about {hours:.1} hours on {cores}, and {gigabytes:.1} GB of memory; {less} need less"
-        ));
+        let memory =
+            if bytes > LARGE { format!(", and {:.1} GB of memory", bytes / 1e9) } else { String::new() };
+        say(&format!("up to about {:.1} hours on {cores}{memory}; {less} need less", seconds / 3600.0));
     }
 }
 

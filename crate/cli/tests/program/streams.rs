@@ -3,6 +3,7 @@
 use crate::call::{fails, folder, prints, run, run_with, text};
 use serde_json::Value;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -57,6 +58,32 @@ fn sigterm_keeps_the_best_so_far() {
     assert_eq!(said["reason"], "stopped");
     let kept: Value = serde_json::from_str(&fs::read_to_string(&model).unwrap()).unwrap();
     assert_eq!(kept["provenance"]["iterations"], said["iterations"]);
+}
+
+/// What would take days is said before it begins, of every kind of training.
+#[test]
+fn a_long_wait_is_said_before_it_begins() {
+    let folder = folder("long");
+    let walks = ["sample:walk-1", "sample:walk-2", "--parts", "lower,upper", "--max-iterations", "100000000"];
+    let out = folder.join("out.json");
+    for (command, models) in
+        [("train", ["--model", "map-cgpdm"]), ("evaluate", ["--models", "vcgpdm,map-gpdm"])]
+    {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
+            .arg(command)
+            .args(walks)
+            .args(models)
+            .args(["--out", text(&out)])
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut said = String::new();
+        BufReader::new(child.stderr.take().unwrap()).read_line(&mut said).unwrap();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(said.contains(" hours on ") && said.contains(" need less"), "{command}: {said}");
+    }
 }
 
 #[test]
