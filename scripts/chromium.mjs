@@ -12,8 +12,8 @@ export function findChromium() {
   return NAMES.map(which).find((file) => file !== null) ?? MAC.find((file) => existsSync(file)) ?? null;
 }
 
-/** Starts it without a window, with WebGL drawn in software. */
-export async function launchChromium() {
+/** Starts it without a window, with WebGL drawn in software; with flags besides. @param {readonly string[]} [flags] */
+export async function launchChromium(flags = []) {
   const executablePath = findChromium();
   if (!executablePath) {
     throw new Failure(
@@ -25,6 +25,7 @@ export async function launchChromium() {
     ...["--enable-unsafe-swiftshader", "--use-angle=swiftshader"], // WebGL without a graphics card
     // The rest of the page without that emulated card: four times the frames for the stage.
     ...["--disable-gpu-compositing", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"],
+    ...flags,
   ];
   return chromium.launch({ executablePath, args });
 }

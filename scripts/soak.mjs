@@ -4,11 +4,10 @@ import { drop, openSite, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
-/**
- * Rounds after which all that is loaded on demand is there, as many comparisons are kept as the page keeps, and the browser has compiled what
- * is used often: until then most of what grows is code.
- */
-const WARM_UP = 40;
+/** Rounds after which all that is loaded on demand is there, and as many comparisons are kept as the page keeps. */
+const WARM_UP = 12;
+/** Machine code of the page's scripts is no part of what the page holds: it grows for as long as another function comes to be used much. */
+const NO_CODE = "--js-flags=--no-sparkplug --no-maglev --no-opt";
 const MOST = 1.1;
 /** The middle of so many rounds, at the beginning and at the end, says how many pictures there are a second; ours: at the end a tenth fewer at most. */
 const SOME = 10;
@@ -78,7 +77,7 @@ async function round(/** @type {import("playwright-core").Page} */ page, /** @ty
 await main(async () => {
   const minutes = Number(process.argv[2] ?? "5");
   if (!(minutes > 0)) throw new Failure(`expected minutes above 0, found "${process.argv[2]}"`);
-  const site = await openSite();
+  const site = await openSite({ flags: [NO_CODE] });
   try {
     const settings = "trainings=1&iterations=20&fps=15&dynamics=6&poses=6&models=dmp-rhythmic,dmp-discrete";
     const { page, problems, leave } = await site.visit({ settings, moving: true });

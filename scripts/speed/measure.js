@@ -45,7 +45,8 @@ export function training(wasm, files) {
     order: 2,
     framesPerSecond: 30,
     seed: 0,
-    maxIterations: 800,
+    // The default of the native program.
+    maxIterations: 250,
   });
   const trace = [];
   let last;

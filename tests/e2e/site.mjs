@@ -58,12 +58,13 @@ function noDrawing() {
 /**
  * @param {object} [options]
  * @param {string} [options.folder] the built page
+ * @param {string[]} [options.flags] of the browser
  * @param {(path: string) => unknown} [options.before] may hold back a file until its promise is kept
  * @param {(path: string, bytes: number) => void} [options.onSend] told of each file sent
  */
-export async function openSite({ folder = dist, ...options } = {}) {
+export async function openSite({ folder = dist, flags = /** @type {string[]} */ ([]), ...options } = {}) {
   const server = await serve(folder, { prefix: "/some/where/", ...options });
-  const browser = await launchChromium();
+  const browser = await launchChromium(flags);
 
   /** A fresh visitor on the page, and what went wrong while they were there. @param {import("playwright-core").BrowserContextOptions & Visit} [options] */
   async function visit({

@@ -1,4 +1,4 @@
-import { afterEach, expect, it, vi } from "vitest";
+import { afterEach, expect, it, type MockInstance, vi } from "vitest";
 import { type Hired, Pool } from "./pool";
 
 interface Fake {
@@ -11,9 +11,11 @@ interface Fake {
 function scene(width: number, grace?: number, ready: (name: number) => Promise<unknown> = () => Promise.resolve()) {
   const workers: Fake[] = [];
   const begun: { job: string; worker: Fake; end: (result: string) => void; fail: (problem: Error) => void }[] = [];
+  const listened: MockInstance[] = [];
   const hire = (): Hired<Fake> => {
     let die = (_: Error) => {};
     const broken = new Promise<never>((_, fail) => (die = fail));
+    listened.push(vi.spyOn(broken, "then"));
     const worker: Fake = { name: workers.length, dismissed: false, die };
     workers.push(worker);
     return { worker, ready: ready(worker.name), broken, dismiss: () => (worker.dismissed = true) };
@@ -29,7 +31,15 @@ function scene(width: number, grace?: number, ready: (name: number) => Promise<u
   };
   const under = () => begun.map(({ job }) => job).join("");
   const at = (job: string) => begun.find((one) => one.job === job)!;
-  return { pool, workers, ask, begun: under, at, ends };
+  return {
+    pool,
+    workers,
+    ask,
+    begun: under,
+    at,
+    ends,
+    listeners: () => listened.flatMap(({ mock }) => mock.calls).length,
+  };
 }
 
 const settle = async () => {
@@ -207,4 +217,20 @@ it("no longer keeps a worker that died", async () => {
   worker.die(new Error("out of memory"));
   await settle();
   expect([pool.keeps(worker), worker.dismissed]).toEqual([false, true]);
+});
+
+it("listens once to whether a worker dies, so that what came of its work is not kept while it lives", async () => {
+  const { workers, ask, at, ends, listeners } = scene(1);
+  for (const job of "abc") {
+    ask(job);
+    await settle();
+    at(job).end(job);
+    await settle();
+  }
+  expect([workers.length, ends.size, listeners()]).toEqual([1, 3, 1]);
+  ask("d");
+  await settle();
+  workers[0]?.die(new Error("out of memory"));
+  await settle();
+  expect(ends.get("d")).toBe("failed: out of memory");
 });

@@ -15,6 +15,8 @@ interface Waiting<Worker> {
   /** The worker that is to do it; null: any. */
   on: Worker | null;
   signal: AbortSignal | undefined;
+  /** It waits no longer. */
+  begun(): void;
   done(result: unknown): void;
   failed(problem: unknown): void;
 }
@@ -26,6 +28,11 @@ export class Pool<Worker> {
   private readonly idle: Hired<Worker>[] = [];
   private waiting: Waiting<Worker>[] = [];
   private busy = 0;
+  /**
+   * What the death of a worker at work fails. Its promise is listened to once: listeners of every piece of work would stay, and with them what
+   * came of it, for as long as the worker lives.
+   */
+  private readonly atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
   /** Workers that hold something that may be asked for again. */
   private readonly kept = new Set<Worker>();
 
@@ -48,9 +55,18 @@ export class Pool<Worker> {
     return new Promise<Result>((resolve, reject) => {
       if (signal?.aborted) return reject(signal.reason);
       if (on !== null && !this.keeps(on)) return reject(new Error("the worker that held it is gone."));
-      const job: Waiting<Worker> = { work, on, signal, done: resolve as (result: unknown) => void, failed: reject };
+      const aborted = () => this.drop(job);
+      const begun = () => signal?.removeEventListener("abort", aborted);
+      const job: Waiting<Worker> = {
+        work,
+        on,
+        signal,
+        begun,
+        done: resolve as (result: unknown) => void,
+        failed: reject,
+      };
       this.waiting.push(job);
-      signal?.addEventListener("abort", () => this.drop(job), { once: true });
+      signal?.addEventListener("abort", aborted, { once: true });
       this.next();
     });
   }
@@ -82,6 +98,7 @@ export class Pool<Worker> {
       const at = this.waiting.findIndex(({ on }) => on === null || this.idle.some(({ worker }) => worker === on));
       const [job] = at < 0 ? [] : this.waiting.splice(at, 1);
       if (!job) break;
+      job.begun();
       void this.attend(job);
     }
     if (this.busy > 0) return;
@@ -92,6 +109,7 @@ export class Pool<Worker> {
 
   private forget(hired: Hired<Worker>): void {
     this.kept.delete(hired.worker);
+    this.atWork.delete(hired);
     const at = this.idle.indexOf(hired);
     if (at >= 0) this.idle.splice(at, 1);
     hired.dismiss();
@@ -110,8 +128,7 @@ export class Pool<Worker> {
     let hired: Hired<Worker> | null = null;
     try {
       hired = this.take(on) ?? this.open();
-      const { worker, ready, broken } = hired;
-      const result = await Promise.race([ready.then(() => work(worker)), broken, silence.promise]);
+      const result = await Promise.race([this.workOn(hired, work), silence.promise]);
       this.idle.push(hired);
       done(result);
     } catch (problem) {
@@ -125,11 +142,24 @@ export class Pool<Worker> {
     }
   }
 
+  /** Fails when the worker dies. */
+  private async workOn<Result>(hired: Hired<Worker>, work: (worker: Worker) => Promise<Result>): Promise<Result> {
+    try {
+      return await new Promise<Result>((resolve, reject) => {
+        this.atWork.set(hired, reject);
+        hired.ready.then(() => work(hired.worker)).then(resolve, reject);
+      });
+    } finally {
+      this.atWork.delete(hired);
+    }
+  }
+
   private open(): Hired<Worker> {
     const hired = this.hire();
-    hired.broken.catch(() => {
+    hired.broken.catch((problem) => {
       // One that is at work is dismissed where its work fails.
       if (this.idle.includes(hired)) this.forget(hired);
+      else this.atWork.get(hired)?.(problem);
     });
     return hired;
   }
