@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { type Holdings, readRecords } from "./records";
 import { SessionStore, type Visit } from "./session-store";
 import type { Shelf } from "./shelf";
@@ -108,10 +108,14 @@ describe("a visit", () => {
     const { visit, store } = session("a");
     const walk = clip("walk");
     visit.now = { ...nothing, clips: [walk], runs: [run(1, 5), run(2, 5)] };
+    // Within a millisecond nothing about the visit has changed.
+    const clock = vi.spyOn(Date, "now").mockReturnValue(1000);
     await store.keepNow();
     expect(shelf.written.sort()).toEqual(["about", "clips", "file 1", "run 1", "run 2"]);
     visit.now = { ...visit.now, runs: [run(2, 6)] };
+    clock.mockReturnValue(2000);
     await store.keepNow();
+    clock.mockRestore();
     expect([...(shelf.records.get("a")?.keys() ?? [])].sort()).toEqual(["about", "clips", "file 1", "run 2"]);
     expect(shelf.written.sort()).toEqual(["about", "run 1", "run 2"]);
   });
