@@ -6,10 +6,14 @@ use std::f64::consts::{PI, TAU};
 
 /// The rotation by `|r|` radians about `r` (the exponential map).
 pub fn exp(r: &Vector3<f64>) -> UnitQuaternion<f64> {
-    let half = 0.5 * r.norm();
+    // Every joint of every frame comes here. nalgebra's own norms take libm's square root, which in wasm is many instructions;
+    // the processor's is rounded the same way.
+    let half = 0.5 * r.norm_squared().sqrt();
+    let (sine, cosine) = half.sine_cosine();
     // sin(half) / |r|; the series loses nothing below 1e-4: its next term is of the order 1e-18.
-    let factor = if half < 1e-4 { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * half.sine() / half };
-    UnitQuaternion::new_normalize(Quaternion::from_parts(half.cosine(), r * factor))
+    let factor = if half < 1e-4 { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * sine / half };
+    let q = Quaternion::from_parts(cosine, r * factor);
+    UnitQuaternion::new_unchecked(q / q.norm_squared().sqrt())
 }
 
 /// The rotation vector of the shorter way round, radians, `|r| <= pi` (the logarithm).

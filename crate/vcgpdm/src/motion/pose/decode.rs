@@ -117,12 +117,17 @@ impl PoseMapping {
         if y.ncols() != self.column_count() {
             return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
         }
-        for (at, &found) in y.iter().enumerate() {
-            if !(-LARGEST_NUMBER..=LARGEST_NUMBER).contains(&found) {
-                return Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found });
-            }
+        let known = |x: &f64| x.abs() <= LARGEST_NUMBER;
+        // Without a way out of the loop it is done for several numbers at once.
+        if y.as_slice().iter().fold(true, |all, x| all & known(x)) {
+            return Ok(());
         }
-        Ok(())
+        match y.iter().enumerate().find(|(_, x)| !known(x)) {
+            Some((at, &found)) => {
+                Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found })
+            }
+            None => Ok(()),
+        }
     }
 
     fn check_start(&self, start: &RootStart) -> Result<(), PoseError> {
