@@ -101,6 +101,8 @@ export interface Outcome {
     terms?: { kinematics: number[]; dynamics: number[]; initial: number; entropy: number };
     /** The error of each part; absent in results of earlier programs. */
     partErrors?: number[];
+    /** The mean error over the trials trained on; absent where one could not be scored, or in results of earlier programs. */
+    trainingMse?: number;
 }
 "#;
 

@@ -1,7 +1,8 @@
 //! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
 //! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
 
-use crate::evaluation::dtw::{Score, ScoreError, score_and_columns};
+use crate::evaluation::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
+use crate::evaluation::stats::mean;
 use crate::gp::NumericsError;
 use crate::models::library::{CombinationError, PlanError};
 use crate::models::variational::BoundTerms;
@@ -113,6 +114,10 @@ pub struct Outcome {
     /// The error of each part along the same warping path, in the order of the setting's parts; empty in results of earlier programs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub part_errors: Vec<f64>,
+    /// The mean error over the trials trained on, each rolled out from its own beginning and scored in the same way; absent where one
+    /// of them cannot be, and in results of earlier programs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub training_mse: Option<f64>,
 }
 
 impl Outcome {
@@ -188,7 +193,12 @@ impl Fold {
     /// # Errors
     /// The model cannot be rolled out for the length of the trial.
     pub fn predict(&self, model: &Model) -> Result<DMatrix<f64>, RolloutError> {
-        let rollout = model.rollout(self.movements.sequences.len() - 1, self.actual.nrows())?;
+        self.generate(model, self.movements.sequences.len() - 1, self.actual.nrows())
+    }
+
+    /// All columns [frames x D] that the model makes from the beginning of a sequence.
+    fn generate(&self, model: &Model, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        let rollout = model.rollout(sequence, frames)?;
         // A model of the whole body has one part with the columns of all parts side by side.
         if rollout.len() == self.movements.y.len() {
             return Ok(self.body.columns(&rollout));
@@ -199,6 +209,22 @@ impl Fold {
             rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
         });
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
+    }
+
+    /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be scored.
+    fn training_mse(&self, model: &Model) -> Option<f64> {
+        let mut begin = 0;
+        let mut errors = Vec::new();
+        for (place, Sequence { frames, whole }) in self.movements.sequences.iter().enumerate() {
+            if *whole {
+                let rows = |y: &DMatrix<f64>| y.rows(begin, *frames).into_owned();
+                let actual = self.body.columns(&self.movements.y.iter().map(rows).collect::<Vec<_>>());
+                let made = self.generate(model, place, *frames).ok()?;
+                errors.push(dtw_mse(&made, &actual).ok()?.dtw_mse);
+            }
+            begin += frames;
+        }
+        Some(mean(&errors)).filter(|error| error.is_finite())
     }
 
     /// A training of a candidate in this fold, ready to begin.
@@ -266,6 +292,7 @@ impl Fold {
             frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
             reason: training.reason.as_ref().map(ToString::to_string),
+            training_mse: self.training_mse(model),
         };
         // A file of results could not hold such numbers. Squares may overflow where the predicted columns do not.
         for (what, found) in [
@@ -325,6 +352,8 @@ mod tests {
                 outcome.terms.as_ref().map(|terms| terms.total()),
                 outcome.bound.filter(|_| candidate.is_random())
             );
+            // Those that were trained on are known better.
+            assert!(outcome.training_mse.unwrap() < score.variance, "{candidate:?}: {outcome:?}");
             // The parts have all columns between them.
             let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
             let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();

@@ -254,6 +254,7 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
     ]
     .into_iter()
     .chain(outcome.part_errors.iter().map(|error| ("the error of a part", *error)))
+    .chain(outcome.training_mse.map(|error| ("the error of the trials trained on", error)))
     {
         if !found.is_finite() || found < 0.0 {
             return Err(ResultsError::Number { index, what, found });

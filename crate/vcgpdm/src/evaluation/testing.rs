@@ -42,6 +42,7 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
         reason: None,
         terms: None,
         part_errors: Vec::new(),
+        training_mse: None,
     }
 }
 
