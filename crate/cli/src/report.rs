@@ -6,6 +6,7 @@ use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
+use vcgpdm::evaluation::stats::Interval;
 use vcgpdm::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
@@ -124,16 +125,19 @@ fn spread(spread: &Spread, digits: usize) -> String {
 
 /// Figure 4 of Velychko et al. 2018 as a table.
 fn models(text: &mut String, comparison: &Comparison, parts: &[String]) -> std::fmt::Result {
+    if comparison.models.is_empty() {
+        return Ok(());
+    }
     let of_parts: String = parts.iter().map(|part| format!(" {part} |")).collect();
     writeln!(
         text,
-        "| model | settings | DTW MSE | median | of a motionless prediction |{of_parts} bound | of it pose | of it dynamics | training, s | converged | numbers stored | folds | runs |"
+        "| model | settings | DTW MSE | median | of a motionless prediction |{of_parts} on the trials trained on | bound | of it pose | of it dynamics | training, s | converged | numbers stored | folds | runs |"
     )?;
-    writeln!(text, "{}|", "|---".repeat(12 + parts.len()))?;
+    writeln!(text, "{}|", "|---".repeat(13 + parts.len()))?;
     for s in &comparison.models {
         writeln!(
             text,
-            "| {} | {} | {} | {:.5} | {:.0} % |{} {} | {} | {} | {} | {} | {:.0} | {} | {} |",
+            "| {} | {} | {} | {:.5} | {:.0} % |{} {} | {} | {} | {} | {} | {} | {:.0} | {} | {} |",
             s.model.id(),
             s.label,
             spread(&s.mse, 5),
@@ -142,6 +146,7 @@ fn models(text: &mut String, comparison: &Comparison, parts: &[String]) -> std::
             (0..parts.len())
                 .map(|k| s.part_errors.get(k).map_or(" |".to_owned(), |error| format!(" {error:.5} |")))
                 .collect::<String>(),
+            s.training_mse.as_ref().map_or(String::new(), |error| spread(error, 5)),
             s.bound.as_ref().map_or(String::new(), |b| spread(b, 0)),
             s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.pose)),
             s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.dynamics)),
@@ -184,16 +189,27 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     }
     writeln!(
         text,
-        "| model | settings | frames: ms an iteration (s a training) | exponent |\n|---|---|---|---|"
+        "| model | settings | frames: ms an iteration (s a training) | converged | exponent of an iteration | of a training |\n|---|---|---|---|---|---|"
     )?;
     for g in &comparison.growth {
         let point = |p: &FramesAndTime| {
             format!("{:.0}: {:.2} ({:.1})", p.frames, 1e3 * p.seconds, p.training_seconds)
         };
         let list: Vec<String> = g.points.iter().map(point).collect();
-        let range = g.interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
-        let exponent = g.exponent.map_or(String::new(), |e| format!("{e:.2}{range}"));
-        writeln!(text, "| {} | {} | {} | {exponent} |", g.model.id(), g.label, list.join(", "))?;
+        let power = |exponent: Option<f64>, interval: Option<Interval>| {
+            let range = interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
+            exponent.map_or(String::new(), |e| format!("{e:.2}{range}"))
+        };
+        writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} |",
+            g.model.id(),
+            g.label,
+            list.join(", "),
+            g.converged.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share)),
+            power(g.exponent, g.interval),
+            power(g.training_exponent, g.training_interval)
+        )?;
     }
     writeln!(text)
 }

@@ -114,6 +114,8 @@ export interface ModelSummary {
     mse: Spread;
     /** The median error over the folds: a single rollout that goes astray does not move it. */
     mseMedian: number;
+    /** The same error on the trials that were trained on; null where the results do not hold it. */
+    trainingMse: Spread | null;
     /** The error of a prediction that does not move. */
     variance: number;
     /** The bound on the log evidence, in nats, where the model has one. */
@@ -173,10 +175,16 @@ export interface Growth {
     label: string;
     /** From few to many frames. */
     points: FramesAndTime[];
-    /** k where time grows as frames to the power k; null where it cannot be told. */
+    /** k where the time of an iteration grows as frames to the power k; null where it cannot be told. */
     exponent: number | null;
     /** Where it lies, 95 %; null where it cannot be told. */
     interval: Interval | null;
+    /** The same power for a whole training; null where it cannot be told. */
+    trainingExponent: number | null;
+    /** Where that lies. */
+    trainingInterval: Interval | null;
+    /** The share of these trainings that ended because nothing changed any more; null where that is not known. */
+    converged: number | null;
 }
 
 /** Where a number lies, with the probability that such an interval covers it. */

@@ -19,6 +19,7 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
   label: "",
   mse: spread(mse, error),
   mseMedian: mse,
+  trainingMse: null,
   variance: 0.03,
   bound: bound === null ? null : spread(bound),
   seconds: spread(1),
@@ -45,10 +46,12 @@ it("says nothing about a rank correlation that does not exist", () => {
 });
 
 it("says how time grows", () => {
+  const unknown = { interval: null, trainingExponent: null, trainingInterval: null, converged: null };
+  const line = { label: "", points: [], ...unknown };
   expect(
     growthFinding([
-      { model: "vgpdm", label: "", points: [], exponent: 1.014, interval: null },
-      { model: "tmp", label: "", points: [], exponent: null, interval: null },
+      { ...line, model: "vgpdm", exponent: 1.014 },
+      { ...line, model: "tmp", exponent: null },
     ]),
   ).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });

@@ -19,7 +19,7 @@ pub struct Arguments {
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     pub(super) model: Option<ModelKind>,
-    /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; legs,trunk,left arm,right arm), or a
+    /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; body,left arm,right arm; legs,trunk,left arm,right arm), or a
     /// file with a list like [{"name": "legs", "joints": ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns:
     /// arm=x,y;leg=z (a name that ends with * means all that begin so), or a file with [{"name": "arm", "columns": ["x", "y"]}].
     #[arg(long, value_name = "lower,upper|whole|FILE")]

@@ -9,6 +9,7 @@
 //! upper body of these, one for each seed, and all couplings of the one with the highest bound.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+#[path = "../shared/clips.rs"]
 mod clips;
 #[path = "../shared/models.rs"]
 mod models;
@@ -16,8 +17,8 @@ mod presets;
 mod sweep;
 
 use clap::Parser;
-use clips::{of_walks, read_clips};
-use models::Trained;
+use clips::read_clips;
+use models::{Trained, lower_upper, train};
 use std::path::PathBuf;
 use sweep::{Learned, strength};
 use vcgpdm::models::Reading;
@@ -48,7 +49,10 @@ fn main() {
     }
     let clips = read_clips(&arguments.clips);
     let models: Vec<(u32, Trained)> = (arguments.seeds.iter())
-        .map(|&seed| (seed, of_walks(&clips, seed, arguments.max_iterations)))
+        .map(|&seed| {
+            eprintln!("seed {seed}");
+            (seed, train(&clips, &lower_upper(&clips[0]), seed, arguments.max_iterations))
+        })
         .collect();
     println!("### With the legs cut off from the arms\n");
     println!("Lower to upper times 100, re-inferred. {} clips, seeds {:?}.\n", clips.len(), arguments.seeds);

@@ -4,7 +4,7 @@
 //! where the whole of it says so.
 
 use crate::evaluation::contender::Contender;
-use crate::evaluation::correlation::correlation;
+use crate::evaluation::correlation::{correlation, training_correlation};
 use crate::evaluation::effect::{Effect, Errors};
 use crate::evaluation::evidence::by_preference;
 use crate::evaluation::labels::Labels;
@@ -42,6 +42,14 @@ const BOUND_CORRELATES: Said = Said(
 const BOUND_CHOOSES_SPLITS: Said = Said(
     "\u{201c}To compare two parametric models, we can compute the ratio of their probabilities, known as Bayes factor.\u{201d} Here: of one part and several",
     "2020, section 2.2",
+);
+const BOUND_TELLS_TRAINING: Said = Said(
+    "\u{201c}MSE and therefore confusion rate can be predicted well from ELBO\u{201d}: the MSE on the training data",
+    "2018, figure 6B",
+);
+const DYNAMICS_COUNT_MORE: Said = Said(
+    "\u{201c}Additional dynamics IPs contribute more to the reduction of the MSE than latent-to-observed IPs.\u{201d}",
+    "2018, figure 6B",
 );
 const DMP_OPTIMUM: Said = Said(
     "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
@@ -94,11 +102,18 @@ impl Claims {
         growth: &Growth,
         answer: impl Fn(Interval) -> Answer,
     ) {
-        if let (Some(exponent), Some(interval)) = (growth.exponent, growth.interval) {
+        let power = |exponent: Option<f64>, interval: Option<Interval>| {
+            let (exponent, interval) = exponent.zip(interval)?;
+            Some((format!("{exponent:.2} ({:.2} to {:.2})", interval.low, interval.high), interval))
+        };
+        let iteration = power(growth.exponent, growth.interval);
+        let whole = power(growth.training_exponent, growth.training_interval);
+        if let (Some((iteration, _)), Some((whole, interval))) = (iteration, whole) {
+            let converged = growth.converged.map_or(String::new(), |share| {
+                format!("; {:.0} % of these trainings converged", 100.0 * share)
+            });
             let found = format!(
-                "time of an iteration grows with the power {exponent:.2} ({:.2} to {:.2}) of the frames, {} numbers of them",
-                interval.low,
-                interval.high,
+                "time of a training grows with the power {whole} of the frames, of an iteration with the power {iteration}, {} numbers of frames{converged}",
                 growth.points.len()
             );
             self.say(said, criterion, found, answer(interval));
@@ -229,10 +244,49 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
             "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
         claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
     }
-    if let Some(c) = correlation(&kind.settings, String::new(), labels) {
-        let (found, answer) = correlated(&c);
-        let criterion = "rank correlation over the inducing points below 0, by chance in less than 5 %";
-        claims.say(&BOUND_CORRELATES, criterion, found, answer);
+    let criterion = "rank correlation over the inducing points below 0, by chance in less than 5 %";
+    for (said, correlation) in [
+        (&BOUND_CORRELATES, correlation(&kind.settings, String::new(), labels)),
+        (&BOUND_TELLS_TRAINING, training_correlation(&kind.settings, labels)),
+    ] {
+        if let Some(c) = correlation {
+            let (found, answer) = correlated(&c);
+            claims.say(said, criterion, found, answer);
+        }
+    }
+    dynamics_or_poses(claims, &kind.settings, labels);
+}
+
+/// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l and k, for the two numbers
+/// furthest apart that were tried both ways.
+fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
+    let numbers = |row: &Row| match row.candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
+        _ => (0, 0),
+    };
+    let turned = |row: &Row| {
+        let (dynamics, poses) = numbers(row);
+        rows.iter().find(|other| numbers(other) == (poses, dynamics))
+    };
+    let most_dynamics = rows.iter().filter(|row| numbers(row).0 > numbers(row).1 && turned(row).is_some());
+    let Some(dynamics) = most_dynamics.max_by_key(|row| numbers(row).0 - numbers(row).1) else { return };
+    let Some(poses) = turned(dynamics) else { return };
+    let folds = common_folds(&[dynamics, poses]);
+    let names = format!(
+        "{}, on the trials trained on, {} beside {}",
+        dynamics.candidate.kind().title(),
+        labels.label(dynamics.candidate),
+        labels.label(poses.candidate)
+    );
+    let errors = (dynamics.training_errors(&folds), poses.training_errors(&folds));
+    if let Some(effect) = Effect::of(&errors.0, &errors.1) {
+        let criterion = "of as many inducing points, more of them in the dynamics leave a lower error: the interval of the ratio lies below 1";
+        claims.say(
+            &DYNAMICS_COUNT_MORE,
+            criterion,
+            format!("{names}: {}", effect.words()),
+            effect.is_below(1.0),
+        );
     }
 }
 

@@ -50,7 +50,7 @@ mod tests {
     use super::*;
     use crate::evaluation::summary::Answer;
     use crate::evaluation::testing::{finished, map, outcome, results, variational};
-    use crate::models::{DmpSettings, ModelKind, ModelSettings, VariationalSettings};
+    use crate::models::{DmpSettings, EndReason, ModelKind, ModelSettings, VariationalSettings};
     use approx::assert_relative_eq;
 
     #[test]
@@ -282,5 +282,53 @@ mod tests {
         assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
         assert_eq!(answer(&found, "supplement", "power 1.00 (1.00 to 1.00)"), Answer::Yes);
         assert_eq!(answer(&found, "supplement", "power 3.00 (3.00 to 3.00)"), Answer::Yes);
+        // Where more frames take more iterations too, learning takes longer than they say.
+        for finished in &mut jobs {
+            let count = finished.job.training_trials;
+            let outcome = finished.outcome.as_mut().unwrap();
+            outcome.iterations *= count;
+            outcome.seconds *= count as f64;
+            outcome.reason = Some(EndReason::BoundSettled.to_string());
+        }
+        let found = Comparison::of(&results(5, &jobs));
+        let vcgpdm = &found.growth[0];
+        assert_relative_eq!(vcgpdm.exponent.unwrap(), 1.0, epsilon = 1e-9);
+        assert_relative_eq!(vcgpdm.training_exponent.unwrap(), 2.0, epsilon = 1e-9);
+        assert_eq!(vcgpdm.converged, Some(1.0));
+        let words = "training grows with the power 2.00 (2.00 to 2.00) of the frames, of an iteration with the power 1.00";
+        assert_eq!(answer(&found, "supplement", words), Answer::No);
+    }
+
+    #[test]
+    fn errors_on_the_trials_trained_on_are_told_from_those_held_out() {
+        let mut jobs = Vec::new();
+        for fold in 1..=7 {
+            // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out is another matter.
+            for (dynamics_ips, pose_ips, trained_on, bound) in [
+                (5, 5, 0.9, 1.0),
+                (30, 5, 0.4, 3.0),
+                (5, 30, 0.8, 2.0),
+                (30, 30, 0.3, 4.0),
+                (20, 5, 0.5, 2.5),
+            ] {
+                let settings = VariationalSettings { dynamics_ips, pose_ips, ..variational(5) };
+                let mut outcome = outcome(0.5 + bound, Some(bound), 100, 1.0);
+                outcome.training_mse = Some(trained_on * (1.0 + 0.1 * fold as f64));
+                jobs.push(finished(ModelSettings::Vcgpdm(settings), fold, 6, 0, outcome));
+            }
+        }
+        let found = Comparison::of(&results(7, &jobs));
+        assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
+        assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), Answer::No);
+        assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), Answer::Yes);
+        let words = "30 + 5 inducing points beside 5 + 30 inducing points: 0.50 times";
+        assert_eq!(answer(&found, "figure 6B", words), Answer::Yes);
+        // Results of earlier programs do not hold them.
+        for finished in &mut jobs {
+            finished.outcome.as_mut().unwrap().training_mse = None;
+        }
+        let found = Comparison::of(&results(7, &jobs));
+        assert!(found.models[0].training_mse.is_none());
+        assert!(found.claims.iter().all(|claim| !claim.place.contains("6B")), "{:?}", found.claims);
     }
 }

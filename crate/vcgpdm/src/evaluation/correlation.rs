@@ -1,10 +1,12 @@
-//! Bound against error over the sizes of a kind of model: figure 6B of Velychko et al. (2018).
+//! Bound against error over the sizes of a kind of model: figure 1 of the supplement of Velychko et al. (2017), and on the trials
+//! trained on figure 6B of Velychko et al. (2018).
 
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
 use crate::evaluation::stats::{chance_of_so_low, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation};
 use crate::models::ModelKind;
+use std::collections::BTreeSet;
 
 /// For every kind of model and all settings but its size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
@@ -22,9 +24,23 @@ pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
 
 /// Over the folds that all of these candidates of a kind have; absent for fewer than three.
 pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Option<Correlation> {
+    with_error(rows, label, labels, &|row, folds| row.mse(folds))
+}
+
+/// The same with the error on the trials that were trained on.
+pub(super) fn training_correlation(rows: &[&Row], labels: &Labels) -> Option<Correlation> {
+    with_error(rows, String::new(), labels, &|row, folds| row.training_mse(folds))
+}
+
+fn with_error(
+    rows: &[&Row],
+    label: String,
+    labels: &Labels,
+    error: &dyn Fn(&Row, &BTreeSet<usize>) -> Option<f64>,
+) -> Option<Correlation> {
     let folds = common_folds(rows);
     let point = |row: &&Row| {
-        let (bound, mse) = (row.bound(&folds)?, row.mse(&folds)?);
+        let (bound, mse) = (row.bound(&folds)?, error(row, &folds)?);
         Some(BoundAndError { label: labels.label(row.candidate), bound, mse })
     };
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();

@@ -33,15 +33,25 @@ pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
         let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
         let (candidate, course) = of_kind.max_by_key(|(_, course)| course.len())?;
         let points = points(course);
-        let pairs: Vec<(f64, f64)> =
-            points.iter().map(|p| (p.frames, p.seconds)).filter(|(_, seconds)| *seconds > 0.0).collect();
-        let slope = exponent_interval(&pairs);
+        let power = |seconds: &dyn Fn(&FramesAndTime) -> f64| {
+            let pairs = points.iter().map(|p| (p.frames, seconds(p)));
+            let pairs: Vec<(f64, f64)> = pairs.filter(|(_, seconds)| *seconds > 0.0).collect();
+            let slope = exponent_interval(&pairs);
+            (slope.map(|(exponent, _)| exponent), slope.and_then(|(_, interval)| interval))
+        };
+        let (exponent, interval) = power(&|p| p.seconds);
+        let (training_exponent, training_interval) = power(&|p| p.training_seconds);
+        let ends = course.values().flatten().filter_map(|(_, outcome)| outcome.converged());
+        let ends: Vec<f64> = ends.map(|converged| f64::from(u8::from(converged))).collect();
         (points.len() > 2).then(|| Growth {
             model: kind,
             label: labels.label(candidate),
             points,
-            exponent: slope.map(|(exponent, _)| exponent),
-            interval: slope.and_then(|(_, interval)| interval),
+            exponent,
+            interval,
+            training_exponent,
+            training_interval,
+            converged: (!ends.is_empty()).then(|| mean(&ends)),
         })
     };
     ModelKind::ALL.into_iter().filter_map(growth).collect()

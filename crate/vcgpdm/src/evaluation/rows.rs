@@ -107,6 +107,12 @@ impl Row<'_> {
         (!errors.is_empty()).then(|| mean(&errors))
     }
 
+    /// The mean error on the trials trained on over these folds; absent where it is not known.
+    pub fn training_mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
+        let errors: Vec<f64> = self.training_errors(folds).into_values().collect();
+        (!errors.is_empty()).then(|| mean(&errors))
+    }
+
     /// The median error over these folds; absent without a fold.
     pub fn mse_median(&self, folds: &BTreeSet<usize>) -> Option<f64> {
         let errors = self.means(folds, &|o| Some(o.score.dtw_mse));
@@ -121,6 +127,12 @@ impl Row<'_> {
     /// The error of a fold, the mean over its seeds.
     pub fn error(&self, fold: usize) -> Option<f64> {
         self.means(&BTreeSet::from([fold]), &|o| Some(o.score.dtw_mse)).first().copied()
+    }
+
+    /// The errors on the trials trained on in these folds, means over seeds, where they are known.
+    pub fn training_errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        let error = |fold: &usize| self.means(&BTreeSet::from([*fold]), &|o| o.training_mse).first().copied();
+        folds.iter().filter_map(|fold| Some((*fold, error(fold)?))).collect()
     }
 
     /// The bounds of these folds, means over seeds, where there are some.
@@ -149,6 +161,7 @@ impl Row<'_> {
             label,
             mse: spread(&|o| Some(o.score.dtw_mse))?,
             mse_median: self.mse_median(&folds)?,
+            training_mse: spread(&|o| o.training_mse),
             variance: spread(&|o| Some(o.score.variance))?.mean,
             bound: spread(&|o| o.bound),
             seconds: spread(&|o| Some(o.seconds))?,

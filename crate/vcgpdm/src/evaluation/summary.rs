@@ -28,6 +28,8 @@ pub struct ModelSummary {
     pub mse: Spread,
     /// The median error over the folds: a single rollout that goes astray does not move it.
     pub mse_median: f64,
+    /// The same error on the trials that were trained on, where the results hold it.
+    pub training_mse: Option<Spread>,
     /// The error of a prediction that does not move.
     pub variance: f64,
     /// The bound on the log evidence, in nats, where the model has one.
@@ -113,6 +115,12 @@ pub struct Growth {
     pub exponent: Option<f64>,
     /// Where k lies, 95 %, by Student's t of the slope.
     pub interval: Option<Interval>,
+    /// The same power for a whole training, which may need more iterations of more frames; absent where it cannot be told.
+    pub training_exponent: Option<f64>,
+    /// Where that lies.
+    pub training_interval: Option<Interval>,
+    /// The share of these trainings that ended because nothing changed any more, 0 to 1; absent for models without iterations.
+    pub converged: Option<f64>,
 }
 
 /// Two ways to split the body in one fold: what their bounds say, and what their errors say.

@@ -147,7 +147,7 @@ fn up_axes_heights_and_parts_are_found() {
         let (up, height) = (clip.up_axis(), clip.height());
         println!("{path}: {ids:?}, up {}, height {height:.2}, {:?}", up.letter(), clip.warnings);
         let person = clip.skeleton.joints.len() > 10;
-        assert_eq!(ids.len(), if person { 3 } else { 1 }, "{path}");
+        assert_eq!(ids.len(), if person { 4 } else { 1 }, "{path}");
         for preset in &found {
             parts::check(&preset.parts, &clip.skeleton).unwrap();
         }

@@ -1,4 +1,4 @@
-//! Splits of a body that are found automatically: whole, lower and upper, legs with trunk and arms.
+//! Splits of a body that are found automatically: whole, lower and upper, body with arms, legs with trunk and arms.
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
@@ -9,7 +9,7 @@ use serde::Serialize;
 /// A usual way to split a body.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartsPreset {
-    /// "whole", "lower-upper" or "legs-trunk-arms".
+    /// "whole", "lower-upper", "body-arms" or "legs-trunk-arms".
     pub id: String,
     /// Its title for a person to read.
     pub title: String,
@@ -18,7 +18,8 @@ pub struct PartsPreset {
 }
 
 /// The ways to split a body that follow from the names of its joints, or else from its shape: always "whole";
-/// "lower-upper" where legs were found; "legs-trunk-arms" where arms were found too.
+/// "lower-upper" where legs were found; "body-arms" (the three parts of Velychko et al. 2018, section 5.3) and "legs-trunk-arms" where
+/// arms were found too.
 ///
 /// ```
 /// use vcgpdm::motion::{parts, samples};
@@ -26,7 +27,7 @@ pub struct PartsPreset {
 /// let clip = samples::clip("walk-1").ok_or("no such sample")?;
 /// let presets = parts::presets(&clip.skeleton);
 /// let ids: Vec<&str> = presets.iter().map(|preset| preset.id.as_str()).collect();
-/// assert_eq!(ids, ["whole", "lower-upper", "legs-trunk-arms"]);
+/// assert_eq!(ids, ["whole", "lower-upper", "body-arms", "legs-trunk-arms"]);
 /// let names: Vec<&str> = presets[1].parts.iter().map(|part| part.name.as_str()).collect();
 /// assert_eq!(names, ["lower", "upper"]);
 /// # Ok::<(), &str>(())
@@ -51,13 +52,15 @@ pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
         vec![("lower", lower.clone()), ("upper", upper)],
     ));
     if anatomy.has_both_arms() {
+        let arm = |side| anatomy.joints(Region::Arm(side));
+        let (left, right) = (arm(Side::Left), arm(Side::Right));
         let trunk = joints(&|joint| anatomy.regions[joint] == Region::Trunk && !lower.contains(&joint));
-        let parts = vec![
-            ("legs", lower.clone()),
-            ("trunk", trunk),
-            ("left arm", anatomy.joints(Region::Arm(Side::Left))),
-            ("right arm", anatomy.joints(Region::Arm(Side::Right))),
-        ];
+        if !trunk.is_empty() {
+            let body = joints(&|joint| lower.contains(&joint) || trunk.contains(&joint));
+            let parts = vec![("body", body), ("left arm", left.clone()), ("right arm", right.clone())];
+            presets.push(preset("body-arms", "Body, left arm, right arm", parts));
+        }
+        let parts = vec![("legs", lower), ("trunk", trunk), ("left arm", left), ("right arm", right)];
         // A body whose arms hang on its hips has no trunk.
         let parts = parts.into_iter().filter(|(_, joints)| !joints.is_empty()).collect();
         presets.push(preset("legs-trunk-arms", "Legs, trunk, left arm, right arm", parts));

@@ -137,6 +137,9 @@ fn bodies_of_many_conventions_split_the_same() {
         ];
         assert_eq!(split, wanted.map(|(name, joints)| (name.to_owned(), joints)), "{names:?}");
         assert_eq!(parts_of(&skeleton, "lower-upper")[1].1, vec![7, 8, 9, 10, 11, 12]);
+        let body_and_arms = parts_of(&skeleton, "body-arms");
+        assert_eq!(body_and_arms[0], ("body".to_owned(), vec![0, 1, 2, 3, 4, 5, 6, 7, 8]), "{names:?}");
+        assert_eq!(body_and_arms[1..], split[2..]);
     }
 }
 

@@ -1,14 +1,7 @@
-//! Models of clips that the command line names.
+//! Clips that the command line names.
 
-use crate::models::{Trained, lower_upper, train};
 use std::path::PathBuf;
 use vcgpdm::motion::{Clip, bvh};
-
-/// A model of lower and upper body.
-pub fn of_walks(clips: &[Clip], seed: u32, max_iterations: usize) -> Trained {
-    eprintln!("seed {seed}");
-    train(clips, &lower_upper(&clips[0]), seed, max_iterations)
-}
 
 /// The clips of these files, and of the files of these folders in the order of their names.
 pub fn read_clips(places: &[PathBuf]) -> Vec<Clip> {
