@@ -8,7 +8,7 @@
 //! Each folder holds the clips (.bvh) of one person; without any, the sample walks are taken. In every trial the upper body is taken
 //! from another moment of the same trial than the lower body, or goes at another pace, in ways that either all trials share or each has
 //! its own. All have the same length, so that only the two halves' time together differs.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 #[path = "shared/clips.rs"]
 mod clips;

@@ -1,6 +1,8 @@
 //! What one bound with its gradient has to compute, and how fast this machine computes such things (feature `speed`).
 
-use crate::gp::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use crate::gp::lanes::{Avx, has_avx};
+use crate::gp::lanes::{Lanes, Narrow, Quad, Stored};
 use crate::models::variational::{Objective, Params};
 use std::hint::black_box;
 use std::time::Instant;
@@ -49,7 +51,7 @@ impl Work {
     }
 }
 
-/// How fast one thread of this machine is with operands at hand, two numbers a register as everywhere in this library.
+/// How fast one thread of this machine is with operands at hand, in the registers that the sums over rows are computed in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
     /// Exponentials a second.
@@ -61,31 +63,44 @@ pub struct Rates {
 impl Rates {
     /// Measures for about a fifth of a second.
     pub fn measure() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if has_avx() {
+            return Self::of::<Avx>();
+        }
+        Self::of::<Narrow>()
+    }
+
+    fn of<Q: Quad>() -> Self {
         const ROWS: usize = 512;
         const TIMES: usize = 2_000;
-        let x: Vec<Lanes> = (0..ROWS).map(|k| Lanes::splat(-0.01 * k as f64)).collect();
+        let x: Vec<Stored> = (0..ROWS).map(|k| Stored([-0.01 * k as f64; 8])).collect();
         let mut out = x.clone();
         let count = (8 * ROWS * TIMES) as f64;
         let seconds = best_of(&mut || {
-            for _ in 0..TIMES {
-                for (out, x) in out.iter_mut().zip(black_box(&x)) {
-                    *out = x.exp();
+            Q::run(|| {
+                for _ in 0..TIMES {
+                    for (out, x) in out.iter_mut().zip(black_box(&x)) {
+                        *out = Stored(Lanes::<Q>::from_array(&x.0).exp().to_array());
+                    }
+                    black_box(&mut out);
                 }
-                black_box(&mut out);
-            }
+            });
         });
         let exponentials = count / seconds;
-        let factor = black_box([Lanes::splat(0.999), Lanes::splat(0.5)]);
+        let factor = black_box([0.999, 0.5]).map(Lanes::<Q>::splat);
         let seconds = best_of(&mut || {
-            for _ in 0..TIMES {
-                // Two sums are eight registers: enough to hide an addition's latency.
-                let mut sums = [Lanes::ZERO; 2];
-                for x in black_box(&x) {
-                    sums[0].add_product(*x, factor[0]);
-                    sums[1].add_product(*x, factor[1]);
+            Q::run(|| {
+                for _ in 0..TIMES {
+                    // Two sums are enough registers to hide an addition's latency.
+                    let mut sums = [Lanes::zero(); 2];
+                    for x in black_box(&x) {
+                        let x = Lanes::from_array(&x.0);
+                        sums[0].add_product(x, factor[0]);
+                        sums[1].add_product(x, factor[1]);
+                    }
+                    black_box(&sums);
                 }
-                black_box(&sums);
-            }
+            });
         });
         Self { exponentials, multiply_adds: 2.0 * count / seconds }
     }

@@ -1,6 +1,6 @@
 //! An exponential that works on lanes, the same in native and wasm.
 
-use wide::{f64x4, u64x4};
+use crate::gp::lanes::{Narrow, Quad};
 
 // ln 2 in two parts: n * LN2_HI is exact for every n that can occur.
 const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
@@ -30,7 +30,7 @@ const SERIES: [f64; 12] = [
 #[inline]
 pub fn exp(x: f64) -> f64 {
     let x = if x > HIGHEST { HIGHEST } else { x };
-    if x.is_nan() { x } else { exp_below(f64x4::splat(x)).to_array()[0] }
+    if x.is_nan() { x } else { exp_below(Narrow::splat(x)).to_array()[0] }
 }
 
 /// [`exp`] of four numbers that are at most 709 and not NaN.
@@ -38,17 +38,16 @@ pub fn exp(x: f64) -> f64 {
 /// Branch-free and made of plain multiplications and additions, so that native and wasm agree to the bit: 2^n e^r with
 /// n = round(x / ln 2), and a polynomial for e^r, its even and odd powers apart.
 #[inline(always)]
-pub fn exp_below(x: f64x4) -> f64x4 {
-    let c = |k: usize| f64x4::splat(SERIES[k]);
-    let x = x.fast_max(f64x4::splat(LOWEST));
-    let shifted = x * f64x4::splat(std::f64::consts::LOG2_E) + f64x4::splat(ROUND);
-    let n = shifted - f64x4::splat(ROUND);
-    let r = (x - n * f64x4::splat(LN2_HI)) - n * f64x4::splat(LN2_LO);
+pub fn exp_below<Q: Quad>(x: Q) -> Q {
+    let c = |k: usize| Q::splat(SERIES[k]);
+    let x = x.at_least(LOWEST);
+    let shifted = x * Q::splat(std::f64::consts::LOG2_E) + Q::splat(ROUND);
+    let n = shifted - Q::splat(ROUND);
+    let r = (x - n * Q::splat(LN2_HI)) - n * Q::splat(LN2_LO);
     let r2 = r * r;
     let even = ((((c(10) * r2 + c(8)) * r2 + c(6)) * r2 + c(4)) * r2 + c(2)) * r2 + c(0);
     let odd = ((((c(11) * r2 + c(9)) * r2 + c(7)) * r2 + c(5)) * r2 + c(3)) * r2 + c(1);
-    let two_to_n: f64x4 = bytemuck::cast(bytemuck::cast::<f64x4, u64x4>(shifted) << 52_u32);
-    (odd * r + even) * two_to_n
+    (odd * r + even) * shifted.shifted()
 }
 
 #[cfg(test)]

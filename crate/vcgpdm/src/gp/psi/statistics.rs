@@ -2,7 +2,9 @@
 
 use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
-use crate::gp::lanes::{LANES, Lanes};
+#[cfg(target_arch = "x86_64")]
+use crate::gp::lanes::{Avx, has_avx};
+use crate::gp::lanes::{LANES, Narrow, Quad, Stored};
 use crate::gp::psi::block::{BLOCK, Block, PullBack};
 use nalgebra::DMatrix;
 
@@ -19,8 +21,30 @@ pub struct PsiStatistics {
     pub psi2: DMatrix<f64>,
     /// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
     spread: Vec<f64>,
-    block: Block,
-    pull: PullBack,
+    room: Room,
+}
+
+/// Memory for a block of rows, in the registers that this processor has.
+enum Room {
+    Narrow(BlockRoom<Narrow>),
+    #[cfg(target_arch = "x86_64")]
+    Wide(BlockRoom<Avx>),
+}
+
+struct BlockRoom<Q: Quad> {
+    block: Block<Q>,
+    pull: PullBack<Q>,
+}
+
+/// Calls a method of the [`BlockRoom`] that there is.
+macro_rules! in_room {
+    ($room:expr, $method:ident $arguments:tt) => {
+        match &mut $room {
+            Room::Narrow(room) => room.$method $arguments,
+            #[cfg(target_arch = "x86_64")]
+            Room::Wide(room) => room.$method $arguments,
+        }
+    };
 }
 
 /// Memory for psi2's summands. Several [`PsiStatistics`] can use it one after the other, but from
@@ -28,7 +52,7 @@ pub struct PsiStatistics {
 #[derive(Default)]
 pub struct PairWorkspace {
     /// Chunk of rows after chunk, pair after pair.
-    values: Vec<Lanes>,
+    values: Vec<Stored>,
     /// Whether it holds the summands of all rows, not only those of the last block.
     whole: bool,
 }
@@ -60,9 +84,14 @@ impl PsiStatistics {
             psi1: DMatrix::zeros(rows, ips),
             psi2: DMatrix::zeros(ips, ips),
             spread: vec![0.0; ips * (ips + 1) / 2],
-            block: Block::new(ips, dims),
-            pull: PullBack::new(ips, dims),
+            room: Room::new(ips, dims),
         }
+    }
+
+    /// As [`PsiStatistics::new`], with the registers that every machine has.
+    #[cfg(test)]
+    pub(super) fn in_narrow_registers(rows: usize, ips: usize, dims: usize) -> Self {
+        Self { room: Room::Narrow(BlockRoom::new(ips, dims)), ..Self::new(rows, ips, dims) }
     }
 
     /// Computes psi0, psi1 and psi2 of the inputs `x` [N x P] at the inducing inputs `z` [K x P].
@@ -75,8 +104,6 @@ impl PsiStatistics {
         workspace: &mut PairWorkspace,
     ) {
         let (rows, ips, pairs) = (x.mean.nrows(), z.nrows(), self.spread.len());
-        let block = &mut self.block;
-        block.set_inducing_inputs(z);
         let mut spread = self.spread.iter_mut();
         for a in 0..ips {
             for (b, spread) in (0..=a).zip(&mut spread) {
@@ -86,19 +113,9 @@ impl PsiStatistics {
         }
         workspace.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
         let chunks = if workspace.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
-        workspace.values.resize(chunks * pairs, Lanes::ZERO);
+        workspace.values.resize(chunks * pairs, Stored::default());
         self.psi0 = rows as f64 * kernel.variance;
-        for start in (0..rows).step_by(BLOCK) {
-            let len = BLOCK.min(rows - start);
-            block.load(x, start, len, kernel, 1.0);
-            for a in 0..ips {
-                block.psi1(a, &mut self.psi1.as_mut_slice()[a * rows + start..][..len]);
-            }
-            block.load(x, start, len, kernel, 2.0);
-            block.split_exponent();
-            block.psi2(&self.spread, workspace.block_mut(start, pairs), true);
-        }
-        block.psi2_sums(&mut self.psi2);
+        in_room!(self.room, forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace));
     }
 
     /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with respect to the
@@ -111,22 +128,11 @@ impl PsiStatistics {
         into_x: &mut Gaussians,
         into_kernel: &mut KernelAdjoint,
     ) {
-        let (rows, pairs) = (x.mean.nrows(), self.spread.len());
-        let (block, pull) = (&mut self.block, &mut self.pull);
-        into_kernel.variance += rows as f64 * adjoint.psi0;
-        for start in (0..rows).step_by(BLOCK) {
-            let len = BLOCK.min(rows - start);
-            block.load(x, start, len, kernel, 1.0);
-            pull.psi1(block, &self.psi1, adjoint.psi1, start, len);
-            pull.scatter(block, start, len, into_x, into_kernel);
-            block.load(x, start, len, kernel, 2.0);
-            if !workspace.whole {
-                block.split_exponent();
-                block.psi2(&self.spread, workspace.block_mut(start, pairs), false);
-            }
-            pull.psi2(block, adjoint.psi2, workspace.block_mut(start, pairs));
-            pull.scatter(block, start, len, into_x, into_kernel);
-        }
+        into_kernel.variance += x.mean.nrows() as f64 * adjoint.psi0;
+        in_room!(
+            self.room,
+            backward((x, kernel), (&self.psi1, &self.spread), adjoint, workspace, into_x, into_kernel)
+        );
         // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
         let psi1_total = adjoint.psi1.dot(&self.psi1);
         let psi2_total = adjoint.psi2.dot(&self.psi2);
@@ -147,9 +153,76 @@ impl PsiStatistics {
     }
 }
 
+impl Room {
+    fn new(ips: usize, dims: usize) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if has_avx() {
+            return Self::Wide(BlockRoom::new(ips, dims));
+        }
+        Self::Narrow(BlockRoom::new(ips, dims))
+    }
+}
+
+impl<Q: Quad> BlockRoom<Q> {
+    fn new(ips: usize, dims: usize) -> Self {
+        Self { block: Block::new(ips, dims), pull: PullBack::new(ips, dims) }
+    }
+
+    /// psi1 and psi2 of all rows.
+    fn forward(
+        &mut self,
+        (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
+        spread: &[f64],
+        psi1: &mut DMatrix<f64>,
+        psi2: &mut DMatrix<f64>,
+        workspace: &mut PairWorkspace,
+    ) {
+        let (rows, block) = (x.mean.nrows(), &mut self.block);
+        block.set_inducing_inputs(z);
+        for start in (0..rows).step_by(BLOCK) {
+            let len = BLOCK.min(rows - start);
+            block.load(x, start, len, kernel, 1.0);
+            for a in 0..z.nrows() {
+                block.psi1(a, &mut psi1.as_mut_slice()[a * rows + start..][..len]);
+            }
+            block.load(x, start, len, kernel, 2.0);
+            block.split_exponent();
+            block.psi2(spread, workspace.block_mut(start, spread.len()), true);
+        }
+        block.psi2_sums(psi2);
+    }
+
+    /// The adjoints that depend on the rows.
+    fn backward(
+        &mut self,
+        (x, kernel): (&Gaussians, &Kernel),
+        (psi1, spread): (&DMatrix<f64>, &[f64]),
+        adjoint: &PsiAdjoint,
+        workspace: &mut PairWorkspace,
+        into_x: &mut Gaussians,
+        into_kernel: &mut KernelAdjoint,
+    ) {
+        let rows = x.mean.nrows();
+        let (block, pull) = (&mut self.block, &mut self.pull);
+        for start in (0..rows).step_by(BLOCK) {
+            let len = BLOCK.min(rows - start);
+            block.load(x, start, len, kernel, 1.0);
+            pull.psi1(block, psi1, adjoint.psi1, start, len);
+            pull.scatter(block, start, len, into_x, into_kernel);
+            block.load(x, start, len, kernel, 2.0);
+            if !workspace.whole {
+                block.split_exponent();
+                block.psi2(spread, workspace.block_mut(start, spread.len()), false);
+            }
+            pull.psi2(block, adjoint.psi2, workspace.block_mut(start, spread.len()));
+            pull.scatter(block, start, len, into_x, into_kernel);
+        }
+    }
+}
+
 impl PairWorkspace {
     /// The values of the block that begins at row `start`.
-    fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Lanes] {
+    fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Stored] {
         let from = if self.whole { start / LANES * pairs } else { 0 };
         let end = self.values.len().min(from + BLOCK / LANES * pairs);
         &mut self.values[from..end]

@@ -172,3 +172,25 @@ fn dimensions_can_be_one() {
     assert_relative_eq!(s.psi1[(0, 0)], (2.0f64 / 2.5).sqrt() * (-0.5f64 / 2.5).exp(), epsilon = 1e-14);
     assert_relative_eq!(s.psi2[(0, 0)], (2.0f64 / 3.0).sqrt() * (-1.0f64 / 3.0).exp(), epsilon = 1e-14);
 }
+
+/// A model is the same whichever registers it was trained in.
+#[test]
+fn wide_registers_compute_the_same_bits() {
+    for (rows, ips, dims) in [(150, 5, 3), (67, 4, 6), (9, 3, 1)] {
+        let (x, z, kernel) = example(rows, ips, dims, 0.7);
+        let bits = |mut psi: PsiStatistics| -> Vec<u64> {
+            let mut room = PairWorkspace::default();
+            psi.compute(&x, &z, &kernel, Purpose::Gradient, &mut room);
+            let (psi1, psi2) = (psi.psi1.clone(), psi.psi2.clone());
+            let adjoint = PsiAdjoint { psi0: 0.3, psi1: &psi1, psi2: &psi2 };
+            let mut into_x = Gaussians { mean: x.mean.map(|_| 0.0), variance: x.variance.map(|_| 0.0) };
+            let mut into = KernelAdjoint::zeros(ips, dims);
+            psi.pull_back((&x, &z, &kernel), &adjoint, &mut room, &mut into_x, &mut into);
+            let all = [&psi1, &psi2, &into_x.mean, &into_x.variance, &into.z];
+            let values = all.iter().flat_map(|m| m.iter()).chain(into.lambda.iter()).chain([&into.variance]);
+            values.map(|value| value.to_bits()).collect()
+        };
+        let narrow = bits(PsiStatistics::in_narrow_registers(rows, ips, dims));
+        assert_eq!(bits(PsiStatistics::new(rows, ips, dims)), narrow);
+    }
+}
