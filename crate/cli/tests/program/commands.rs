@@ -264,8 +264,8 @@ fn training_that_cannot_begin_says_why() {
     let told = "short.bvh: sequence 1 has 1 frame; expected at least 4";
     assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
     let told =
-        "walk-2 (made by this project).bvh: sequence 1 has 2 frames; dynamics of order 2 need at least 3";
-    assert!(refuse(&["--seed-frames", "sample:walk-2:2"]).contains(told));
+        "walk-2 (made by this project).bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    assert!(refuse(&["--seed-frames", "sample:walk-2:1"]).contains(told));
     let rate = refuse(&["--fps", "-1"]);
     assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));

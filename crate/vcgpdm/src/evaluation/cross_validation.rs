@@ -322,11 +322,21 @@ mod tests {
 
     #[test]
     fn every_model_predicts_a_walk() {
+        predict_from(START_FRAMES);
+    }
+
+    /// As in Velychko et al. (2018): a history, and no transition.
+    #[test]
+    fn every_model_predicts_a_walk_from_two_frames() {
+        predict_from(2);
+    }
+
+    fn predict_from(start_frames: usize) {
         let trials = trials();
         let parts =
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 2, 2, parts, 20.0, START_FRAMES).unwrap();
-        assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: START_FRAMES, whole: false }));
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0, start_frames).unwrap();
+        assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: start_frames, whole: false }));
         let gpdm =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
         let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };

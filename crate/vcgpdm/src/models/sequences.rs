@@ -25,7 +25,7 @@ pub enum SequencesError {
         /// The limit.
         most: usize,
     },
-    /// A sequence holds no transition.
+    /// A sequence is shorter than the history of a frame, or none is longer: there is no transition to learn from.
     #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
     TooShort {
         /// Which sequence, counted from 0.
@@ -51,7 +51,8 @@ impl Sequences {
     ///
     /// # Errors
     ///
-    /// When there is no sequence, the order is 0, or a sequence does not have more than `order` frames.
+    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or none has more. One of exactly so many, the
+    /// beginning of a movement to predict, has initial frames and no transition.
     pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -63,7 +64,9 @@ impl Sequences {
         if all.is_none_or(|all| all > MOST_FRAMES) {
             return Err(SequencesError::TooLong { most: MOST_FRAMES });
         }
-        match lengths.iter().position(|&frames| frames <= order) {
+        let longest = lengths.iter().max();
+        let least = if longest.is_some_and(|&frames| frames > order) { order } else { order + 1 };
+        match lengths.iter().position(|&frames| frames < least) {
             Some(index) => Err(SequencesError::TooShort { index, frames: lengths[index], order }),
             None => Ok(Self { lengths, order, first: 0 }),
         }
@@ -250,7 +253,17 @@ mod tests {
 
     #[test]
     fn short_sequences_are_refused() {
-        let error = Sequences::new(vec![8, 2], 2).unwrap_err();
-        assert_eq!(error.to_string(), "sequence 1 has 2 frames; dynamics of order 2 need at least 3");
+        let error = |lengths| Sequences::new(lengths, 2).unwrap_err().to_string();
+        assert_eq!(error(vec![8, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
+        assert_eq!(error(vec![2, 2]), "sequence 0 has 2 frames; dynamics of order 2 need at least 3");
+    }
+
+    #[test]
+    fn a_history_alone_adds_no_transition() {
+        let sequences = Sequences::new(vec![5, 2, 4], 2).unwrap();
+        assert_eq!((sequences.frames(), sequences.transitions()), (11, 5));
+        let x = DMatrix::from_fn(11, 1, |t, _| t as f64);
+        assert_eq!(sequences.lagged(&x, 0).as_slice(), [2.0, 3.0, 4.0, 9.0, 10.0]);
+        assert_eq!(sequences.initial_frames().collect::<Vec<_>>(), [0, 1, 5, 6, 7, 8]);
     }
 }

@@ -92,10 +92,7 @@ fn bad_settings_are_refused_in_words() {
         elsewhere.err().unwrap().to_string(),
         "the number of pose inducing points must be from 1 to 1000, found 0"
     );
-    assert_eq!(
-        wrong(settings(), vec![58, 2]),
-        "sequence 1 has 2 frames; dynamics of order 2 need at least 3"
-    );
+    assert_eq!(wrong(settings(), vec![59, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
     assert_eq!(
         wrong(settings(), vec![50]),
         "part 0 has 60 frames of observations, but the sequences have 50"
