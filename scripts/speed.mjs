@@ -122,6 +122,6 @@ await main(async () => {
   const products = (1e3 * million("multiply_adds")) / million("multiply_adds_per_second");
   console.log(`
 One bound with its gradient is ${million("exponentials").toFixed(3)} million exponentials and ${million("multiply_adds").toFixed(2)} million multiplications with an addition.
-With operands at hand this machine does ${million("exponentials_per_second").toFixed(0)} and ${million("multiply_adds_per_second").toFixed(0)} million a second, natively and two to a register:
+With operands at hand this machine does ${million("exponentials_per_second").toFixed(0)} and ${million("multiply_adds_per_second").toFixed(0)} million a second, natively, in its widest registers:
 ${exponentials.toFixed(2)} ms + ${products.toFixed(2)} ms, ${((100 * (exponentials + products)) / (native.median_ms ?? NaN)).toFixed(0)} % of the native time.`);
 });

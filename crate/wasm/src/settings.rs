@@ -47,7 +47,7 @@ export interface TrainingCost {
 "#;
 
 /// How many times as long as the native program this one takes: docs/training.md has both.
-const SLOWER: f64 = 1.2;
+const SLOWER: f64 = 2.0;
 /// The same for models that are exact Gaussian processes: large products of matrices have no wide vectors here.
 const SLOWER_EXACT: f64 = 2.5;
 

@@ -3,9 +3,11 @@
 use crate::models::settings::{MapSettings, ModelSettings, VariationalSettings};
 use std::iter::Sum;
 
-/// Seconds of one step of the sums below, a few multiplications, of the native program on one core of a usual machine.
+/// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on one core of a usual machine.
 /// `cargo run --release --example scaling` sets measured beside estimated times.
-const STEP: f64 = 1e-9;
+const ROW_STEP: f64 = 6e-10;
+/// The same of a covariance's entry, one at a time.
+const ENTRY_STEP: f64 = 1e-9;
 /// Seconds of one of the N^3 steps of a factor and its inverse, by blocks, on the same machine.
 const DENSE_STEP: f64 = 5e-11;
 /// Evaluations of the bound in an iteration: now and then a line search needs a second one.
@@ -36,7 +38,7 @@ impl VariationalSettings {
         let poses = m * pose_pairs * (1.0 + q) + l * d;
         let dynamics = m * m * (pairs * (1.0 + p * q) + (m - 1.0) / 2.0 * k * k + k * q);
         let factors = m * ((m * k).powi(3) + l.powi(3));
-        let evaluation_seconds = STEP * (n * (poses + dynamics) + factors);
+        let evaluation_seconds = ROW_STEP * (n * (poses + dynamics) + factors);
         let parameters = 2.0 * n * m * q + m * l * q + m * m * k * p * q;
         // The summands of psi2 are kept for the gradient.
         let rooms = m * pairs + pose_pairs + 2.0 * d + m * (2.0 * l + 2.0 * k + 4.0 * p * q);
@@ -53,7 +55,7 @@ impl MapSettings {
         let [n, m, q, p] = [frames, columns.len(), self.latent, self.order].map(|count| count as f64);
         // Of each part two covariances: that of its poses, and that of its dynamics, of an expert from each part.
         let factors = DENSE_STEP * 2.0 * m * n.powi(3);
-        let kernels = STEP * n * n * (m * (2.0 + 2.0 * q) + m * m * (2.0 + 2.0 * p * q));
+        let kernels = ENTRY_STEP * n * n * (m * (2.0 + 2.0 * q) + m * m * (2.0 + 2.0 * p * q));
         // An expert's kernel each, the covariance, its factor, its inverse, and what is on the way between them.
         let numbers = n * m * q * OPTIMISER_VECTORS + (m + 5.0) * n * n + 4.0 * n * d;
         TrainingCost::of(factors + kernels, self.max_iterations, numbers)
