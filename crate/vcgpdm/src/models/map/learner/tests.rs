@@ -92,8 +92,8 @@ fn what_cannot_be_trained_is_refused_and_what_does_not_move_gives_no_nan() {
         "the latent dimension must be from 1 to 100, found 0"
     );
     assert_eq!(
-        error(MapSettings { order: 5, ..settings() }),
-        "sequence 2 has 5 frames; dynamics of order 5 need at least 6"
+        error(MapSettings { order: 6, ..settings() }),
+        "sequence 2 has 5 frames; dynamics of order 6 need at least 7"
     );
     let mut still = loops();
     still.y[1].fill(0.0);
