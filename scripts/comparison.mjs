@@ -1,7 +1,8 @@
 // `npm run comparison -- FOLDER ...`: all models on several subjects, each trial held out in turn, and what the papers say about them.
 // Each folder holds the clips (.bvh) of one person or movement; the trials that the program makes itself come after them. The tables
 // go into docs/comparison.md, the results of the first folder to where the page finds them. Finished trainings are kept in
-// target/comparison: stop and go on at will. With --quick few settings and iterations, to see that it works; nothing is written then.
+// docs/comparison, with which the tables can be made again: stop and go on at will, and empty the folder to begin anew. With --quick few
+// settings and iterations, to see that it works; nothing is written then.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { at, Failure, main, output, run } from "./run.mjs";
@@ -119,7 +120,7 @@ await main(async () => {
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
   const extent = quick ? QUICK : WHOLE;
-  const folder = at(quick ? "target/comparison-quick" : "target/comparison");
+  const folder = at(quick ? "target/comparison-quick" : "docs/comparison");
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
   /** @type {string[]} */
