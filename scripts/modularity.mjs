@@ -3,20 +3,13 @@
 // and the page's own copy of the tables.
 // `npm run modularity -- imports` makes only the second table again.
 import { readFileSync, writeFileSync } from "node:fs";
-import { at, Failure, main, output } from "./run.mjs";
-import { putTables } from "./tables.mjs";
+import { at, Failure, main } from "./run.mjs";
+import { measured, putTables } from "./tables.mjs";
 
 const PAGE = at("docs/modularity.md");
 const PICTURE = at("docs/modularity.svg");
 /** What the lesson on the page shows. */
 const STORED = at("www/src/primitives/modularity.json");
-
-function measured(/** @type {string[]} */ ...asked) {
-  const example = ["--package", "vcgpdm", "--example", "modularity", "--", ...asked];
-  const table = output("cargo", "run", "--release", "--quiet", ...example);
-  if (table === null) throw new Failure("the modularity test could not be run");
-  return table;
-}
 
 /** The cells of a table of the docs. */
 function cells(/** @type {string} */ name) {
@@ -35,7 +28,7 @@ function cells(/** @type {string} */ name) {
 await main(async () => {
   const only = process.argv[2];
   if (only !== undefined && only !== "imports") throw new Failure(`expected imports, or nothing, found ${only}`);
-  if (only === undefined) putTables(PAGE, measured("modular", PICTURE));
-  putTables(PAGE, measured("imports"), "imports");
+  if (only === undefined) putTables(PAGE, measured("modularity", "modular", PICTURE));
+  putTables(PAGE, measured("modularity", "imports"), "imports");
   writeFileSync(STORED, `${JSON.stringify({ modular: cells("tables"), imports: cells("imports") }, null, 2)}\n`);
 });

@@ -197,7 +197,7 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         };
         let list: Vec<String> = g.points.iter().map(point).collect();
         let power = |exponent: Option<f64>, interval: Option<Interval>| {
-            let range = interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
+            let range = interval.map_or(String::new(), |i| format!(" ({i})"));
             exponent.map_or(String::new(), |e| format!("{e:.2}{range}"))
         };
         writeln!(

@@ -8,18 +8,21 @@
 //! as the recording does; how each seed ends is on stderr.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+#[path = "shared/clips.rs"]
+mod clips;
 #[path = "shared/seeds.rs"]
 mod seeds;
 
 use clap::Parser;
+use clips::read_clips;
 use seeds::each_seed;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{
     Dataset, Health, RolloutRequest, Source, TrainedModel, VariationalSettings, best_to_show,
 };
-use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm::motion::{Clip, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 /// So many seeds are trained from together where nobody asks for another number.
@@ -27,7 +30,7 @@ const GROUP: usize = 4;
 
 #[derive(Parser)]
 struct Arguments {
-    /// BVH files; absent: a bundled walk.
+    /// BVH files, or folders of them; absent: a bundled walk.
     clips: Vec<PathBuf>,
     /// Seeds, from 0.
     #[arg(long, default_value_t = 10)]
@@ -95,14 +98,9 @@ fn word(health: &Health) -> String {
     }
 }
 
-fn read(file: &Path) -> Clip {
-    let name = file.file_name().unwrap().to_string_lossy();
-    bvh::read(&name, &std::fs::read(file).unwrap()).unwrap().into_clip()
-}
-
 fn main() {
     let arguments = Arguments::parse();
-    let mut clips: Vec<Clip> = arguments.clips.iter().map(|file| read(file)).collect();
+    let mut clips: Vec<Clip> = read_clips(&arguments.clips);
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
     }

@@ -5,9 +5,9 @@
 //! cargo run --release --example splits -- WALKS
 //! ```
 //!
-//! Each folder holds the clips (.bvh) of one person; without any, the sample walks are taken. In every trial the upper body is taken
-//! from another moment of the same trial than the lower body, or goes at another pace, in ways that either all trials share or each has
-//! its own. All have the same length, so that only the two halves' time together differs.
+//! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the upper body is taken from
+//! another moment of the same trial than the lower body, or goes at another pace, in ways that either all trials share or each has its
+//! own. All have the same length, so that only the two halves' time together differs.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 #[path = "shared/clips.rs"]
@@ -62,13 +62,16 @@ fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
     let mut clip = trial.cut(0, kept).unwrap();
     let mut channel = 0;
     for (joint, of_joint) in trial.skeleton.joints.iter().enumerate() {
-        for place in channel..channel + of_joint.channels.len() {
-            for t in (0..kept).filter(|_| upper.joints.contains(&joint)) {
+        let places = channel..channel + of_joint.channels.len();
+        channel = places.end;
+        if upper.joints.contains(&joint) {
+            for t in 0..kept {
                 let from = time.delay / trial.frame_time + time.pace * t as f64;
-                clip.values[(t, place)] = trial.values[(from.round() as usize, place)];
+                for place in places.clone() {
+                    clip.values[(t, place)] = trial.values[(from.round() as usize, place)];
+                }
             }
         }
-        channel += of_joint.channels.len();
     }
     clip
 }
@@ -96,7 +99,7 @@ fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> Str
     let of_seeds = |outcomes: &Vec<Outcome>| mean(&outcomes.iter().map(&error).collect::<Vec<f64>>());
     let logarithm = |[parts, whole]: &[Vec<Outcome>; 2]| (of_seeds(parts) / of_seeds(whole)).ln();
     let logarithms: Vec<f64> = outcomes.iter().map(logarithm).collect();
-    let range = median_interval(&logarithms).map(|i| format!(" ({:.2} to {:.2})", i.low.exp(), i.high.exp()));
+    let range = median_interval(&logarithms).map(|i| format!(" ({})", i.through(f64::exp)));
     let wins = logarithms.iter().filter(|ratio| **ratio < 0.0).count();
     format!("{:.2}{}, {wins} of {}", median(&logarithms).exp(), range.unwrap_or_default(), logarithms.len())
 }

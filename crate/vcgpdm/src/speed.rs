@@ -1,8 +1,6 @@
 //! What one bound with its gradient has to compute, and how fast this machine computes such things (feature `speed`).
 
-#[cfg(target_arch = "x86_64")]
-use crate::gp::lanes::{Avx, has_avx};
-use crate::gp::lanes::{Lanes, Narrow, Quad, Stored};
+use crate::gp::lanes::{LANES, Lanes, Quad, Stored, in_widest_registers};
 use crate::models::variational::{Objective, Params};
 use std::hint::black_box;
 use std::time::Instant;
@@ -63,19 +61,15 @@ pub struct Rates {
 impl Rates {
     /// Measures for about a fifth of a second.
     pub fn measure() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if has_avx() {
-            return Self::of::<Avx>();
-        }
-        Self::of::<Narrow>()
+        in_widest_registers!(Q => Self::of::<Q>())
     }
 
     fn of<Q: Quad>() -> Self {
         const ROWS: usize = 512;
         const TIMES: usize = 2_000;
-        let x: Vec<Stored> = (0..ROWS).map(|k| Stored([-0.01 * k as f64; 8])).collect();
+        let x: Vec<Stored> = (0..ROWS).map(|k| Stored([-0.01 * k as f64; LANES])).collect();
         let mut out = x.clone();
-        let count = (8 * ROWS * TIMES) as f64;
+        let count = (LANES * ROWS * TIMES) as f64;
         let seconds = best_of(&mut || {
             Q::run(|| {
                 for _ in 0..TIMES {

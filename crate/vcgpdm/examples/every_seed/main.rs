@@ -8,14 +8,17 @@
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+#[path = "../shared/clips.rs"]
+mod clips;
 #[path = "../shared/seeds.rs"]
 mod seeds;
 mod ways;
 
 use clap::Parser;
+use clips::read_clips;
 use nalgebra::DMatrix;
 use seeds::each_seed;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
@@ -23,7 +26,7 @@ use vcgpdm::evaluation::stats::rank_correlation;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm::motion::{Clip, parts, samples};
 use ways::{ITERATIONS, OTHERS, OURS, Way};
 
 const START_FRAMES: usize = 5;
@@ -133,20 +136,13 @@ fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u
     Trainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
 }
 
-fn read_trials(folder: Option<&Path>) -> Vec<Clip> {
-    let Some(folder) = folder else {
-        return samples::list().iter().take(6).map(|sample| samples::clip(sample.id).unwrap()).collect();
+fn read_trials(folder: Option<PathBuf>) -> Vec<Clip> {
+    let mut trials = match folder {
+        Some(folder) => read_clips(&[folder]),
+        None => samples::list().iter().map(|sample| samples::clip(sample.id).unwrap()).collect(),
     };
-    let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|file| file.extension().is_some_and(|e| e == "bvh"));
-    files.sort();
-    let read = |file: &PathBuf| {
-        bvh::read(&file.file_name().unwrap().to_string_lossy(), &std::fs::read(file).unwrap())
-            .unwrap()
-            .into_clip()
-    };
-    files.iter().take(6).map(read).collect()
+    trials.truncate(6);
+    trials
 }
 
 fn problem(trials: &[Clip], preset: &str) -> Problem {
@@ -207,7 +203,7 @@ fn main() {
     let arguments = Arguments::parse();
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.unwrap_or(cores);
-    let trials = read_trials(arguments.clips.as_deref());
+    let trials = read_trials(arguments.clips.clone());
     for preset in &arguments.parts {
         let problem = problem(&trials, preset);
         let frames: usize = problem.dataset.lengths().iter().sum();

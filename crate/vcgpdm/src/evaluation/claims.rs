@@ -104,7 +104,7 @@ impl Claims {
     ) {
         let power = |exponent: Option<f64>, interval: Option<Interval>| {
             let (exponent, interval) = exponent.zip(interval)?;
-            Some((format!("{exponent:.2} ({:.2} to {:.2})", interval.low, interval.high), interval))
+            Some((format!("{exponent:.2} ({interval})"), interval))
         };
         let iteration = power(growth.exponent, growth.interval);
         let whole = power(growth.training_exponent, growth.training_interval);
@@ -208,7 +208,7 @@ fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
     for kind in ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm) {
         let Some(other) = Contender::new(settings(rows, kind, &is_plain)) else { continue };
         let Some(effect) = Effect::of(&parts.errors, &other.errors) else { continue };
-        let range = effect.interval().map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high));
+        let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
         found.push(format!(
             "{middle:.2} times{range} {}, lower in {} of {}",
@@ -260,10 +260,7 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
 /// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l and k, for the two numbers
 /// furthest apart that were tried both ways.
 fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
-    let numbers = |row: &Row| match row.candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
-        _ => (0, 0),
-    };
+    let numbers = |row: &Row| row.candidate.size();
     let turned = |row: &Row| {
         let (dynamics, poses) = numbers(row);
         rows.iter().find(|other| numbers(other) == (poses, dynamics))
@@ -311,10 +308,7 @@ fn correlated(c: &Correlation) -> (String, Answer) {
 
 /// Whether a DMP's error is least at about 25 bases: higher with the fewest, and with the most.
 fn bases(claims: &mut Claims, rows: &[&Row]) {
-    let number = |row: &Row| match row.candidate {
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases,
-        _ => 0,
-    };
+    let number = |row: &Row| row.candidate.size().0;
     let middle = rows.iter().min_by_key(|row| number(row).abs_diff(OPTIMAL_BASES));
     let (few, many) = (rows.iter().min_by_key(|row| number(row)), rows.iter().max_by_key(|row| number(row)));
     let (Some(middle), Some(few), Some(many)) = (middle, few, many) else { return };

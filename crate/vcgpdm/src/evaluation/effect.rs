@@ -59,9 +59,7 @@ impl Effect {
 
     /// The effect in words.
     pub fn words(&self) -> String {
-        let range = |interval: &Option<Interval>| {
-            interval.map_or(String::new(), |i| format!(" ({:.2} to {:.2})", i.low, i.high))
-        };
+        let range = |interval: &Option<Interval>| interval.map_or(String::new(), |i| format!(" ({i})"));
         format!(
             "{:.2} times{} in the median of {} {}, {:.2} times{} in the mean; lower in {}",
             self.median,

@@ -1,8 +1,8 @@
 //! How learning time grows with the frames: figure 2 of the supplement of Velychko et al. (2017).
 
-use crate::evaluation::cross_validation::Outcome;
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
+use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{exponent_interval, mean};
 use crate::evaluation::summary::{FramesAndTime, Growth};
@@ -41,8 +41,6 @@ pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
         };
         let (exponent, interval) = power(&|p| p.seconds);
         let (training_exponent, training_interval) = power(&|p| p.training_seconds);
-        let ends = course.values().flatten().filter_map(|(_, outcome)| outcome.converged());
-        let ends: Vec<f64> = ends.map(|converged| f64::from(u8::from(converged))).collect();
         (points.len() > 2).then(|| Growth {
             model: kind,
             label: labels.label(candidate),
@@ -51,7 +49,7 @@ pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
             interval,
             training_exponent,
             training_interval,
-            converged: (!ends.is_empty()).then(|| mean(&ends)),
+            converged: share_converged(course.values().flatten().map(|(_, outcome)| *outcome)),
         })
     };
     ModelKind::ALL.into_iter().filter_map(growth).collect()

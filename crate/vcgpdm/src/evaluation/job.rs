@@ -1,7 +1,7 @@
 //! One job of a comparison, and what came of it.
 
 use crate::evaluation::candidate_words::every_setting;
-use crate::evaluation::cross_validation::Outcome;
+use crate::evaluation::outcome::Outcome;
 use crate::models::{ENGINE, ModelSettings};
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};

@@ -3,7 +3,7 @@
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::plan::{Plan, PlanError};
 use crate::evaluation::setting::{Setting, SettingError};
-use crate::models::{ModelKind, ModelSettings};
+use crate::models::ModelKind;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use thiserror::Error;
@@ -157,7 +157,7 @@ impl Results {
         let mut finished: Vec<&Finished> = self.finished.iter().collect();
         finished.sort_by_key(|Finished { job, .. }| {
             let kind = ModelKind::ALL.iter().position(|kind| *kind == job.candidate.kind());
-            (kind, size(&job.candidate), job.seed)
+            (kind, job.candidate.size(), job.seed)
         });
         finished
     }
@@ -224,17 +224,6 @@ impl Results {
     }
 }
 
-/// What tables sort a kind's candidates by.
-fn size(candidate: &ModelSettings) -> (usize, usize) {
-    let size = match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => return (s.dynamics_ips, s.pose_ips),
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => 0,
-        ModelSettings::Tmp(s) => s.primitives.unwrap_or(0),
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases,
-    };
-    (size, 0)
-}
-
 /// Whether this can be the result number `index`, counted from 1, of a comparison on so many trials.
 fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<(), ResultsError> {
     let Finished { job, outcome, failure, .. } = finished;
@@ -275,9 +264,9 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::cross_validation::Outcome;
+    use crate::evaluation::outcome::Outcome;
     use crate::evaluation::testing::{outcome, setting, variational};
-    use crate::models::{DmpSettings, TmpSettings};
+    use crate::models::{DmpSettings, ModelSettings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
         let candidate = ModelSettings::Tmp(TmpSettings::default());

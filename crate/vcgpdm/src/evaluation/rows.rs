@@ -1,6 +1,6 @@
 //! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them have.
 
-use crate::evaluation::cross_validation::Outcome;
+use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
 use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
@@ -77,15 +77,6 @@ impl Row<'_> {
         self.outcomes.values().map(Vec::len).sum()
     }
 
-    /// The share of trainings that ended because nothing changed any more, of those about which that is known.
-    fn converged(&self) -> Option<f64> {
-        let known: Vec<f64> = (self.outcomes.values().flatten())
-            .filter_map(|o| o.converged())
-            .map(|converged| f64::from(u8::from(converged)))
-            .collect();
-        (!known.is_empty()).then(|| mean(&known))
-    }
-
     /// The mean over the seeds of each of these folds, where there is a value.
     fn means(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Vec<f64> {
         let fold = |fold: &usize| {
@@ -95,22 +86,35 @@ impl Row<'_> {
         folds.iter().filter_map(fold).collect()
     }
 
+    /// The mean over these folds; absent where there is no value.
+    fn mean(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Option<f64> {
+        let means = self.means(folds, value);
+        (!means.is_empty()).then(|| mean(&means))
+    }
+
+    /// The means over the seeds by fold, where there is a value.
+    fn by_fold(
+        &self,
+        folds: &BTreeSet<usize>,
+        value: &dyn Fn(&Outcome) -> Option<f64>,
+    ) -> BTreeMap<usize, f64> {
+        let of_fold = |fold: usize| self.mean(&BTreeSet::from([fold]), value);
+        folds.iter().filter_map(|fold| Some((*fold, of_fold(*fold)?))).collect()
+    }
+
     /// The mean bound over these folds; absent without one.
     pub fn bound(&self, folds: &BTreeSet<usize>) -> Option<f64> {
-        let bounds = self.means(folds, &|o| o.bound);
-        (!bounds.is_empty()).then(|| mean(&bounds))
+        self.mean(folds, &|o| o.bound)
     }
 
     /// The mean error over these folds; absent without a fold.
     pub fn mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
-        let errors = self.means(folds, &|o| Some(o.score.dtw_mse));
-        (!errors.is_empty()).then(|| mean(&errors))
+        self.mean(folds, &|o| Some(o.score.dtw_mse))
     }
 
     /// The mean error on the trials trained on over these folds; absent where it is not known.
     pub fn training_mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
-        let errors: Vec<f64> = self.training_errors(folds).into_values().collect();
-        (!errors.is_empty()).then(|| mean(&errors))
+        self.mean(folds, &|o| o.training_mse)
     }
 
     /// The median error over these folds; absent without a fold.
@@ -121,24 +125,22 @@ impl Row<'_> {
 
     /// The errors of these folds, means over seeds.
     pub fn errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
-        folds.iter().filter_map(|fold| Some((*fold, self.error(*fold)?))).collect()
+        self.by_fold(folds, &|o| Some(o.score.dtw_mse))
     }
 
     /// The error of a fold, the mean over its seeds.
     pub fn error(&self, fold: usize) -> Option<f64> {
-        self.means(&BTreeSet::from([fold]), &|o| Some(o.score.dtw_mse)).first().copied()
+        self.mse(&BTreeSet::from([fold]))
     }
 
     /// The errors on the trials trained on in these folds, means over seeds, where they are known.
     pub fn training_errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
-        let error = |fold: &usize| self.means(&BTreeSet::from([*fold]), &|o| o.training_mse).first().copied();
-        folds.iter().filter_map(|fold| Some((*fold, error(fold)?))).collect()
+        self.by_fold(folds, &|o| o.training_mse)
     }
 
     /// The bounds of these folds, means over seeds, where there are some.
     pub fn bounds(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
-        let bound = |fold: &usize| self.means(&BTreeSet::from([*fold]), &|o| o.bound).first().copied();
-        folds.iter().filter_map(|fold| Some((*fold, bound(fold)?))).collect()
+        self.by_fold(folds, &|o| o.bound)
     }
 
     /// Over all folds that it has itself.
@@ -166,7 +168,7 @@ impl Row<'_> {
             bound: spread(&|o| o.bound),
             seconds: spread(&|o| Some(o.seconds))?,
             stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
-            converged: self.converged(),
+            converged: share_converged(self.outcomes.values().flatten().copied()),
             terms: terms(&|t| t.kinematics.iter().sum())
                 .zip(terms(&dynamics))
                 .map(|(pose, dynamics)| TermMeans { pose, dynamics }),

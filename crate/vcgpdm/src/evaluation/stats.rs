@@ -4,6 +4,7 @@ use crate::elementary::Elementary;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde::Serialize;
+use std::fmt;
 
 /// The mean; NaN without values.
 pub fn mean(values: &[f64]) -> f64 {
@@ -74,6 +75,12 @@ pub struct Interval {
     pub high: f64,
     /// The probability, 0.95 or a little more.
     pub level: f64,
+}
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.2} to {:.2}", self.low, self.high)
+    }
 }
 
 impl Interval {

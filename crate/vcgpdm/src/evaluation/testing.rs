@@ -1,8 +1,9 @@
 //! Results for tests.
 
-use crate::evaluation::cross_validation::{Outcome, START_FRAMES};
+use crate::evaluation::cross_validation::START_FRAMES;
 use crate::evaluation::dtw::Score;
 use crate::evaluation::job::{Finished, Job};
+use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, Trial};
 use crate::models::{MapSettings, ModelSettings, VariationalSettings};

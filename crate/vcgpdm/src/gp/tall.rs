@@ -1,8 +1,6 @@
 //! Products of tall matrices (many rows, few columns), added to an existing matrix; they allocate nothing.
 
-#[cfg(target_arch = "x86_64")]
-use crate::gp::lanes::{Avx, has_avx};
-use crate::gp::lanes::{LANES, Lanes, Narrow, Quad};
+use crate::gp::lanes::{LANES, Lanes, Quad, in_widest_registers};
 use nalgebra::DMatrix;
 
 /// Columns of the left and the right matrix that are computed together: their sums then stay in registers.
@@ -19,11 +17,7 @@ const ROWS: usize = 256;
 
 /// out += a^T b for `a` [N x K], `b` [N x C] and `out` [K x C].
 pub fn add_tr_product(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
-    #[cfg(target_arch = "x86_64")]
-    if has_avx() {
-        return add_tr_product_in::<Avx>(a, b, out);
-    }
-    add_tr_product_in::<Narrow>(a, b, out);
+    in_widest_registers!(Q => add_tr_product_in::<Q>(a, b, out));
 }
 
 fn add_tr_product_in<Q: Quad>(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
@@ -78,11 +72,7 @@ fn dot_products<Q: Quad>(a: [&[f64]; LEFT], b: [&[f64]; RIGHT]) -> [[f64; RIGHT]
 
 /// out += a b for `a` [N x K], `b` [K x C] and `out` [N x C].
 pub fn add_product(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
-    #[cfg(target_arch = "x86_64")]
-    if has_avx() {
-        return add_product_in::<Avx>(a, b, out);
-    }
-    add_product_in::<Narrow>(a, b, out);
+    in_widest_registers!(Q => add_product_in::<Q>(a, b, out));
 }
 
 fn add_product_in<Q: Quad>(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
@@ -125,6 +115,7 @@ fn rows_times_columns<Q: Quad>(a: &DMatrix<f64>, t: usize, [b0, b1]: [&[f64]; RI
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gp::lanes::Narrow;
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 

@@ -10,16 +10,18 @@ use std::arch::x86_64::{
 };
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Whether this processor has the registers of [`Avx`]; without, nothing may be computed with it.
-pub fn is_there() -> bool {
-    is_x86_feature_detected!("avx2")
-}
-
 /// Four numbers in one register.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx(__m256d);
 
-/// For each function: SAFETY: whoever computes with [`Avx`] has asked [`is_there`].
+impl Avx {
+    /// Whether this processor has such registers; without, nothing may be computed in them.
+    pub fn is_there() -> bool {
+        is_x86_feature_detected!("avx2")
+    }
+}
+
+/// For each function: SAFETY: whoever computes with [`Avx`] has asked whether it [`is_there`](Avx::is_there).
 impl Quad for Avx {
     type Number = __m256d;
     const NARROW: bool = false;
@@ -65,7 +67,7 @@ impl Quad for Avx {
         fn with_avx<T>(work: impl FnOnce() -> T) -> T {
             work()
         }
-        debug_assert!(is_there());
+        debug_assert!(Self::is_there());
         unsafe { with_avx(work) }
     }
 }

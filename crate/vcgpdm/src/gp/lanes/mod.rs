@@ -1,5 +1,26 @@
 //! Eight numbers side by side, on which the sums over rows are computed, in the widest registers that the processor has.
 
+/// Addition, subtraction, multiplication and division of a pair, each half on its own.
+macro_rules! by_halves {
+    ([$($bounds:tt)*] $pair:ty) => {
+        by_halves!([$($bounds)*] $pair, Add add +);
+        by_halves!([$($bounds)*] $pair, Sub sub -);
+        by_halves!([$($bounds)*] $pair, Mul mul *);
+        by_halves!([$($bounds)*] $pair, Div div /);
+    };
+    ([$($bounds:tt)*] $pair:ty, $trait:ident $method:ident $op:tt) => {
+        impl<$($bounds)*> std::ops::$trait for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // Written out: `array::map` is a call where little is inlined, as in the wasm package.
+                let ([a, b], [c, d]) = (self.0, other.0);
+                Self([a $op c, b $op d])
+            }
+        }
+    };
+}
+
 #[cfg(target_arch = "x86_64")]
 mod avx;
 mod quad;
@@ -10,11 +31,25 @@ pub use quad::{Narrow, Quad};
 
 use crate::gp::exp::exp_below;
 
-/// Whether to compute with [`Avx`].
-#[cfg(target_arch = "x86_64")]
-pub fn has_avx() -> bool {
-    avx::is_there()
+/// Does the work with the name standing for the widest registers that this processor has.
+macro_rules! in_widest_registers {
+    ($quad:ident => $work:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        if $crate::gp::lanes::Avx::is_there() {
+            type $quad = $crate::gp::lanes::Avx;
+            $work
+        } else {
+            type $quad = $crate::gp::lanes::Narrow;
+            $work
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            type $quad = $crate::gp::lanes::Narrow;
+            $work
+        }
+    }};
 }
+pub(crate) use in_widest_registers;
 
 /// Rows that are computed side by side.
 pub const LANES: usize = 8;
@@ -117,22 +152,7 @@ fn store_end(full: &[f64; LANES], rows: &mut [f64]) {
     }
 }
 
-macro_rules! lanewise {
-    ($trait:ident, $method:ident, $op:tt) => {
-        impl<Q: Quad> std::ops::$trait for Lanes<Q> {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                let ([a, b], [c, d]) = (self.0, other.0);
-                Self([a $op c, b $op d])
-            }
-        }
-    };
-}
-lanewise!(Add, add, +);
-lanewise!(Sub, sub, -);
-lanewise!(Mul, mul, *);
-lanewise!(Div, div, /);
+by_halves!([Q: Quad] Lanes<Q>);
 
 #[cfg(test)]
 mod tests {
@@ -175,7 +195,7 @@ mod tests {
     #[cfg(target_arch = "x86_64")]
     #[test]
     fn wide_registers_compute_the_same_bits() {
-        if !has_avx() {
+        if !Avx::is_there() {
             return println!("skipped: this processor has no AVX2");
         }
         let x = std::array::from_fn(|k| (1.7 * k as f64).sin() - 2.0 * k as f64);

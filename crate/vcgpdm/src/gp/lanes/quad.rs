@@ -7,10 +7,10 @@ use wide::{f64x2, u64x2};
 /// Four numbers that are computed side by side. Every kind computes each of them by the same operations, so that the results are the same
 /// to the bit.
 pub trait Quad:
-    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+    Copy + Debug + Send + Sync + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// A number as it is kept where four of it will be needed again and again.
-    type Number: Copy + Debug;
+    type Number: Copy + Debug + Send + Sync;
     /// Whether four numbers need two registers: fewer sums fit then.
     const NARROW: bool;
 
@@ -85,20 +85,4 @@ impl Quad for Narrow {
     }
 }
 
-macro_rules! both {
-    ($trait:ident, $method:ident, $op:tt) => {
-        impl $trait for Narrow {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                // Written out: `array::map` is a call where little is inlined, as in the wasm package.
-                let ([a, b], [c, d]) = (self.0, other.0);
-                Self([a $op c, b $op d])
-            }
-        }
-    };
-}
-both!(Add, add, +);
-both!(Sub, sub, -);
-both!(Mul, mul, *);
-both!(Div, div, /);
+by_halves!([] Narrow);

@@ -161,34 +161,30 @@ impl<Q: Quad> Block<Q> {
     /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs], and into the sums
     /// if `count`. `spread` are the pairs' own terms of the exponent.
     pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Stored], count: bool) {
-        // A function of its own: what it writes is known to be apart from what it reads.
-        Q::run(move || self.psi2_of_block(spread, values, count))
-    }
-
-    #[inline(always)]
-    fn psi2_of_block(&mut self, spread: &[f64], values: &mut [Stored], count: bool) {
-        let pairs = spread.len();
-        for (c, values) in values.chunks_exact_mut(pairs).enumerate().take(self.chunks) {
-            let inverse = &self.inverse[c * self.dims..(c + 1) * self.dims];
-            let scale = self.scale[c];
-            let mut terms =
-                spread.iter().zip(self.products.chunks_exact(self.dims)).zip(values).zip(&mut self.sums);
-            for a in 0..self.ips {
-                let own_a = self.own[a * CHUNKS + c];
-                let own = self.own.chunks_exact(CHUNKS);
-                for (own_b, (((spread, products), value), sum)) in own.take(a + 1).zip(&mut terms) {
-                    let mut e = own_a + own_b[c] + Lanes::splat(*spread);
-                    for (product, inverse) in products.iter().zip(inverse) {
-                        e.add_product(Lanes::of(*product), *inverse);
-                    }
-                    let psi2 = e.exp() * scale;
-                    *value = Stored(psi2.to_array());
-                    if count {
-                        *sum = *sum + psi2;
+        Q::run(move || {
+            let pairs = spread.len();
+            for (c, values) in values.chunks_exact_mut(pairs).enumerate().take(self.chunks) {
+                let inverse = &self.inverse[c * self.dims..(c + 1) * self.dims];
+                let scale = self.scale[c];
+                let mut terms =
+                    spread.iter().zip(self.products.chunks_exact(self.dims)).zip(values).zip(&mut self.sums);
+                for a in 0..self.ips {
+                    let own_a = self.own[a * CHUNKS + c];
+                    let own = self.own.chunks_exact(CHUNKS);
+                    for (own_b, (((spread, products), value), sum)) in own.take(a + 1).zip(&mut terms) {
+                        let mut e = own_a + own_b[c] + Lanes::splat(*spread);
+                        for (product, inverse) in products.iter().zip(inverse) {
+                            e.add_product(Lanes::of(*product), *inverse);
+                        }
+                        let psi2 = e.exp() * scale;
+                        *value = Stored(psi2.to_array());
+                        if count {
+                            *sum = *sum + psi2;
+                        }
                     }
                 }
             }
-        }
+        })
     }
 
     /// The sums over all rows of psi2 [K x K].

@@ -2,9 +2,9 @@
 
 use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
-#[cfg(target_arch = "x86_64")]
-use crate::gp::lanes::{Avx, has_avx};
-use crate::gp::lanes::{LANES, Narrow, Quad, Stored};
+#[cfg(test)]
+use crate::gp::lanes::Narrow;
+use crate::gp::lanes::{LANES, Quad, Stored, in_widest_registers};
 use crate::gp::psi::block::{BLOCK, Block, PullBack};
 use nalgebra::DMatrix;
 
@@ -21,30 +21,36 @@ pub struct PsiStatistics {
     pub psi2: DMatrix<f64>,
     /// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
     spread: Vec<f64>,
-    room: Room,
+    room: Box<dyn Room>,
 }
 
 /// Memory for a block of rows, in the registers that this processor has.
-enum Room {
-    Narrow(BlockRoom<Narrow>),
-    #[cfg(target_arch = "x86_64")]
-    Wide(BlockRoom<Avx>),
+trait Room: Send {
+    /// psi1 and psi2 of all rows.
+    fn forward(
+        &mut self,
+        arguments: (&Gaussians, &DMatrix<f64>, &Kernel),
+        spread: &[f64],
+        psi1: &mut DMatrix<f64>,
+        psi2: &mut DMatrix<f64>,
+        workspace: &mut PairWorkspace,
+    );
+
+    /// The adjoints that depend on the rows.
+    fn backward(
+        &mut self,
+        arguments: (&Gaussians, &Kernel),
+        statistics: (&DMatrix<f64>, &[f64]),
+        adjoint: &PsiAdjoint,
+        workspace: &mut PairWorkspace,
+        into_x: &mut Gaussians,
+        into_kernel: &mut KernelAdjoint,
+    );
 }
 
 struct BlockRoom<Q: Quad> {
     block: Block<Q>,
     pull: PullBack<Q>,
-}
-
-/// Calls a method of the [`BlockRoom`] that there is.
-macro_rules! in_room {
-    ($room:expr, $method:ident $arguments:tt) => {
-        match &mut $room {
-            Room::Narrow(room) => room.$method $arguments,
-            #[cfg(target_arch = "x86_64")]
-            Room::Wide(room) => room.$method $arguments,
-        }
-    };
 }
 
 /// Memory for psi2's summands. Several [`PsiStatistics`] can use it one after the other, but from
@@ -84,14 +90,14 @@ impl PsiStatistics {
             psi1: DMatrix::zeros(rows, ips),
             psi2: DMatrix::zeros(ips, ips),
             spread: vec![0.0; ips * (ips + 1) / 2],
-            room: Room::new(ips, dims),
+            room: in_widest_registers!(Q => Box::new(BlockRoom::<Q>::new(ips, dims))),
         }
     }
 
     /// As [`PsiStatistics::new`], with the registers that every machine has.
     #[cfg(test)]
     pub(super) fn in_narrow_registers(rows: usize, ips: usize, dims: usize) -> Self {
-        Self { room: Room::Narrow(BlockRoom::new(ips, dims)), ..Self::new(rows, ips, dims) }
+        Self { room: Box::new(BlockRoom::<Narrow>::new(ips, dims)), ..Self::new(rows, ips, dims) }
     }
 
     /// Computes psi0, psi1 and psi2 of the inputs `x` [N x P] at the inducing inputs `z` [K x P].
@@ -115,7 +121,7 @@ impl PsiStatistics {
         let chunks = if workspace.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
         workspace.values.resize(chunks * pairs, Stored::default());
         self.psi0 = rows as f64 * kernel.variance;
-        in_room!(self.room, forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace));
+        self.room.forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace);
     }
 
     /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with respect to the
@@ -129,10 +135,8 @@ impl PsiStatistics {
         into_kernel: &mut KernelAdjoint,
     ) {
         into_kernel.variance += x.mean.nrows() as f64 * adjoint.psi0;
-        in_room!(
-            self.room,
-            backward((x, kernel), (&self.psi1, &self.spread), adjoint, workspace, into_x, into_kernel)
-        );
+        let statistics = (&self.psi1, self.spread.as_slice());
+        self.room.backward((x, kernel), statistics, adjoint, workspace, into_x, into_kernel);
         // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
         let psi1_total = adjoint.psi1.dot(&self.psi1);
         let psi2_total = adjoint.psi2.dot(&self.psi2);
@@ -153,22 +157,13 @@ impl PsiStatistics {
     }
 }
 
-impl Room {
-    fn new(ips: usize, dims: usize) -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if has_avx() {
-            return Self::Wide(BlockRoom::new(ips, dims));
-        }
-        Self::Narrow(BlockRoom::new(ips, dims))
-    }
-}
-
 impl<Q: Quad> BlockRoom<Q> {
     fn new(ips: usize, dims: usize) -> Self {
         Self { block: Block::new(ips, dims), pull: PullBack::new(ips, dims) }
     }
+}
 
-    /// psi1 and psi2 of all rows.
+impl<Q: Quad> Room for BlockRoom<Q> {
     fn forward(
         &mut self,
         (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
@@ -192,7 +187,6 @@ impl<Q: Quad> BlockRoom<Q> {
         block.psi2_sums(psi2);
     }
 
-    /// The adjoints that depend on the rows.
     fn backward(
         &mut self,
         (x, kernel): (&Gaussians, &Kernel),

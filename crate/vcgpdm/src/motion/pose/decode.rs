@@ -122,12 +122,8 @@ impl PoseMapping {
         if y.as_slice().iter().fold(true, |all, x| all & known(x)) {
             return Ok(());
         }
-        match y.iter().enumerate().find(|(_, x)| !known(x)) {
-            Some((at, &found)) => {
-                Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found })
-            }
-            None => Ok(()),
-        }
+        let at = y.iter().position(|x| !known(x)).unwrap_or_default();
+        Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found: y[at] })
     }
 
     fn check_start(&self, start: &RootStart) -> Result<(), PoseError> {
