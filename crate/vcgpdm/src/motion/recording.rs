@@ -6,7 +6,7 @@ use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton};
 use nalgebra::DMatrix;
 
-/// The rows of a file as they were recorded. The first row may be a T-pose that does not belong to the motion:
+/// The rows of a file as they were recorded. The first row, or several, may be a T-pose that does not belong to the motion:
 /// [`Recording::into_clip`] looks for it, once, and leaves it out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
@@ -28,6 +28,8 @@ pub struct Recording {
 const SMALLEST_STEP: f64 = 3.0;
 /// One joint counts for at most this angle (degrees): a sensor that flips over is no new pose.
 const LARGEST_ANGLE: f64 = 60.0;
+/// So many rows may stand before a motion: some conversions add a second one, near the first.
+const MOST_ADDED: usize = 3;
 
 impl Recording {
     /// The number of rows.
@@ -35,15 +37,19 @@ impl Recording {
         self.values.nrows()
     }
 
-    /// The motion: the rows without the T-pose that may stand before them. Where one was left out, a warning says so.
+    /// The motion: the rows without the T-pose that may stand before them. Where it was left out, a warning says so.
     pub fn into_clip(self) -> Clip {
-        let t_pose = self.begins_with_t_pose();
+        let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
-        if t_pose {
-            values = values.remove_row(0);
-            warnings.push(
-                "the first row is a T-pose that does not belong to the motion: it was left out".to_owned(),
-            );
+        if added > 0 {
+            values = values.remove_rows(0, added);
+            warnings.push(if added == 1 {
+                "the first row is a T-pose that does not belong to the motion: it was left out".to_owned()
+            } else {
+                format!(
+                    "the first {added} rows are a T-pose that does not belong to the motion: they were left out"
+                )
+            });
         }
         Clip {
             name,
@@ -58,20 +64,25 @@ impl Recording {
         }
     }
 
-    /// Whether row 0 is a T-pose that does not belong to the motion.
+    /// How many rows there are before the motion: a T-pose.
     ///
-    /// Conversions of the CMU recordings add the body at rest as row 0. It is known by the step to row 1, which is far
-    /// larger than the steps of the motion itself; a smaller step suffices where nearly all angles of row 0 are zero.
-    /// A motion that starts smoothly from rest keeps its first frame.
-    pub fn begins_with_t_pose(&self) -> bool {
+    /// Conversions of the CMU recordings add the body at rest as row 0, and sometimes a row much like it. They are known by the step to
+    /// the next row, which is far larger than the steps of the motion itself; a smaller step suffices where nearly all angles of row 0
+    /// are zero. A motion that starts smoothly from rest keeps its first frame.
+    pub fn rows_before_motion(&self) -> usize {
         let steps = self.steps();
-        let Some((&first, later)) = steps.split_first() else { return false };
-        if later.is_empty() || first < SMALLEST_STEP {
-            return false;
-        }
-        let (usual, largest) = upper_end(later.to_vec());
-        let at_rest = self.share_at_rest() >= 0.75;
-        at_rest && first > 1.5 * usual || later.len() >= 10 && first > 4.0 * largest
+        let ends = |added: usize| {
+            let Some((&step, later)) = steps.get(added - 1..).and_then(<[f64]>::split_first) else {
+                return false;
+            };
+            if later.is_empty() || step < SMALLEST_STEP {
+                return false;
+            }
+            let (usual, largest) = upper_end(later.to_vec());
+            added == 1 && self.share_at_rest() >= 0.75 && step > 1.5 * usual
+                || later.len() >= 10 && step > 4.0 * largest
+        };
+        (1..=MOST_ADDED).rev().find(|added| ends(*added)).unwrap_or(0)
     }
 
     /// The share of angles that are zero in row 0, among those that are in use (not zero in row 1).
@@ -140,11 +151,32 @@ mod tests {
     #[test]
     fn an_added_row_at_rest_is_left_out_with_a_warning() {
         let recording = swinging(50, true, swing);
-        assert!(recording.begins_with_t_pose());
+        assert_eq!(recording.rows_before_motion(), 1);
         let clip = recording.clone().into_clip();
         assert_eq!(clip.frames(), 49);
         assert_eq!(clip.values.row(0), recording.values.row(1));
         assert!(clip.warnings.iter().any(|warning| warning.contains("T-pose")));
+    }
+
+    /// CMU subject 7, trial 12: the body at rest at the origin, once more with its joints turned a little, and then the walk. With the
+    /// second row, whatever predicts from the first frames began with a body that flies.
+    #[test]
+    fn two_added_rows_are_left_out() {
+        let mut recording = swinging(50, true, swing);
+        recording.values.row_mut(1).copy_from_slice(&[0.0, 0.0, 0.0, 2.0, 1.0, -2.0, 0.5, 1.0, 0.0]);
+        let clip = recording.clone().into_clip();
+        assert_eq!(clip.values, recording.values.rows(2, 48));
+        assert_eq!(
+            clip.warnings,
+            ["the first 2 rows are a T-pose that does not belong to the motion: they were left out"]
+        );
+    }
+
+    /// A sensor that jumps early on is no T-pose: what comes before it moves as what comes after.
+    #[test]
+    fn a_jump_after_a_while_leaves_the_rows_before_it() {
+        let jump = |frame: usize| swing(frame) + if frame < 6 { 90.0 } else { 0.0 };
+        assert_eq!(swinging(50, false, jump).into_clip().frames(), 50);
     }
 
     #[test]
