@@ -55,7 +55,8 @@ async function format() {
   await biome("format");
 }
 
-/** With all features on, code that only compiles beside another feature's would go unseen. `speed` is the library's only one. */
+/** With all features on, code that only compiles beside another feature's would go unseen. the program uses `threads`, and
+ * the wasm package `speed`: the library's only ones. */
 async function features() {
   await clippy(...NATIVE, "--all-targets");
   await clippy(...WASM, "--no-default-features");

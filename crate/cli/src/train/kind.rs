@@ -46,6 +46,9 @@ pub struct Options {
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases)]
     bases: usize,
+    /// Threads that compute the bound (vcgpdm, vgpdm); the model is the same, but takes more memory.
+    #[arg(long, value_name = "T", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: u16,
     /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).
     #[arg(long, value_name = "CASE.json")]
     pub write_start: Option<PathBuf>,
@@ -58,13 +61,14 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// Which kinds have an option.
-const KINDS: [(&str, &[ModelKind]); 12] = [
+const KINDS: [(&str, &[ModelKind]); 13] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
     ("pose_ips", VARIATIONAL),
     ("order", GPDMS),
     ("max_iterations", GPDMS),
+    ("threads", VARIATIONAL),
     ("balanced", POINT),
     ("linear", POINT),
     ("primitives", TMP),

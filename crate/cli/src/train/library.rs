@@ -82,6 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let seed = arguments.options.seed;
     let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, settings, seed)
         .map_err(|reason| dataset.refusal(reason))?;
+    trainer.use_threads(arguments.options.threads.into());
     let reason = train_steps(|| trainer.step().into(), "bound")?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = TrainedLibrary::trained(&dataset, &trainer, arguments.fps)?;

@@ -90,6 +90,7 @@ fn learn<S: Observed>(
     let begin = Instant::now();
     let seed = arguments.options.seed;
     let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;
+    learner.use_threads(arguments.options.threads.into());
     if let Some(path) = &arguments.options.write_start {
         write_start(path, movements, &settings, seed)?;
     }

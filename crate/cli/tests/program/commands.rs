@@ -114,6 +114,20 @@ fn train(folder: &Path, more: &[&str]) -> (PathBuf, Value) {
 }
 
 #[test]
+fn threads_train_the_same_model() {
+    let folder = folder("threads");
+    let (model, _) = train(&folder, &[]);
+    let alone = fs::read(&model).unwrap();
+    for threads in ["1", "2", "5"] {
+        let (model, _) = train(&folder, &["--threads", threads]);
+        assert!(fs::read(model).unwrap() == alone, "{threads} threads");
+    }
+    let model = folder.join("tmp.json");
+    let alone = ["train", "sample:walk-1", "--model", "tmp", "--threads", "2", "--out", text(&model)];
+    assert!(fails(&alone).contains("--threads: expected a model that has it (vcgpdm, vgpdm), found tmp"));
+}
+
+#[test]
 fn train_then_roll_out_then_score() {
     let folder = folder("train");
     let (start, motion, latents) =

@@ -23,6 +23,10 @@ pub trait Learner {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> LearningProgress;
 
+    /// Computes in so many threads from now on, where the model knows how to; the outcome is the same to the bit.
+    #[cfg(feature = "threads")]
+    fn use_threads(&mut self, _threads: usize) {}
+
     /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
     fn notices(&self) -> &[String] {
         &[]

@@ -46,6 +46,12 @@ pub fn counting_jittered<T>(work: impl FnOnce() -> T) -> (T, usize) {
     (done, JITTERED.get() - before)
 }
 
+/// Counts factorisations that needed jitter, where they were made by another thread that works for this one.
+#[cfg(feature = "threads")]
+pub fn add_jittered(count: usize) {
+    JITTERED.set(JITTERED.get() + count);
+}
+
 /// The lower Cholesky factor of a symmetric positive definite matrix.
 #[derive(Clone, Debug)]
 pub struct Factor {

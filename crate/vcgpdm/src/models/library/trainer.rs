@@ -36,6 +36,12 @@ impl LibraryTrainer {
         Ok(Self { trainer, plan })
     }
 
+    /// As [`Trainer::use_threads`].
+    #[cfg(feature = "threads")]
+    pub fn use_threads(&mut self, threads: usize) {
+        self.trainer.use_threads(threads);
+    }
+
     /// One iteration of the optimiser. After the end it does nothing.
     pub fn step(&mut self) -> TrainingProgress {
         self.trainer.step()

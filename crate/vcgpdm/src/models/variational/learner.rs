@@ -36,6 +36,11 @@ impl Learner for VariationalLearner {
         self.trainer.step().into()
     }
 
+    #[cfg(feature = "threads")]
+    fn use_threads(&mut self, threads: usize) {
+        self.trainer.use_threads(threads);
+    }
+
     fn progress(&self) -> LearningProgress {
         self.trainer.progress().into()
     }

@@ -16,6 +16,8 @@ use crate::gp::{Gaussians, NumericsError};
 use crate::models::variational::elbo::expert_room::ExpertRoom;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::rows::MovementRows;
+#[cfg(feature = "threads")]
+use crate::models::variational::elbo::rows::SourceRoom;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
@@ -33,6 +35,16 @@ pub struct Dynamics {
     psi0: f64,
     second_moment: f64,
     outputs: Outputs,
+}
+
+/// What a source part says about the target in the rows of all movements, to be pulled back beside those of other parts.
+#[cfg(feature = "threads")]
+pub struct SourceRows<'a> {
+    target: usize,
+    /// The experts of the part's primitives, by primitive.
+    experts: Vec<(usize, &'a mut ExpertRoom)>,
+    /// Of each movement.
+    rows: Vec<(&'a mut SourceRoom, &'a mut PairWorkspace)>,
 }
 
 impl Dynamics {
@@ -134,16 +146,9 @@ impl Dynamics {
         self.movements.into_iter().map(|rows| rows.sums)
     }
 
-    /// The bound, in nats; its gradient is added to `gradient` and, for the histories, to `histories_adjoint`.
-    pub fn gradient(
-        &mut self,
-        objective: &Objective,
-        params: &Params,
-        histories: &[Vec<Gaussians>],
-        rooms: &mut [Vec<PairWorkspace>],
-        gradient: &mut Params,
-        histories_adjoint: &mut [Vec<Gaussians>],
-    ) -> Result<f64, NumericsError> {
+    /// The bound, in nats; what its gradient is made of stays here for [`pull_back`](Self::pull_back) and
+    /// [`add_gradient`](Self::add_gradient).
+    pub fn adjoint(&mut self, objective: &Objective, params: &Params) -> Result<f64, NumericsError> {
         let (gp, outputs) = self.gp();
         let bound = outputs.bound_and_adjoint(&gp)? + self.other_noises();
         let (noise, columns) = (self.noise(), self.b.ncols() as f64);
@@ -168,8 +173,7 @@ impl Dynamics {
             let lost = 0.5 * columns * rows.count() as f64 / noise;
             first_noise += rows.share_adjoint(adjoint) / rows.noise + lost;
         }
-        let places = histories.iter().zip(rooms).zip(histories_adjoint);
-        for (m, (rows, ((histories, rooms), into))) in movements.iter_mut().zip(places).enumerate() {
+        for (m, rows) in movements.iter_mut().enumerate() {
             let share = noise / rows.noise;
             let noise_adjoint = if m == 0 {
                 first_noise
@@ -177,13 +181,83 @@ impl Dynamics {
                 let own = 0.5 * columns * rows.count() as f64;
                 -(rows.share_adjoint(adjoint) * share + own) / rows.noise
             };
-            let given = (adjoint, share, noise_adjoint);
-            rows.add_gradient(objective, params, given, histories, rooms, experts, gradient, into);
-        }
-        for (room, row) in experts.iter().zip(&mut gradient.experts) {
-            let into = &mut row[*target];
-            room.kernel_adjoint.add_to(&mut into.z, &mut into.kernel);
+            rows.adjoint(adjoint, share, noise_adjoint);
         }
         Ok(bound)
+    }
+
+    /// Adds the gradient with respect to the histories of all movements and parts to `into`; that with respect to the experts stays
+    /// here. `rooms` are as [`compute`](Self::compute) left them.
+    pub fn pull_back(
+        &mut self,
+        params: &Params,
+        histories: &[Vec<Gaussians>],
+        rooms: &mut [Vec<PairWorkspace>],
+        into: &mut [Vec<Gaussians>],
+    ) {
+        let places = histories.iter().zip(rooms).zip(into);
+        for (rows, ((histories, rooms), into)) in self.movements.iter_mut().zip(places) {
+            for (((source, histories), room), into) in rows.sources_mut().zip(histories).zip(rooms).zip(into)
+            {
+                let expert = &params.experts[source.primitive][self.target];
+                let kernel = &mut self.experts[source.primitive].kernel_adjoint;
+                source.pull_back(histories, expert, room, into, kernel);
+            }
+        }
+    }
+
+    /// The parts as sources, each of which [`SourceRows::pull_back`] pulls back as [`pull_back`](Self::pull_back) does all.
+    #[cfg(feature = "threads")]
+    pub fn by_source<'a>(
+        &'a mut self,
+        objective: &Objective,
+        rooms: &'a mut [Vec<PairWorkspace>],
+    ) -> Vec<SourceRows<'a>> {
+        let target = self.target;
+        let parts = rooms.first().map_or(0, Vec::len);
+        let empty = |_| SourceRows { target, experts: Vec::new(), rows: Vec::new() };
+        let mut sources: Vec<SourceRows> = (0..parts).map(empty).collect();
+        let primitives = objective.repertoire.primitives().iter().zip(&mut self.experts);
+        for (primitive, (part, room)) in primitives.enumerate() {
+            sources[*part].experts.push((primitive, room));
+        }
+        for (rows, rooms) in self.movements.iter_mut().zip(rooms) {
+            for ((source, room), into) in rows.sources_mut().zip(rooms).zip(&mut sources) {
+                into.rows.push((source, room));
+            }
+        }
+        sources
+    }
+
+    /// Adds what is left of the gradient: with respect to experts, targets and couplings.
+    pub fn add_gradient(&self, objective: &Objective, params: &Params, gradient: &mut Params) {
+        for rows in &self.movements {
+            rows.add_gradient(objective, params, gradient);
+        }
+        for (room, row) in self.experts.iter().zip(&mut gradient.experts) {
+            let into = &mut row[self.target];
+            room.kernel_adjoint.add_to(&mut into.z, &mut into.kernel);
+        }
+    }
+}
+
+#[cfg(feature = "threads")]
+impl SourceRows<'_> {
+    /// Adds the gradient with respect to the histories of this part in all movements to `into`; that with respect to the experts stays
+    /// where it is kept.
+    pub fn pull_back(
+        &mut self,
+        params: &Params,
+        part: usize,
+        histories: &[Vec<Gaussians>],
+        into: &mut [&mut Gaussians],
+    ) {
+        for (((source, room), histories), into) in self.rows.iter_mut().zip(histories).zip(into) {
+            let expert = &params.experts[source.primitive][self.target];
+            let own = self.experts.iter_mut().find(|(primitive, _)| *primitive == source.primitive);
+            if let Some((_, ExpertRoom { kernel_adjoint, .. })) = own {
+                source.pull_back(&histories[part], expert, room, into, kernel_adjoint);
+            }
+        }
     }
 }

@@ -8,7 +8,7 @@ use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::models::variational::elbo::objective::Objective;
-use crate::models::variational::params::Params;
+use crate::models::variational::params::{Params, PartParams};
 use nalgebra::DMatrix;
 
 /// What the bound of a part's pose map is made of, with the room for it and its adjoints.
@@ -101,30 +101,32 @@ impl Kinematics {
         StoredOutputs::best(&self.gp(objective, params, i).0)
     }
 
-    /// The bound, in nats; its gradient is added to `gradient`.
-    pub fn gradient(
+    /// The bound, in nats; what its gradient is made of stays here for [`pull_back`](Self::pull_back).
+    pub fn adjoint(
         &mut self,
         objective: &Objective,
         params: &Params,
         i: usize,
-        room: &mut PairWorkspace,
-        gradient: &mut Params,
     ) -> Result<f64, NumericsError> {
         let (gp, outputs) = self.gp(objective, params, i);
         let bound = outputs.bound_and_adjoint(&gp)?;
-        let adjoint = self.outputs.adjoint();
-        let (part, into) = (&params.parts[i], &mut gradient.parts[i]);
-        into.beta += adjoint.noise;
+        let (part, adjoint) = (&params.parts[i], self.outputs.adjoint());
         let kernel = &mut self.kernel_adjoint;
         kernel.set_zero();
         part.kernel.inducing_covariance_adjoint(&part.r, &self.k, objective.jitter, &adjoint.k, kernel);
         adjoint.b.transpose_to(&mut self.b_adjoint);
         self.psi1_adjoint.fill(0.0);
         add_product(&objective.y[i], &self.b_adjoint, &mut self.psi1_adjoint);
+        Ok(bound)
+    }
+
+    /// Adds the gradient of the bound to `into`, that of the `part`; `room` is as [`compute`](Self::compute) left it.
+    pub fn pull_back(&mut self, part: &PartParams, room: &mut PairWorkspace, into: &mut PartParams) {
+        let (adjoint, kernel) = (self.outputs.adjoint(), &mut self.kernel_adjoint);
+        into.beta += adjoint.noise;
         let psi = PsiAdjoint { psi0: adjoint.psi0, psi1: &self.psi1_adjoint, psi2: &adjoint.psi2 };
         let inputs = (&part.latents, &part.r, &part.kernel);
         self.statistics.pull_back(inputs, &psi, room, &mut into.latents, kernel);
         kernel.add_to(&mut into.r, &mut into.kernel);
-        Ok(bound)
     }
 }

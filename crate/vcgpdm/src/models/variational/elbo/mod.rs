@@ -5,6 +5,8 @@
 
 mod dynamics;
 mod expert_room;
+#[cfg(feature = "threads")]
+mod in_threads;
 mod kinematics;
 mod objective;
 mod rows;
@@ -66,12 +68,31 @@ pub struct Workspace {
     histories_adjoint: Vec<Vec<Gaussians>>,
     kinematics: Vec<Kinematics>,
     dynamics: Vec<Dynamics>,
-    /// For each movement, one for each source of a target at a time.
-    rooms: Vec<Vec<PairWorkspace>>,
-    pose_room: PairWorkspace,
+    /// Those of one part, one after the other; for several threads those of each.
+    rooms: Vec<PairRooms>,
+    #[cfg(feature = "threads")]
+    threads: usize,
+}
+
+/// Room for psi2's summands of one part's maps.
+struct PairRooms {
+    pose: PairWorkspace,
+    /// Of each movement and source.
+    dynamics: Vec<Vec<PairWorkspace>>,
 }
 
 impl Workspace {
+    /// Room for the summands of so many parts' maps at a time.
+    fn make_rooms(&mut self, parts: usize, movements: usize) {
+        let sources = self.kinematics.len();
+        let of_movement = || (0..sources).map(|_| PairWorkspace::default()).collect();
+        let rooms = || PairRooms {
+            pose: PairWorkspace::default(),
+            dynamics: (0..movements).map(|_| of_movement()).collect(),
+        };
+        self.rooms = (0..parts).map(|_| rooms()).collect();
+    }
+
     /// The terms of the bound that was computed last.
     pub fn terms(&self) -> &BoundTerms {
         &self.terms
@@ -94,7 +115,7 @@ impl Objective {
         };
         let histories = || movements().map(|m| histories(m.sequences().transitions())).collect();
         let m = params.part_count();
-        Workspace {
+        let mut workspace = Workspace {
             terms: BoundTerms {
                 kinematics: vec![0.0; m],
                 dynamics: vec![0.0; m],
@@ -106,9 +127,12 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: movements().map(|_| (0..m).map(|_| PairWorkspace::default()).collect()).collect(),
-            pose_room: PairWorkspace::default(),
-        }
+            rooms: Vec::new(),
+            #[cfg(feature = "threads")]
+            threads: 1,
+        };
+        workspace.make_rooms(1, movements().len());
+        workspace
     }
 
     /// Computes the terms of the bound at `params`; they stay in the workspace.
@@ -117,7 +141,8 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
-        let Workspace { terms, histories, kinematics, dynamics, rooms, pose_room, .. } = workspace;
+        let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
+        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
         self.begin(params, histories, terms);
         for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
             kinematics.compute(self, params, i, Purpose::Value, pose_room);
@@ -138,33 +163,39 @@ impl Objective {
         params: &Params,
         workspace: &mut Workspace,
     ) -> Result<(), NumericsError> {
-        let Workspace {
-            terms,
-            gradient,
-            histories,
-            histories_adjoint,
-            kinematics,
-            dynamics,
-            rooms,
-            pose_room,
-        } = workspace;
-        gradient.set_zero();
-        histories_adjoint.iter_mut().flatten().for_each(Gaussians::set_zero);
-        self.begin(params, histories, terms);
-        self.free_gradient(params, gradient);
-        for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Gradient, pose_room);
-            terms.kinematics[i] = kinematics.gradient(self, params, i, pose_room, gradient)?;
-            dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
-            terms.dynamics[i] =
-                dynamics.gradient(self, params, histories, rooms, gradient, histories_adjoint)?;
-        }
+        workspace.gradient.set_zero();
+        workspace.histories_adjoint.iter_mut().flatten().for_each(Gaussians::set_zero);
+        self.begin(params, &mut workspace.histories, &mut workspace.terms);
+        self.free_gradient(params, &mut workspace.gradient);
+        self.add_maps(params, workspace)?;
+        let Workspace { terms, gradient, histories_adjoint, .. } = workspace;
         for (movement, adjoints) in self.repertoire.movements().iter().zip(histories_adjoint) {
             for (part, adjoint) in gradient.parts.iter_mut().zip(adjoints) {
                 movement.sequences().add_histories_adjoint(adjoint, &mut part.latents);
             }
         }
         finite(terms)
+    }
+
+    /// The terms of all maps; their gradient is added, but that with respect to the histories stays apart.
+    fn add_maps(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
+        #[cfg(feature = "threads")]
+        if workspace.threads > 1 {
+            return self.add_maps_in_threads(params, workspace);
+        }
+        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms, .. } =
+            workspace;
+        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
+        for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
+            kinematics.compute(self, params, i, Purpose::Gradient, pose_room);
+            terms.kinematics[i] = kinematics.adjoint(self, params, i)?;
+            kinematics.pull_back(&params.parts[i], pose_room, &mut gradient.parts[i]);
+            dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
+            terms.dynamics[i] = dynamics.adjoint(self, params)?;
+            dynamics.pull_back(params, histories, rooms, histories_adjoint);
+            dynamics.add_gradient(self, params, gradient);
+        }
+        Ok(())
     }
 
     /// The terms of the bound at `params`.
@@ -195,8 +226,9 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, mut pose_room, .. } =
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
             self.workspace(params);
+        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
         let movements = self.repertoire.movements().len();
         self.begin(params, &mut histories, &mut terms);
         let mut out = Posteriors {
@@ -206,10 +238,10 @@ impl Objective {
             pose_sums: Vec::new(),
         };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, &mut pose_room);
+            kinematics.compute(self, params, i, Purpose::Value, pose_room);
             out.kinematics.push(kinematics.posterior(self, params, i)?);
             out.pose_sums.push(kinematics.into_psi2());
-            dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
+            dynamics.compute(self, params, &histories, Purpose::Value, rooms);
             out.dynamics.push(dynamics.posterior()?);
             for (of_movement, sums) in out.sums.iter_mut().zip(dynamics.into_sums()) {
                 of_movement.push(sums);
@@ -224,14 +256,15 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised.
     pub fn stored(&self, params: &Params) -> Result<StoredMaps, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, mut pose_room, .. } =
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
             self.workspace(params);
+        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
         self.begin(params, &mut histories, &mut terms);
         let mut out = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, &mut pose_room);
+            kinematics.compute(self, params, i, Purpose::Value, pose_room);
             out.kinematics.push(kinematics.stored(self, params, i)?);
-            dynamics.compute(self, params, &histories, Purpose::Value, &mut rooms);
+            dynamics.compute(self, params, &histories, Purpose::Value, rooms);
             out.dynamics.push(dynamics.stored()?);
         }
         Ok(out)

@@ -2,18 +2,21 @@
 
 use crate::gp::Gaussians;
 use crate::gp::bound::BoundAdjoint;
+use crate::gp::kernel::KernelAdjoint;
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
 use crate::models::couplings::coupling_weights_into;
-use crate::models::variational::elbo::expert_room::ExpertRoom;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
-use crate::models::variational::params::Params;
+use crate::models::variational::params::{Expert, Params};
 use nalgebra::DMatrix;
 
 /// What belongs to one source: a part with the primitive that it uses.
-struct SourceRoom {
+pub struct SourceRoom {
+    pub primitive: usize,
     statistics: PsiStatistics,
+    /// dF/dpsi0.
+    psi0_adjoint: f64,
     /// dF/dpsi2 [K x K].
     psi2_adjoint: DMatrix<f64>,
     /// dF/dpsi1 [R x K].
@@ -34,6 +37,8 @@ pub struct MovementRows {
     weights: Vec<f64>,
     /// dF/dw.
     weights_adjoint: Vec<f64>,
+    /// dF/dalpha^i apart from the weights.
+    noise_adjoint: f64,
     /// Where each source starts in the stack of the movement's own sources.
     offsets: Vec<usize>,
     /// Where each source starts in the stack of all primitives.
@@ -64,9 +69,11 @@ impl MovementRows {
         let rows = in_use.sequences().transitions();
         let latent = params.parts[target].latents.mean.ncols();
         let experts = || in_use.uses().iter().map(|a| &params.experts[*a][target].z);
-        let sources = experts().map(|z| {
+        let sources = in_use.uses().iter().zip(experts()).map(|(primitive, z)| {
             let (ips, dims) = z.shape();
             SourceRoom {
+                primitive: *primitive,
+                psi0_adjoint: 0.0,
                 statistics: PsiStatistics::new(rows, ips, dims),
                 psi2_adjoint: DMatrix::zeros(ips, ips),
                 psi1_adjoint: DMatrix::zeros(rows, ips),
@@ -84,6 +91,7 @@ impl MovementRows {
             noise: 0.0,
             weights: vec![0.0; m],
             weights_adjoint: vec![0.0; m],
+            noise_adjoint: 0.0,
             sources: sources.collect(),
             offsets,
             places: in_use.uses().iter().map(|a| places[*a]).collect(),
@@ -174,31 +182,18 @@ impl MovementRows {
         sum
     }
 
-    /// Adds the gradient of what the rows have a `share` in to `gradient` and, for the histories, to `histories_adjoint`;
-    /// `noise_adjoint` is dF/dalpha^i apart from the weights. After [`compute`](Self::compute) with the same rooms.
-    #[expect(clippy::too_many_arguments, reason = "what is read, the room for it, and where it goes")]
-    pub fn add_gradient(
-        &mut self,
-        objective: &Objective,
-        params: &Params,
-        (adjoint, share, noise_adjoint): (&BoundAdjoint, f64, f64),
-        histories: &[Gaussians],
-        rooms: &mut [PairWorkspace],
-        experts: &mut [ExpertRoom],
-        gradient: &mut Params,
-        histories_adjoint: &mut [Gaussians],
-    ) {
-        let (i, m) = (self.target, self.sources.len());
-        let movement = &objective.repertoire.movements()[self.movement];
-        // From here on the targets' means hold their adjoint, once every source has used them.
-        for j in 0..m {
+    /// What the gradient of what the rows have a `share` in is made of, from the adjoint of the pool; `noise_adjoint` is dF/dalpha^i
+    /// apart from the weights. After [`compute`](Self::compute).
+    pub fn adjoint(&mut self, adjoint: &BoundAdjoint, share: f64, noise_adjoint: f64) {
+        self.noise_adjoint = noise_adjoint;
+        for j in 0..self.sources.len() {
             let (at, place, w) = (self.offsets[j], self.places[j], self.weights[j]);
             let (before, rest) = self.sources.split_at_mut(j);
             let Some((source, after)) = rest.split_first_mut() else { break };
-            let size = source.psi2_adjoint.nrows();
-            let b = adjoint.b.rows(place, size);
-            let own = adjoint.psi2.view((place, place), (size, size));
-            let mut weight_adjoint = b.dot(&self.sums.psi1_mu.rows(at, size))
+            let shape = source.psi2_adjoint.shape();
+            let b = adjoint.b.rows(place, shape.0);
+            let own = adjoint.psi2.view((place, place), shape);
+            let mut weight_adjoint = b.dot(&self.sums.psi1_mu.rows(at, shape.0))
                 + 2.0 * w * own.dot(&source.statistics.psi2)
                 + 2.0 * w * adjoint.psi0 * source.statistics.psi0;
             source.b.zip_apply(&b, |out, b| *out = share * w * b);
@@ -212,36 +207,53 @@ impl MovementRows {
                 cross.zip_apply(&block, |out, v| *out = 2.0 * share * w * w_other * v);
                 add_product(&other.statistics.psi1, cross, &mut source.psi1_adjoint);
             }
+            source.psi0_adjoint = share * w * w * adjoint.psi0;
+            source.psi2_adjoint.zip_apply(&own, |out, v| *out = share * w * w * v);
             self.weights_adjoint[j] = share * weight_adjoint;
         }
+        // From here on the targets hold their adjoint: every source has used them.
         let second_moment = share * adjoint.second_moment;
         self.target_mean *= 2.0 * second_moment;
-        for (j, source) in self.sources.iter_mut().enumerate() {
-            let (place, w, primitive) = (self.places[j], self.weights[j], movement.uses()[j]);
-            let shape = source.psi2_adjoint.shape();
+        for source in &self.sources {
             add_product(&source.statistics.psi1, &source.b, &mut self.target_mean);
-            let own = adjoint.psi2.view((place, place), shape);
-            source.psi2_adjoint.zip_apply(&own, |out, v| *out = share * w * w * v);
-            let psi = PsiAdjoint {
-                psi0: share * w * w * adjoint.psi0,
-                psi1: &source.psi1_adjoint,
-                psi2: &source.psi2_adjoint,
-            };
-            let expert = &params.experts[primitive][i];
-            let inputs = (&histories[j], &expert.z, &expert.kernel);
-            let kernel = &mut experts[primitive].kernel_adjoint;
-            source.statistics.pull_back(inputs, &psi, &mut rooms[j], &mut histories_adjoint[j], kernel);
         }
-        let into = &mut gradient.parts[i].latents;
-        movement.sequences().add_targets_adjoint(&self.target_mean, &mut into.mean);
         self.target_variance.fill(second_moment);
-        movement.sequences().add_targets_adjoint(&self.target_variance, &mut into.variance);
+    }
+
+    /// The sources in the order of their parts, to pull their adjoints back.
+    pub fn sources_mut(&mut self) -> impl Iterator<Item = &mut SourceRoom> {
+        self.sources.iter_mut()
+    }
+
+    /// Adds the gradient with respect to targets and couplings. After [`adjoint`](Self::adjoint).
+    pub fn add_gradient(&self, objective: &Objective, params: &Params, gradient: &mut Params) {
+        let i = self.target;
+        let sequences = objective.repertoire.movements()[self.movement].sequences();
+        let into = &mut gradient.parts[i].latents;
+        sequences.add_targets_adjoint(&self.target_mean, &mut into.mean);
+        sequences.add_targets_adjoint(&self.target_variance, &mut into.variance);
         // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j / alpha^{ji}.
         let alpha = &params.alpha[self.movement];
         let shared: f64 = self.weights_adjoint.iter().zip(&self.weights).map(|(g, w)| g * w).sum();
         for (j, (w, g)) in self.weights.iter().zip(&self.weights_adjoint).enumerate() {
             gradient.alpha[self.movement][(j, i)] +=
-                w * w * (noise_adjoint + shared / self.noise) - g * w / alpha[(j, i)];
+                w * w * (self.noise_adjoint + shared / self.noise) - g * w / alpha[(j, i)];
         }
+    }
+}
+
+impl SourceRoom {
+    /// Adds the gradient with respect to the histories to `into` and with respect to the expert to `kernel`. After
+    /// [`MovementRows::adjoint`], with the room of [`MovementRows::compute`].
+    pub fn pull_back(
+        &mut self,
+        histories: &Gaussians,
+        expert: &Expert,
+        room: &mut PairWorkspace,
+        into: &mut Gaussians,
+        kernel: &mut KernelAdjoint,
+    ) {
+        let psi = PsiAdjoint { psi0: self.psi0_adjoint, psi1: &self.psi1_adjoint, psi2: &self.psi2_adjoint };
+        self.statistics.pull_back((histories, &expert.z, &expert.kernel), &psi, room, into, kernel);
     }
 }

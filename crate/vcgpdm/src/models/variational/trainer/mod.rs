@@ -173,6 +173,13 @@ impl Trainer {
         self.ascent.hold(entries);
     }
 
+    /// Computes the bound in so many threads from now on. The outcome is the same to the bit; it takes more memory, and pays where there
+    /// are hundreds of frames.
+    #[cfg(feature = "threads")]
+    pub fn use_threads(&mut self, threads: usize) {
+        self.ascent.search().target.workspace.use_threads(threads);
+    }
+
     /// One iteration of the optimiser. After the end it does nothing.
     pub fn step(&mut self) -> TrainingProgress {
         self.ascent.step();
