@@ -6,7 +6,7 @@ export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,
   whenAsked: 70_000,
-  onDemand: 765_000,
+  onDemand: 805_000,
   perception: 50_000,
   study: 170_000,
   primitives: 75_000,

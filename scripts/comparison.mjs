@@ -79,19 +79,23 @@ const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterati
   },
 ];
 
-/** How time grows with the frames: one job at a time, so that none waits for another. Three seeds are repeats. */
+/**
+ * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none waits for another. Three seeds
+ * are repeats. Of the same parts as all else, with which they stand, and of three parts, as in the supplement of Velychko et al. (2017).
+ */
 const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
   const counts = extent.times.split(",").filter((count) => Number(count) < trials);
-  const options = (/** @type {string} */ models, /** @type {string} */ iterations) => [
+  const options = (/** @type {string} */ models, /** @type {string} */ ips, /** @type {string} */ iterations) => [
     ...["--models", models, "--folds", "1", "--seeds", "0,1,2", "--training-trials", counts.join(",")],
-    ...["--ips", "10", "--max-iterations", iterations, "--threads", "1"],
+    ...["--ips", ips, "--max-iterations", iterations, "--threads", "1"],
   ];
+  const { iterations, mapIterations } = extent;
   return [
-    // Of an iteration: equally many for all. These are of the same parts as all else, and stand with it.
-    { file: "-times", parts: PARTS, options: options("vcgpdm,map-cgpdm", "100") },
-    // Of a whole training of three parts, as in the supplement of Velychko et al. (2017).
-    { file: "-three-parts", parts: THREE_PARTS, options: options("vcgpdm", extent.iterations) },
-    { file: "-three-parts", parts: THREE_PARTS, options: options("map-cgpdm", extent.mapIterations) },
+    // Settings of which there are no other trainings, measured while the machine did other things too.
+    { file: "-times", parts: PARTS, options: options("vcgpdm", "12", iterations) },
+    { file: "-times", parts: PARTS, options: options("map-cgpdm", "10", "100") },
+    { file: "-three-parts", parts: THREE_PARTS, options: options("vcgpdm", "10", iterations) },
+    { file: "-three-parts", parts: THREE_PARTS, options: options("map-cgpdm", "10", mapIterations) },
   ];
 };
 
@@ -102,13 +106,25 @@ function subject(/** @type {string} */ folder) {
   return { name: basename(resolve(folder)), clips: files.sort().map((file) => join(folder, file)) };
 }
 
-/** All results in one file, without the digits that nobody reads. */
+/**
+ * Digits that are kept for the page, of the numbers of which differences are shown; of others, FEW.
+ * @type {Record<string, number>}
+ */
+const DIGITS = { bound: 7, objective: 7, kinematics: 6, dynamics: 6, initial: 6, entropy: 6 };
+const FEW = 4;
+
+/** A number, or each of a list, without the digits that nobody reads. */
+function short(/** @type {string} */ name, /** @type {unknown} */ value) {
+  const shortened = (/** @type {unknown} */ one) =>
+    typeof one === "number" && !Number.isInteger(one) ? Number(one.toPrecision(DIGITS[name] ?? FEW)) : one;
+  if (Array.isArray(value)) return value.map(shortened);
+  // What stands in a list was shortened with it.
+  return /^\d+$/.test(name) ? value : shortened(value);
+}
+
+/** All results in one file, as the page gets them. */
 function together(/** @type {string[]} */ files) {
   const read = files.map((file) => JSON.parse(readFileSync(file, "utf8")));
-  const short = (/** @type {string} */ name, /** @type {unknown} */ value) =>
-    typeof value === "number" && !Number.isInteger(value)
-      ? Number(value.toPrecision(name === "bound" || name === "objective" ? 9 : 6))
-      : value;
   return `${JSON.stringify({ ...read[0], finished: read.flatMap(({ finished }) => finished) }, short)}\n`;
 }
 

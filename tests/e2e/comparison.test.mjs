@@ -132,7 +132,28 @@ describe("a comparison of models", () => {
       .getByText(/exponent \d/)
       .first()
       .waitFor();
+    // One size of each model stands for the others, until all are asked for.
+    const sizes = await table.locator("tbody tr").count();
+    assert.ok(sizes >= 7 && sizes <= 12, `${sizes} rows`);
+    await table
+      .getByText(/inducing points \(of 16 sizes\)/)
+      .first()
+      .waitFor();
+    const more = page.getByRole("button", { name: /^All \d+ settings$/ });
+    const all = Number((await more.innerText()).match(/\d+/)?.[0]);
+    await more.click();
+    assert.equal(await table.locator("tbody tr").count(), all);
+    assert.ok(all > 3 * sizes, `${all} rows of ${sizes} models`);
+    await page.getByRole("button", { name: "Only those that the bound prefers" }).click();
+    assert.equal(await table.locator("tbody tr").count(), sizes);
     assert.deepEqual(await barriers(page), []);
+    await page.setViewportSize({ width: 390, height: 844 });
+    assert.deepEqual(await barriers(page), [], "on a telephone");
+    // The answer stands beside the claim, and neither is cut off.
+    const claim = page.locator("comparison-claims tbody tr").first();
+    const [said, holds] = [await claim.locator("th").boundingBox(), await claim.locator(".holds").boundingBox()];
+    assert.ok(said && holds && Math.abs(said.y - holds.y) < 10 && holds.x + holds.width <= 390, "claim and answer");
+    await page.setViewportSize({ width: 1440, height: 900 });
     await says(page, /^1 training\.$/);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /1 of 1 trainings done/);

@@ -134,6 +134,11 @@ export interface ModelSummary {
     folds: number;
     /** Number of trainings. */
     runs: number;
+    /**
+     * How many candidates it stands for: all that differ in size alone, where it is the one of them that claims choose for most trials;
+     * else 0.
+     */
+    standsFor: number;
 }
 
 /** One candidate in figure 6B of Velychko et al. (2018). */

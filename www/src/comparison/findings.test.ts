@@ -29,6 +29,7 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
   partErrors: [],
   folds,
   runs: folds,
+  standsFor: 1,
 });
 const [ERROR, BOUND] = MEASURES as [Measure, Measure];
 

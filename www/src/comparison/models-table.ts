@@ -42,6 +42,9 @@ function ticksOf(scale: Scale, width: number, type: number) {
 const convergedWords = ({ converged }: ModelSummary) =>
   converged !== null && converged < 1 ? `, ${Math.round(100 * converged)} % converged` : "";
 
+/** Said where it stands for others. */
+const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} sizes)` : "");
+
 interface Drawn extends Measure {
   drawing: Scale;
   width: number;
@@ -49,7 +52,19 @@ interface Drawn extends Measure {
   winner: number | null;
 }
 
+/** Of more models one of each size stands for the others, until all are asked for. */
+const MOST = 12;
+
 export class ModelsTable extends FigureElement<Comparison> {
+  static override properties = { ...FigureElement.properties, all: { state: true } };
+  /** Whether all sizes of a model are shown. */
+  declare all: boolean;
+
+  constructor() {
+    super();
+    this.all = false;
+  }
+
   protected readonly heading = "Error, bound, time and size of each model";
   protected readonly file = "models-compared";
 
@@ -141,7 +156,10 @@ export class ModelsTable extends FigureElement<Comparison> {
         </svg></div></td>`;
   }
 
-  protected figure({ models }: Comparison) {
+  protected figure({ models: every }: Comparison) {
+    const shown = every.filter((summary) => summary.standsFor > 0);
+    const shorter = every.length > MOST && shown.length < every.length;
+    const models = shorter && !this.all ? shown : every;
     const room = (this.width - NAMES * this.type) / MEASURES.length - BETWEEN * this.type;
     const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, room)));
     const measures: Drawn[] = MEASURES.map((measure) => {
@@ -164,13 +182,20 @@ export class ModelsTable extends FigureElement<Comparison> {
               <tr style=${inColour(model)} class=${i > 0 && models[i - 1]?.model !== model ? "next-model" : ""}>
                 <th scope="row" class="who"><div>
                   <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
-                  <span class="name">${modelStyle(model).name}</span><small>${label}${convergedWords(summary)}</small></div></th>
+                  <span class="name">${modelStyle(model).name}</span><small>${label}${models === shown ? ofWords(summary) : ""}${convergedWords(summary)}</small></div></th>
                 ${measures.map((measure) => this.cell(summary, measure))}
               </tr>`;
           })}</tbody>
         </table>
       </div>
+      ${
+        shorter
+          ? html`<p class="more" data-not-in-picture><button class="small" aria-expanded=${this.all} @click=${() => (this.all = !this.all)}>
+            ${this.all ? "Only those that the bound prefers" : `All ${every.length} settings`}</button></p>`
+          : nothing
+      }
       <figcaption>
+        ${models === shown ? "Of settings that differ in size alone, the ones are shown that the bound prefers in most trials; where there is no bound, the error on the other trials decides." : nothing}
         ${foldWords(models)} The error is the <pg-term of="dtw" text="mean squared error after dynamic time warping"></pg-term>; the
         <pg-term of="bound" text="bound"></pg-term> is in <pg-term of="nats" text="nats"></pg-term>. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
       </figcaption>`;

@@ -1,13 +1,15 @@
 //! What the results of a comparison say: the table of models, bound against error, time against frames, claims.
 
 use crate::evaluation::claims::claims;
+use crate::evaluation::contender::Contender;
 use crate::evaluation::correlation::correlations;
 use crate::evaluation::evidence::evidence;
 use crate::evaluation::growth::growth;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::results::Results;
-use crate::evaluation::rows::rows;
+use crate::evaluation::rows::{Row, groups, rows};
 use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSummary};
+use crate::models::ModelSettings;
 use serde::Serialize;
 
 /// What the results of a comparison say.
@@ -40,7 +42,18 @@ impl Comparison {
         let names: Vec<&str> = trials.map(|trial| trial.name.as_str()).collect();
         let evidence = evidence(&rows, &|fold| names.get(fold.wrapping_sub(1)).unwrap_or(&"").to_string());
         let claims = claims(&rows, &growth, &labels);
-        let models = rows.iter().filter_map(|row| row.summary(labels.label(row.candidate))).collect();
+        let groups = groups(rows.iter()).into_iter();
+        let chosen: Vec<(&ModelSettings, usize)> = groups
+            .filter_map(|group| {
+                let count = group.len();
+                Some((Contender::new(group)?.most_often().candidate, count))
+            })
+            .collect();
+        let stands_for = |candidate: &ModelSettings| {
+            chosen.iter().find(|(of_group, _)| *of_group == candidate).map_or(0, |(_, count)| *count)
+        };
+        let summary = |row: &Row| row.summary(labels.label(row.candidate), stands_for(row.candidate));
+        let models = rows.iter().filter_map(summary).collect();
         Self { models, correlations: correlations(&rows, &labels), growth, evidence, claims }
     }
 }
@@ -50,7 +63,7 @@ mod tests {
     use super::*;
     use crate::evaluation::summary::Answer;
     use crate::evaluation::testing::{finished, map, outcome, results, variational};
-    use crate::models::{DmpSettings, EndReason, ModelKind, ModelSettings, VariationalSettings};
+    use crate::models::{DmpSettings, EndReason, ModelKind, VariationalSettings};
     use approx::assert_relative_eq;
 
     #[test]
@@ -113,6 +126,9 @@ mod tests {
         // The bounds prefer the whole body, which predicts worse: in every trial.
         assert_eq!(answer(&found, "2020", "the preferred one"), Answer::No);
         assert_eq!(found.evidence.len(), 7);
+        // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more than its size.
+        let stand: Vec<usize> = found.models.iter().map(|model| model.stands_for).collect();
+        assert_eq!(stand, [0, 3, 0, 0, 3, 0, 1, 1, 1]);
         assert_relative_eq!(found.evidence[2].log_bayes_factor, -5.0);
         assert_relative_eq!(found.evidence[2].error_ratio, 1.0 / 1.05, epsilon = 1e-12);
         assert_eq!(found.evidence[2].trial, "walk 3");

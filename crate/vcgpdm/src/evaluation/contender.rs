@@ -49,11 +49,14 @@ impl<'a, 'r> Contender<'a, 'r> {
 
     /// The kind and the settings that are chosen most often.
     pub fn words(&self, labels: &Labels) -> String {
+        let candidate = self.most_often().candidate;
+        format!("{}, {}", candidate.kind().title(), labels.label(candidate))
+    }
+
+    /// The settings that are chosen most often.
+    pub fn most_often(&self) -> &'a Row<'r> {
         let most = (0..self.settings.len()).rev().max_by_key(|&k| self.times[k]);
-        most.map_or(String::new(), |k| {
-            let candidate = self.settings[k].candidate;
-            format!("{}, {}", candidate.kind().title(), labels.label(candidate))
-        })
+        self.settings[most.unwrap_or_default()]
     }
 
     /// The least error that any of the settings has in each fold: what no choice can beat.

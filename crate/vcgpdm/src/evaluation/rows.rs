@@ -143,8 +143,8 @@ impl Row<'_> {
         self.by_fold(folds, &|o| o.bound)
     }
 
-    /// Over all folds that it has itself.
-    pub fn summary(&self, label: String) -> Option<ModelSummary> {
+    /// Over all folds that it has itself; the number of candidates it stands for is known elsewhere.
+    pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
         let folds = self.folds();
         let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
             let means = self.means(&folds, value);
@@ -177,6 +177,7 @@ impl Row<'_> {
                 .collect(),
             folds: folds.len(),
             runs: self.runs(),
+            stands_for,
         })
     }
 }

@@ -49,6 +49,9 @@ pub struct ModelSummary {
     pub folds: usize,
     /// Number of trainings.
     pub runs: usize,
+    /// How many candidates it stands for: all that differ in size alone, where it is the one of them that claims choose for most trials;
+    /// else 0.
+    pub stands_for: usize,
 }
 
 /// Means of the terms of a bound, in nats.
