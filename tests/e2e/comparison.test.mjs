@@ -139,6 +139,10 @@ describe("a comparison of models", () => {
       .getByText(/inducing points \(of 16 sizes\)/)
       .first()
       .waitFor();
+    await table
+      .getByText(/^lower 0\.\d+, upper 0\.\d+$/)
+      .first()
+      .waitFor();
     const more = page.getByRole("button", { name: /^All \d+ settings$/ });
     const all = Number((await more.innerText()).match(/\d+/)?.[0]);
     await more.click();

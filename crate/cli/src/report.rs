@@ -40,6 +40,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             writeln!(text, "### {}\n", one_line(&subject.name))?;
         }
         let setting = subject.results.setting();
+        let comparison = Comparison::of(&subject.results);
         let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
         writeln!(
             text,
@@ -49,8 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             setting.frames_per_second,
             setting.start_frames
         )?;
-        let comparison = Comparison::of(&subject.results);
-        models(&mut text, &comparison, &names)?;
+        models(&mut text, &comparison)?;
         correlations(&mut text, &comparison)?;
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             text,
             "\n### All together\n\nEvery trial counts once, whoever moves in it: where files hold the same clips, the first of them counts.\n"
         )?;
-        models(&mut text, &comparison, &[])?;
+        models(&mut text, &comparison)?;
         claims(&mut text, &comparison)?;
     }
     files::print(&files::shown(&text))
@@ -124,11 +124,12 @@ fn spread(spread: &Spread, digits: usize) -> String {
 }
 
 /// Figure 4 of Velychko et al. 2018 as a table.
-fn models(text: &mut String, comparison: &Comparison, parts: &[String]) -> std::fmt::Result {
+fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.models.is_empty() {
         return Ok(());
     }
-    let of_parts: String = parts.iter().map(|part| format!(" {part} |")).collect();
+    let parts = &comparison.parts;
+    let of_parts: String = parts.iter().map(|part| format!(" {} |", one_line(part))).collect();
     writeln!(
         text,
         "| model | settings | DTW MSE | median | of a motionless prediction |{of_parts} on the trials trained on | bound | of it pose | of it dynamics | training, s | converged | numbers stored | folds | runs |"

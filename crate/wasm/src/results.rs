@@ -225,6 +225,8 @@ export interface Claim {
 
 /** What the results of a comparison say. */
 export interface Comparison {
+    /** Names of the parts whose errors the models have. */
+    parts: string[];
     /** Every candidate that was trained on all other trials. */
     models: ModelSummary[];
     /** For every kind of model with a bound and at least three candidates that differ in size alone. */

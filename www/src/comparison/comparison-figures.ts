@@ -25,7 +25,8 @@ export class ComparisonFigures extends LitElement {
 
   protected override render() {
     const { comparison } = this;
-    if (!comparison || Object.values(comparison).every((list) => list.length === 0)) {
+    const found = comparison && [comparison.models, comparison.growth, comparison.claims];
+    if (!found?.some((list) => list.length > 0)) {
       return html`<p class="empty">Nothing to compare yet. Each model appears here when its first trial has been predicted.</p>`;
     }
     return html`

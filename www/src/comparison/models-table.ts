@@ -45,6 +45,12 @@ const convergedWords = ({ converged }: ModelSummary) =>
 /** Said where it stands for others. */
 const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} sizes)` : "");
 
+/** The error of each part, where there are several. */
+const ofParts = ({ partErrors }: ModelSummary, parts: readonly string[]) =>
+  parts.length > 1 && partErrors.length === parts.length
+    ? html`<small class="of-parts">${parts.map((part, k) => `${part} ${plain(partErrors[k] ?? 0)}`).join(", ")}</small>`
+    : nothing;
+
 interface Drawn extends Measure {
   drawing: Scale;
   width: number;
@@ -72,13 +78,13 @@ export class ModelsTable extends FigureElement<Comparison> {
     return models.length === 0 ? "No model has been trained and scored yet." : null;
   }
 
-  protected table({ models }: Comparison) {
+  protected table({ models, parts: names }: Comparison) {
     const spread = (name: string, unit: string) => [
       `${name} mean (${unit})`,
       `${name} standard error (${unit})`,
       `${name} count`,
     ];
-    const parts = Array.from({ length: Math.max(0, ...models.map((m) => m.partErrors.length)) }, (_, k) => k + 1);
+    const parts = Array.from({ length: Math.max(0, ...models.map((m) => m.partErrors.length)) }, (_, k) => k);
     const fields = (value: Spread | null) =>
       value ? [value.mean, value.standardError, value.count] : [null, null, null];
     return {
@@ -94,7 +100,7 @@ export class ModelsTable extends FigureElement<Comparison> {
         "trainings that converged (share)",
         "pose terms of the bound (nats)",
         "other terms of the bound (nats)",
-        ...parts.map((part) => `DTW MSE of part ${part} (squared units of the columns)`),
+        ...parts.map((part) => `DTW MSE of ${names[part] ?? `part ${part + 1}`} (squared units of the columns)`),
         "folds",
         "runs",
       ],
@@ -110,7 +116,7 @@ export class ModelsTable extends FigureElement<Comparison> {
         m.converged,
         m.terms?.pose ?? null,
         m.terms?.dynamics ?? null,
-        ...parts.map((part) => m.partErrors[part - 1] ?? null),
+        ...parts.map((part) => m.partErrors[part] ?? null),
         m.folds,
         m.runs,
       ]),
@@ -136,7 +142,11 @@ export class ModelsTable extends FigureElement<Comparison> {
         </svg></div></th>`;
   }
 
-  private cell(summary: ModelSummary, { unit, word, drawing, width, ticks, winner, ...measure }: Drawn) {
+  private cell(
+    summary: ModelSummary,
+    parts: readonly string[],
+    { unit, word, drawing, width, ticks, winner, ...measure }: Drawn,
+  ) {
     const spread = measure.spread(summary);
     if (!spread) return html`<td><div class="measure"><span class="number none">none</span></div></td>`;
     const { mean, error } = spreadWords(spread);
@@ -148,6 +158,7 @@ export class ModelsTable extends FigureElement<Comparison> {
     return html`
       <td class=${best ? "best" : ""}><div class="measure">
         <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}
+          ${unit === "DTW MSE" ? ofParts(summary, parts) : nothing}
           ${unit === "DTW MSE" && isSkewed(summary) ? html`<small>median ${plain(summary.mseMedian)}</small>` : nothing}</span>
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
           ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
@@ -156,7 +167,7 @@ export class ModelsTable extends FigureElement<Comparison> {
         </svg></div></td>`;
   }
 
-  protected figure({ models: every }: Comparison) {
+  protected figure({ models: every, parts }: Comparison) {
     const shown = every.filter((summary) => summary.standsFor > 0);
     const shorter = every.length > MOST && shown.length < every.length;
     const models = shorter && !this.all ? shown : every;
@@ -183,7 +194,7 @@ export class ModelsTable extends FigureElement<Comparison> {
                 <th scope="row" class="who"><div>
                   <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
                   <span class="name">${modelStyle(model).name}</span><small>${label}${models === shown ? ofWords(summary) : ""}${convergedWords(summary)}</small></div></th>
-                ${measures.map((measure) => this.cell(summary, measure))}
+                ${measures.map((measure) => this.cell(summary, parts, measure))}
               </tr>`;
           })}</tbody>
         </table>

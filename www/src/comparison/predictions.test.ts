@@ -23,7 +23,14 @@ function entryOf(jobs: Job[], without: Job[] = []) {
     candidate,
     label: "bases" in candidate ? `${candidate.bases} bases` : "",
   }));
-  const comparison = { models: models as ModelSummary[], correlations: [], growth: [], evidence: [], claims: [] };
+  const comparison = {
+    parts: [],
+    models: models as ModelSummary[],
+    correlations: [],
+    growth: [],
+    evidence: [],
+    claims: [],
+  };
   const setting = { trials: [], parts: [], framesPerSecond: 30, startFrames: 5 };
   const entry = newEntry(null, { text: "", setting, finished, comparison });
   for (const { id, job } of finished) {

@@ -82,7 +82,7 @@ function jobsOf(plan: Plan, trials: number): Job[] {
 /** Results with these jobs finished. */
 export function resultsOf(setting: Setting, jobs: readonly Job[]): ResultsView {
   const finished: FinishedJob[] = jobs.map((job) => ({ id: idOf(job), job, engine: "fake", outcome, failure: null }));
-  const comparison = { models: [], correlations: [], growth: [], evidence: [], claims: [] };
+  const comparison = { parts: [], models: [], correlations: [], growth: [], evidence: [], claims: [] };
   return { text: JSON.stringify({ setting, jobs }), setting, finished, comparison };
 }
 

@@ -15,6 +15,8 @@ use serde::Serialize;
 /// What the results of a comparison say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
+    /// Names of the parts whose errors the models have; empty where these are not the same in all that is put together.
+    pub parts: Vec<String>,
     /// Every candidate that was trained on all other trials.
     pub models: Vec<ModelSummary>,
     /// For every kind of model with a bound and at least three candidates that differ in size alone.
@@ -54,7 +56,12 @@ impl Comparison {
         };
         let summary = |row: &Row| row.summary(labels.label(row.candidate), stands_for(row.candidate));
         let models = rows.iter().filter_map(summary).collect();
-        Self { models, correlations: correlations(&rows, &labels), growth, evidence, claims }
+        let names = |results: &Results| -> Vec<String> {
+            results.setting().parts.iter().map(|part| part.name.clone()).collect()
+        };
+        let first = several.first().map_or_else(Vec::new, |results| names(results));
+        let parts = if several.iter().all(|results| names(results) == first) { first } else { Vec::new() };
+        Self { parts, models, correlations: correlations(&rows, &labels), growth, evidence, claims }
     }
 }
 
@@ -126,6 +133,7 @@ mod tests {
         // The bounds prefer the whole body, which predicts worse: in every trial.
         assert_eq!(answer(&found, "2020", "the preferred one"), Answer::No);
         assert_eq!(found.evidence.len(), 7);
+        assert_eq!(found.parts, ["lower"]);
         // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more than its size.
         let stand: Vec<usize> = found.models.iter().map(|model| model.stands_for).collect();
         assert_eq!(stand, [0, 3, 0, 0, 3, 0, 1, 1, 1]);
