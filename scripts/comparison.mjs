@@ -84,7 +84,8 @@ const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterati
  * are repeats. Of the same parts as all else, with which they stand, and of three parts, as in the supplement of Velychko et al. (2017).
  */
 const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
-  const counts = extent.times.split(",").filter((count) => Number(count) < trials);
+  // Fewer than the trials that all else is trained on: these are no results of a trial held out.
+  const counts = extent.times.split(",").filter((count) => Number(count) < trials - 1);
   const options = (/** @type {string} */ models, /** @type {string} */ ips, /** @type {string} */ iterations) => [
     ...["--models", models, "--folds", "1", "--seeds", "0,1,2", "--training-trials", counts.join(",")],
     ...["--ips", ips, "--max-iterations", iterations, "--threads", "1"],

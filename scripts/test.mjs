@@ -55,7 +55,7 @@ async function format() {
   await biome("format");
 }
 
-/** With all features on, code that only compiles beside another feature's would go unseen. the program uses `threads`, and
+/** With all features on, code that only compiles beside another feature's would go unseen. The program uses `threads`, and
  * the wasm package `speed`: the library's only ones. */
 async function features() {
   await clippy(...NATIVE, "--all-targets");

@@ -136,7 +136,7 @@ describe("a comparison of models", () => {
     const sizes = await table.locator("tbody tr").count();
     assert.ok(sizes >= 7 && sizes <= 12, `${sizes} rows`);
     await table
-      .getByText(/inducing points \(of 16 sizes\)/)
+      .getByText(/inducing points \(of 16 settings\)/)
       .first()
       .waitFor();
     await table
@@ -148,7 +148,7 @@ describe("a comparison of models", () => {
     await more.click();
     assert.equal(await table.locator("tbody tr").count(), all);
     assert.ok(all > 3 * sizes, `${all} rows of ${sizes} models`);
-    await page.getByRole("button", { name: "Only those that the bound prefers" }).click();
+    await page.getByRole("button", { name: "One size of each model" }).click();
     assert.equal(await table.locator("tbody tr").count(), sizes);
     assert.deepEqual(await barriers(page), []);
     await page.setViewportSize({ width: 390, height: 844 });

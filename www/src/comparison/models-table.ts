@@ -43,7 +43,7 @@ const convergedWords = ({ converged }: ModelSummary) =>
   converged !== null && converged < 1 ? `, ${Math.round(100 * converged)} % converged` : "";
 
 /** Said where it stands for others. */
-const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} sizes)` : "");
+const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} settings)` : "");
 
 /** The error of each part, where there are several. */
 const ofParts = ({ partErrors }: ModelSummary, parts: readonly string[]) =>
@@ -201,12 +201,12 @@ export class ModelsTable extends FigureElement<Comparison> {
       </div>
       ${
         shorter
-          ? html`<p class="more" data-not-in-picture><button class="small" aria-expanded=${this.all} @click=${() => (this.all = !this.all)}>
-            ${this.all ? "Only those that the bound prefers" : `All ${every.length} settings`}</button></p>`
+          ? html`<p class="more" data-not-in-picture><button class="small" @click=${() => (this.all = !this.all)}>
+            ${this.all ? "One size of each model" : `All ${every.length} settings`}</button></p>`
           : nothing
       }
       <figcaption>
-        ${models === shown ? "Of settings that differ in size alone, the ones are shown that the bound prefers in most trials; where there is no bound, the error on the other trials decides." : nothing}
+        ${models === shown ? "Of settings that differ in size alone, the one is shown that is chosen most often over the trials: by the bound, or where there is none by the error on the other trials. What is best, highest, quickest and fewest is so among those shown." : nothing}
         ${foldWords(models)} The error is the <pg-term of="dtw" text="mean squared error after dynamic time warping"></pg-term>; the
         <pg-term of="bound" text="bound"></pg-term> is in <pg-term of="nats" text="nats"></pg-term>. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
       </figcaption>`;

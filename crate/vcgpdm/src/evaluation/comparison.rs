@@ -47,8 +47,9 @@ impl Comparison {
         let groups = groups(rows.iter()).into_iter();
         let chosen: Vec<(&ModelSettings, usize)> = groups
             .filter_map(|group| {
-                let count = group.len();
-                Some((Contender::new(group)?.most_often().candidate, count))
+                let (count, first) = (group.len(), group.first()?.candidate);
+                // Where sizes have no trial in common, none can be chosen.
+                Some((Contender::new(group).map_or(first, |c| c.most_often().candidate), count))
             })
             .collect();
         let stands_for = |candidate: &ModelSettings| {

@@ -196,6 +196,17 @@ fn only_added_t_poses_are_dropped() {
     }
 }
 
+/// The files of subject 7 have a row at rest before the walk, and the last of them two.
+#[test]
+fn every_row_before_a_walk_of_subject_7_is_dropped() {
+    for (path, recording) in recordings(&["cmu-07"]).unwrap_or_default() {
+        let added = if path.contains("07_12") { 2 } else { 1 };
+        assert_eq!(recording.rows_before_motion(), added, "{path}");
+        let clip = recording.clone().into_clip();
+        assert_eq!(clip.values, recording.values.rows(added, recording.frames() - added), "{path}");
+    }
+}
+
 /// Prints the time that a rollout's poses take: `cargo test --release --test library -- real_clips --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement, not a check"]

@@ -25,7 +25,7 @@ pub struct PsiStatistics {
 }
 
 /// Memory for a block of rows, in the registers that this processor has.
-trait Room: Send {
+trait Room: Send + Sync {
     /// psi1 and psi2 of all rows.
     fn forward(
         &mut self,

@@ -109,6 +109,7 @@ impl Objective {
 /// Does all tasks in so many threads, of which this is one: each takes the first that is left. The error is that of the first task that
 /// has one.
 fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
+    let threads = threads.min(tasks.len());
     let left = Mutex::new(tasks.into_iter().enumerate());
     let work = || {
         let mut failed: Vec<(usize, NumericsError)> = Vec::new();

@@ -174,7 +174,7 @@ impl Trainer {
     }
 
     /// Computes the bound in so many threads from now on. The outcome is the same to the bit; it takes more memory, and pays where there
-    /// are hundreds of frames.
+    /// are thousands of frames or many inducing points.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.ascent.search().target.workspace.use_threads(threads);
