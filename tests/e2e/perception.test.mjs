@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, changes, drop, keepsNobodyOut, oneVisitor, openSite, saved } from "./site.mjs";
+import { barriers, isMoving, drop, keepsNobodyOut, oneVisitor, openSite, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -151,7 +151,7 @@ describe("a study", () => {
     const look = page.getByTestId("look");
     await look.getByRole("heading", { name: id ?? "" }).waitFor({ timeout: 30_000 });
     await look.locator("canvas[data-frames-drawn]").waitFor();
-    assert.ok(await changes(look.locator("canvas"), 1000), "it moves");
+    assert.ok(await isMoving(look.locator("canvas")), "it moves");
     await look.getByRole("button", { name: "Close" }).click();
     await mark.check();
     await page.locator(`[data-testid="failed-${id}"]:checked:enabled`).waitFor();
