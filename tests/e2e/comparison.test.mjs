@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, it } from "node:test";
-import { barriers, isMoving, openSite, ready, saved } from "./site.mjs";
+import { barriers, changes, openSite, ready, saved } from "./site.mjs";
 
 /** Small enough for a test: three trials at 15 frames a second, few iterations. */
 const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
@@ -62,7 +62,7 @@ describe("a comparison of models", () => {
     assert.ok(later().length > 0);
     assert.match(page.url(), /view=compare/);
     await page.getByTestId("view-play").click();
-    assert.ok(await isMoving(page.getByTestId("stage")), "the figure walks on");
+    assert.ok(await changes(page.getByTestId("stage")), "the figure walks on");
     assert.deepEqual(problems, []);
     await leave();
   });

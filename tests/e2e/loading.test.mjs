@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
-import { isMoving, openSite, ready, rests } from "./site.mjs";
+import { changes, openSite, ready, rests } from "./site.mjs";
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
@@ -32,7 +32,7 @@ describe("a first visit", () => {
     assert.equal(await page.locator("html").getAttribute("data-engine"), "ready");
     test.diagnostic(`${sent} bytes`);
     assert.ok(sent > 10_000 && sent < budget.firstVisit, `${sent} bytes`);
-    assert.ok(await isMoving(page.getByTestId("stage")), "the figure moves");
+    assert.ok(await changes(page.getByTestId("stage")), "the figure moves");
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -45,7 +45,7 @@ describe("a first visit", () => {
     const { page, problems, leave } = await site.visit({ moving: true, seen: true });
     const stage = page.getByTestId("stage");
     await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset.framesDrawn) > 5);
-    assert.ok(await isMoving(stage), "the figure moves");
+    assert.ok(await changes(stage), "the figure moves");
     await page.getByTestId("play").click();
     assert.ok(await rests(stage), "Pause stops it");
     await page.getByTestId("play").click();
@@ -53,7 +53,7 @@ describe("a first visit", () => {
     assert.ok(await page.getByTestId("train").isDisabled());
     release();
     await ready(page);
-    assert.ok(await isMoving(stage), "the figure moves on");
+    assert.ok(await changes(stage), "the figure moves on");
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -62,7 +62,7 @@ describe("a first visit", () => {
     const { page, leave } = await site.visit({ moving: true, seen: true, without: "**/*.wasm" });
     await page.waitForSelector("html[data-engine=failed]");
     await page.getByRole("alert").first().waitFor();
-    assert.ok(await isMoving(page.getByTestId("stage")));
+    assert.ok(await changes(page.getByTestId("stage")));
     await leave();
   });
 

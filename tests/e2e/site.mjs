@@ -131,20 +131,11 @@ export async function ready(/** @type {Page} */ page) {
   await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached", timeout: 30_000 });
 }
 
-/** Whether what an element shows changes within some milliseconds. */
-async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
+/** Whether what an element shows differs between two moments. */
+export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
   const before = await element.screenshot();
   await element.page().waitForTimeout(milliseconds);
   return !before.equals(await element.screenshot());
-}
-
-/**
- * Whether what an element shows moves. It is looked at again and again: a slow display may show one picture for a second, and what repeats
- * itself looks the same after its period.
- */
-export async function isMoving(/** @type {import("playwright-core").Locator} */ element) {
-  for (let i = 0; i < 20; i++) if (await changes(element, 200 + 37 * i)) return true;
-  return false;
 }
 
 /** Whether what an element shows comes to rest (the camera may still glide a little, the picture get finer). */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { bvh } from "./clips.mjs";
-import { isMoving, drop, openSite, ready, saved } from "./site.mjs";
+import { changes, drop, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -64,14 +64,14 @@ describe("training", () => {
     const iterations = await watchIterations(page);
     await page.getByTestId("train").click();
     await page.getByRole("progressbar", { name: "Training", exact: true }).waitFor();
-    assert.ok(await isMoving(page.getByTestId("stage")), "the figure moves while the model learns");
+    assert.ok(await changes(page.getByTestId("stage")), "the figure moves while the model learns");
     while (Math.max(...(await iterations()), 0) < 2) await page.waitForTimeout(100);
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
     const after = await provenance(page);
     assert.notEqual(after.bound, before.bound);
     assert.ok(after.iterations >= 2 && after.iterations < 5000, `${after.iterations} iterations`);
-    assert.ok(await isMoving(page.getByTestId("stage")), "its rollout is on the stage");
+    assert.ok(await changes(page.getByTestId("stage")), "its rollout is on the stage");
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         }
         let setting = subject.results.setting();
         let comparison = Comparison::of(&subject.results);
-        let names: Vec<String> = setting.parts.iter().map(|part| one_line(&part.name)).collect();
+        let names: Vec<String> = comparison.parts.iter().map(|part| one_line(part)).collect();
         writeln!(
             text,
             "{} trials, parts {}, {} frames a second; predictions start from {} frames.\n",

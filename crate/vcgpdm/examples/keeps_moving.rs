@@ -100,7 +100,7 @@ fn word(health: &Health) -> String {
 
 fn main() {
     let arguments = Arguments::parse();
-    let mut clips: Vec<Clip> = read_clips(&arguments.clips);
+    let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
     }

@@ -132,7 +132,7 @@ fn main() {
     let folders: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     for folder in &folders {
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        print(&name, &clips::read_clips(std::slice::from_ref(folder)));
+        print(&name, &clips::read_clips(std::slice::from_ref(folder)).collect::<Vec<_>>());
     }
     let walks = samples::list().into_iter().filter(|sample| sample.movement == "walk");
     print("walk-made", &walks.map(|sample| samples::clip(sample.id).unwrap()).collect::<Vec<_>>());

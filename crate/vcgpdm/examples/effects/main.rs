@@ -22,6 +22,7 @@ use models::{Trained, lower_upper, train};
 use std::path::PathBuf;
 use sweep::{Learned, strength};
 use vcgpdm::models::Reading;
+use vcgpdm::motion::Clip;
 
 #[derive(Parser)]
 struct Arguments {
@@ -47,7 +48,7 @@ fn main() {
         }
         return;
     }
-    let clips = read_clips(&arguments.clips);
+    let clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     let models: Vec<(u32, Trained)> = (arguments.seeds.iter())
         .map(|&seed| {
             eprintln!("seed {seed}");

@@ -136,13 +136,11 @@ fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u
     Trainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
 }
 
-fn read_trials(folder: Option<PathBuf>) -> Vec<Clip> {
-    let mut trials = match folder {
-        Some(folder) => read_clips(&[folder]),
-        None => samples::list().iter().map(|sample| samples::clip(sample.id).unwrap()).collect(),
-    };
-    trials.truncate(6);
-    trials
+fn read_trials(folder: Option<&PathBuf>) -> Vec<Clip> {
+    match folder {
+        Some(folder) => read_clips(std::slice::from_ref(folder)).take(6).collect(),
+        None => samples::list().iter().take(6).map(|sample| samples::clip(sample.id).unwrap()).collect(),
+    }
 }
 
 fn problem(trials: &[Clip], preset: &str) -> Problem {
@@ -203,7 +201,7 @@ fn main() {
     let arguments = Arguments::parse();
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.unwrap_or(cores);
-    let trials = read_trials(arguments.clips.clone());
+    let trials = read_trials(arguments.clips.as_ref());
     for preset in &arguments.parts {
         let problem = problem(&trials, preset);
         let frames: usize = problem.dataset.lengths().iter().sum();

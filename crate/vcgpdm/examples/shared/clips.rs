@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use vcgpdm::motion::{Clip, bvh};
 
-/// The clips of these files, and of the files of these folders in the order of their names.
-pub fn read_clips(places: &[PathBuf]) -> Vec<Clip> {
+/// The clips of these files, and of the files of these folders in the order of their names; each is read when it is its turn.
+pub fn read_clips(places: &[PathBuf]) -> impl Iterator<Item = Clip> {
     let files = places.iter().flat_map(|place| {
         if !place.is_dir() {
             return vec![place.clone()];
@@ -19,5 +19,5 @@ pub fn read_clips(places: &[PathBuf]) -> Vec<Clip> {
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         bvh::read(&name, &std::fs::read(&file).unwrap()).unwrap().into_clip()
     };
-    files.map(read).collect()
+    files.map(read)
 }

@@ -20,8 +20,9 @@ impl Workspace {
     /// Computes gradients in so many threads from now on, and to the same bits. Each part has memory of its own for it.
     pub fn use_threads(&mut self, threads: usize) {
         self.threads = threads.max(1);
-        let parts = if threads > 1 { self.kinematics.len() } else { 1 };
-        self.make_rooms(parts, self.histories.len());
+        let (movements, parts) = (self.histories.len(), self.kinematics.len());
+        let rooms = if threads > 1 { parts } else { 1 };
+        self.rooms.resize_with(rooms, || PairRooms::new(movements, parts));
     }
 }
 

@@ -81,18 +81,14 @@ struct PairRooms {
     dynamics: Vec<Vec<PairWorkspace>>,
 }
 
-impl Workspace {
-    /// Room for the summands of so many parts' maps at a time.
-    fn make_rooms(&mut self, parts: usize, movements: usize) {
-        let sources = self.kinematics.len();
+impl PairRooms {
+    fn new(movements: usize, sources: usize) -> Self {
         let of_movement = || (0..sources).map(|_| PairWorkspace::default()).collect();
-        let rooms = || PairRooms {
-            pose: PairWorkspace::default(),
-            dynamics: (0..movements).map(|_| of_movement()).collect(),
-        };
-        self.rooms = (0..parts).map(|_| rooms()).collect();
+        Self { pose: PairWorkspace::default(), dynamics: (0..movements).map(|_| of_movement()).collect() }
     }
+}
 
+impl Workspace {
     /// The terms of the bound that was computed last.
     pub fn terms(&self) -> &BoundTerms {
         &self.terms
@@ -115,7 +111,7 @@ impl Objective {
         };
         let histories = || movements().map(|m| histories(m.sequences().transitions())).collect();
         let m = params.part_count();
-        let mut workspace = Workspace {
+        Workspace {
             terms: BoundTerms {
                 kinematics: vec![0.0; m],
                 dynamics: vec![0.0; m],
@@ -127,12 +123,10 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: Vec::new(),
+            rooms: vec![PairRooms::new(movements().len(), m)],
             #[cfg(feature = "threads")]
             threads: 1,
-        };
-        workspace.make_rooms(1, movements().len());
-        workspace
+        }
     }
 
     /// Computes the terms of the bound at `params`; they stay in the workspace.
