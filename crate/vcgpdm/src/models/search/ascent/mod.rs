@@ -118,6 +118,8 @@ pub struct Ascent<T: Target> {
     trace: Vec<f64>,
     value: f64,
     reason: Option<SearchEnd>,
+    /// In which the optimiser computes its directions.
+    threads: usize,
 }
 
 impl<T: Target + Send + 'static> Ascent<T>
@@ -165,6 +167,16 @@ where
             trace: Vec::new(),
             value,
             reason: None,
+            threads: 1,
+        }
+    }
+
+    /// Computes the optimiser's directions in so many threads from now on, and to the same bits.
+    #[cfg(feature = "threads")]
+    pub fn use_threads(&mut self, threads: usize) {
+        self.threads = threads;
+        if let Some(optimizer) = &mut self.optimizer {
+            optimizer.use_threads(threads);
         }
     }
 
@@ -237,7 +249,9 @@ where
         drop(search);
         let shared = Arc::clone(&self.search);
         let evaluate: Evaluate = Box::new(move |x| lock(&shared).evaluate(&free, x));
-        Optimizer::new(start, boxes.into_iter(), evaluate)
+        let mut optimizer = Optimizer::new(start, boxes.into_iter(), evaluate);
+        optimizer.use_threads(self.threads);
+        optimizer
     }
 
     /// Allows so many more iterations. A search that ended because all were used goes on with the memory of its optimiser, as if they

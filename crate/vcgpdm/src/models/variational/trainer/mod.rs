@@ -178,6 +178,7 @@ impl Trainer {
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.ascent.search().target.workspace.use_threads(threads);
+        self.ascent.use_threads(threads);
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
