@@ -6,7 +6,7 @@
 //!
 //! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
 //! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+#![allow(missing_docs, clippy::disallowed_methods, clippy::unwrap_used, clippy::panic)]
 
 #[path = "../shared/clips.rs"]
 mod clips;
@@ -26,7 +26,8 @@ use vcgpdm::evaluation::stats::rank_correlation;
 use vcgpdm::golden::Case;
 use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm::motion::parts::{PartSpec, PartsPreset};
+use vcgpdm::motion::{Clip, Skeleton, parts, samples};
 use ways::{ITERATIONS, OTHERS, OURS, Way};
 
 const START_FRAMES: usize = 5;
@@ -39,7 +40,7 @@ struct Arguments {
     /// A folder whose first six BVH files, by name, are trials of one body; absent: the bundled walks.
     #[arg(long)]
     clips: Option<PathBuf>,
-    /// Splits of the body, by the ids of the presets.
+    /// Splits of the body, by the ids of the presets, or `five`.
     #[arg(long, value_delimiter = ',', default_value = "whole,lower-upper")]
     parts: Vec<String>,
     /// Seeds of our own training, from 0.
@@ -51,7 +52,8 @@ struct Arguments {
     /// Of the other ways only those that have these words in their schedule.
     #[arg(long, default_value = "")]
     schedule: String,
-    /// A command that trains from a starting point in a file, named last, and prints a JSON object with "elbo" and "seconds".
+    /// A command that trains from a starting point in a file, named last, and prints a JSON object with "elbo", "evaluations" and,
+    /// evaluation by evaluation, a "trace" of seconds and best bounds.
     #[arg(long)]
     peer: Option<String>,
     /// Seeds that the peer trains from, from 0.
@@ -72,11 +74,18 @@ struct Problem {
     actual: DMatrix<f64>,
 }
 
+/// Evaluations, seconds and the best bound so far, iteration by iteration.
+type Trace = Vec<(usize, f64, f64)>;
+
+/// Evaluations and seconds until the bound `enough`.
+fn until(trace: &Trace, enough: f64) -> Option<(usize, f64)> {
+    trace.iter().find(|(.., best)| *best >= enough).map(|(evaluations, seconds, _)| (*evaluations, *seconds))
+}
+
 #[derive(Clone)]
 struct Run {
     bound: f64,
-    /// Evaluations, seconds and the best bound so far, iteration by iteration.
-    trace: Vec<(usize, f64, f64)>,
+    trace: Trace,
     mse: f64,
     still: bool,
     alpha: DMatrix<f64>,
@@ -110,14 +119,6 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
 }
 
 impl Run {
-    /// Evaluations and seconds until the bound `enough`.
-    fn until(&self, enough: f64) -> Option<(usize, f64)> {
-        self.trace
-            .iter()
-            .find(|(.., best)| *best >= enough)
-            .map(|(evaluations, seconds, _)| (*evaluations, *seconds))
-    }
-
     /// The best bound after at most so many evaluations.
     fn bound_after(&self, evaluations: usize) -> f64 {
         let early = self.trace.iter().take_while(|(so_far, ..)| *so_far <= evaluations);
@@ -143,8 +144,38 @@ fn read_trials(folder: Option<&PathBuf>) -> Vec<Clip> {
     }
 }
 
+/// A preset, or `five`: both legs, trunk with the root, both arms.
+fn split(skeleton: &Skeleton, id: &str) -> PartsPreset {
+    let preset = |id: &str| parts::presets(skeleton).into_iter().find(|p| p.id == id).unwrap();
+    if id != "five" {
+        return preset(id);
+    }
+    let mut four = preset("legs-trunk-arms").parts;
+    let legs = four.remove(0).joints;
+    // Each leg hangs on a child of the root.
+    let branch = |mut joint: usize| {
+        while let Some(parent) = skeleton.joints[joint].parent.filter(|parent| *parent > 0) {
+            joint = parent;
+        }
+        joint
+    };
+    let mut of_legs: Vec<PartSpec> = Vec::new();
+    for joint in legs {
+        let name = skeleton.joints[branch(joint)].name.clone();
+        if joint == 0 {
+            four[0].joints.insert(0, 0);
+        } else if let Some(leg) = of_legs.iter_mut().find(|leg| leg.name == name) {
+            leg.joints.push(joint);
+        } else {
+            of_legs.push(PartSpec { name, joints: vec![joint] });
+        }
+    }
+    of_legs.append(&mut four);
+    PartsPreset { id: id.to_owned(), title: "Both legs, trunk, both arms".to_owned(), parts: of_legs }
+}
+
 fn problem(trials: &[Clip], preset: &str) -> Problem {
-    let chosen = parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == preset).unwrap();
+    let chosen = split(&trials[0].skeleton, preset);
     let sources: Vec<Source> = trials
         .iter()
         .enumerate()
@@ -178,8 +209,8 @@ fn range(values: impl Iterator<Item = f64>, digits: usize) -> String {
     format!("{low:.digits$} / {:.digits$} / {high:.digits$}", sorted[sorted.len() / 2])
 }
 
-/// What another program makes of our starts: bounds and seconds.
-fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, f64)> {
+/// What another program makes of our starts: bounds, and how they were reached.
+fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, Trace)> {
     let file = std::env::temp_dir().join(format!("every-seed-{}.json", std::process::id()));
     let found = (0..seeds).map(|seed| {
         let trainer = trainer(problem, &OURS, &VariationalSettings::default(), seed);
@@ -190,7 +221,13 @@ fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, f64)> {
         let result: serde_json::Value = serde_json::from_str(&text)
             .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)));
         eprintln!("peer, seed {seed}: {}", result["elbo"]);
-        (result["elbo"].as_f64().unwrap(), result["seconds"].as_f64().unwrap())
+        let evaluations = result["evaluations"].as_f64().unwrap();
+        let listed: Vec<[f64; 2]> = serde_json::from_value(result["trace"].clone()).unwrap();
+        // It may list only some of them, evenly.
+        let every = evaluations / listed.len() as f64;
+        let at = |k: usize| ((k + 1) as f64 * every).round() as usize;
+        let trace = listed.iter().enumerate().map(|(k, [seconds, best])| (at(k), *seconds, *best));
+        (result["elbo"].as_f64().unwrap(), trace.collect())
     });
     let found = found.collect();
     let _ = std::fs::remove_file(&file);
@@ -223,7 +260,7 @@ fn main() {
         println!("|---|---|---|---|---|---|---|---|---|---|---|");
         for (way, runs) in all.iter().filter(|(_, runs)| !runs.is_empty()) {
             let near = runs.iter().filter(|run| run.bound >= best - 0.005 * best.abs()).count();
-            let until: Vec<(usize, f64)> = runs.iter().filter_map(|run| run.until(enough)).collect();
+            let until: Vec<(usize, f64)> = runs.iter().filter_map(|run| until(&run.trace, enough)).collect();
             println!(
                 "| {} | {} | {} | {near} | {} | {} | {} | {} | {} | {} | {} |",
                 way.start,
@@ -240,12 +277,20 @@ fn main() {
         }
         if let Some(peers) = peers {
             let near = peers.iter().filter(|p| p.0 >= best - 0.005 * best.abs()).count();
+            let reached: Vec<(usize, f64)> =
+                peers.iter().filter_map(|(_, trace)| until(trace, enough)).collect();
+            let whole = |of: fn(&(usize, f64, f64)) -> f64| {
+                range(peers.iter().filter_map(|(_, trace)| trace.last()).map(of), 0)
+            };
             println!(
-                "| ours | the peer's, from our starts ({} s in all) | {} | {near} | {} | {} | | | | | |",
-                range(peers.iter().map(|p| p.1), 0),
+                "| ours | the peer's, from our starts ({} s in all) | {} | {near} | {} | {} | | | {} | {} | {} |",
+                whole(|last| last.1),
                 peers.len(),
-                peers.iter().filter(|p| p.0 >= enough).count(),
+                reached.len(),
                 range(peers.iter().map(|p| p.0), 0),
+                whole(|last| last.0 as f64),
+                range(reached.iter().map(|(evaluations, _)| *evaluations as f64), 0),
+                range(reached.iter().map(|(_, seconds)| *seconds), 1),
             );
         }
         println!();

@@ -32,8 +32,10 @@ pub const OURS: Way = Way {
     phases: || schedule(ITERATIONS),
 };
 
-pub const OTHERS: [Way; 9] = [
+pub const OTHERS: [Way; 11] = [
     Way { start: "latents from columns as they are", begin: fast, ..OURS },
+    Way { start: "latents twice as slow", begin: slower, ..OURS },
+    Way { start: "pose maps straighter, lambda = 10", begin: straight, ..OURS },
     Way { start: "pose maps that bend, lambda = 1", begin: bent, ..OURS },
     Way { schedule: "jointly", phases: || vec![phase(ALL, ITERATIONS)], ..OURS },
     Way {
@@ -73,25 +75,79 @@ pub const OTHERS: [Way; 9] = [
     },
 ];
 
-/// Our start with the first principal components of the columns as they are, all of unit variance. The inducing inputs are at the same
-/// frames.
+/// Our start with the first principal components of the columns as they are, all of unit variance.
 fn fast(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
-    let mut params = starting_point(y, sequences, settings, seed);
-    let slow: Vec<DMatrix<f64>> = params.parts.iter().map(|part| part.latents.mean.clone()).collect();
-    for ((part, y), slow) in params.parts.iter_mut().zip(y).zip(&slow) {
-        let eigen = SymmetricEigen::new(y.tr_mul(y));
+    let unit = |x: &DMatrix<f64>, _: &DMatrix<f64>| vec![1.0; x.ncols()];
+    with_latents(y, starting_point(y, sequences, settings, seed), sequences, |y| y.clone(), unit)
+}
+
+/// Our start with the principal components of columns that are smoothed twice as far, each of the variance that its share in them asks for.
+fn slower(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
+    let shares = |x: &DMatrix<f64>, y: &DMatrix<f64>| {
+        let spread: Vec<f64> = x.column_iter().map(|x| y.tr_mul(&x).norm()).collect();
+        spread.iter().map(|own| (own / spread[0]).min(1.0)).collect()
+    };
+    with_latents(
+        y,
+        starting_point(y, sequences, settings, seed),
+        sequences,
+        |y| smoothed(y, sequences),
+        shares,
+    )
+}
+
+/// The start with the principal components of other columns: of unit variance and then as large as these numbers say, which are told them
+/// and the columns. The inducing inputs are at the same frames.
+fn with_latents(
+    y: &[DMatrix<f64>],
+    mut params: Params,
+    sequences: &Sequences,
+    columns: impl Fn(&DMatrix<f64>) -> DMatrix<f64>,
+    sizes: impl Fn(&DMatrix<f64>, &DMatrix<f64>) -> Vec<f64>,
+) -> Params {
+    let before: Vec<DMatrix<f64>> = params.parts.iter().map(|part| part.latents.mean.clone()).collect();
+    for ((part, y), before) in params.parts.iter_mut().zip(y).zip(&before) {
+        let columns = columns(y);
+        let eigen = SymmetricEigen::new(columns.tr_mul(&columns));
         let mut order: Vec<usize> = (0..y.ncols()).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
-        for (mut x, k) in part.latents.mean.column_iter_mut().zip(order) {
-            x.copy_from(&(y * eigen.eigenvectors.column(k)).normalize().scale((y.nrows() as f64).sqrt()));
+        let mean = &mut part.latents.mean;
+        for (mut x, k) in mean.column_iter_mut().zip(order) {
+            let score = &columns * eigen.eigenvectors.column(k);
+            x.copy_from(&score.normalize().scale((y.nrows() as f64).sqrt()));
         }
-        move_rows(&mut part.r, slow, &part.latents.mean);
+        let sizes = sizes(mean, y);
+        mean.column_iter_mut().zip(sizes).for_each(|(mut x, size)| x *= size);
+        move_rows(&mut part.r, before, mean);
     }
-    for ((row, part), slow) in params.experts.iter_mut().zip(&params.parts).zip(&slow) {
-        let (from, to) = (sequences.windows(slow), sequences.windows(&part.latents.mean));
+    for ((row, part), before) in params.experts.iter_mut().zip(&params.parts).zip(&before) {
+        let (from, to) = (sequences.windows(before), sequences.windows(&part.latents.mean));
         row.iter_mut().for_each(|expert| move_rows(&mut expert.z, &from, &to));
     }
     params
+}
+
+/// The columns averaged along time with the weights of a Gaussian as wide as two of the movement's radians (what training starts with:
+/// one).
+fn smoothed(y: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
+    let ranges: Vec<_> = sequences.ranges().collect();
+    let steps: usize = ranges.iter().map(|frames| frames.len() - 1).sum();
+    let change: f64 = ranges
+        .iter()
+        .flat_map(|frames| frames.clone().skip(1))
+        .map(|t| (y.row(t) - y.row(t - 1)).norm_squared())
+        .sum();
+    let pace = (y.norm_squared() / y.nrows() as f64 / (change / steps as f64)).sqrt();
+    let mut averages = y.clone();
+    for frames in ranges {
+        for t in frames.clone() {
+            let weight = |near: usize| (-0.5 * (near.abs_diff(t) as f64 / (2.0 * pace)).powi(2)).exp();
+            let total: f64 = frames.clone().map(weight).sum();
+            let sum = frames.clone().fold(y.row(t) * 0.0, |sum, near| sum + y.row(near) * weight(near));
+            averages.set_row(t, &(sum / total));
+        }
+    }
+    averages
 }
 
 /// Replaces each row of `z`, which is one of `from`, by the same row of `to`.
@@ -100,6 +156,16 @@ fn move_rows(z: &mut DMatrix<f64>, from: &DMatrix<f64>, to: &DMatrix<f64>) {
         let row = (0..from.nrows()).find(|row| from.row(*row) == z).unwrap();
         z.copy_from(&to.row(row));
     }
+}
+
+/// Our start with pose maps that are still more nearly linear: squared lengthscales of 10.
+fn straight(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
+    let mut params = starting_point(y, sequences, settings, seed);
+    for kernel in params.parts.iter_mut().map(|part| &mut part.kernel) {
+        kernel.variance *= 10.0 / kernel.lambda[0];
+        kernel.lambda.fill(10.0);
+    }
+    params
 }
 
 /// Our start with pose maps of the data's variance and squared lengthscales of 1, in which latents of unit variance bend.
