@@ -26,7 +26,7 @@ describe("accessibility", () => {
   it("reaches and works the main controls by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
-      settings: "trainings=1&iterations=4000&fps=15",
+      settings: "trainings=1&iterations=4000&fps=60",
     });
     await ready(page);
     const tabTo = async (/** @type {string} */ id) => {

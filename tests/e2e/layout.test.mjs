@@ -101,7 +101,6 @@ describe("five parts by hand, trained several times", () => {
     const { page, problems, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, settings });
     await ready(page);
     await page.getByTestId("train").click();
-    await page.getByTestId("cancel").waitFor();
     await page.getByTestId("train").waitFor({ timeout: 120_000 });
     const { scrollHeight, scrollWidth } = await size(page);
     assert.ok(scrollHeight <= 900 && scrollWidth <= 1440, `${scrollWidth}x${scrollHeight}`);

@@ -68,7 +68,6 @@ describe("several trainings", () => {
       workers += 1;
     });
     await page.getByTestId("train").click();
-    await page.getByTestId("cancel").waitFor();
     await trainIsBack(page);
     assert.equal(before, 1, "no worker of the pool starts before there is work");
     assert.equal(workers, 3);
@@ -117,7 +116,6 @@ describe("several trainings", () => {
     const { page, problems, leave } = await visit(1, "trainings=3&iterations=10&fps=15");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
-    await page.getByTestId("cancel").waitFor();
     await trainIsBack(page);
     assert.equal(await most(), 1);
     assert.deepEqual(
@@ -129,7 +127,7 @@ describe("several trainings", () => {
   });
 
   it("keep what is done, and the best so far of the rest, when they are cancelled", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=4&iterations=150&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=4&iterations=400&fps=30");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
     await page.locator("[data-testid=run][data-state=running]").first().waitFor({ timeout: 30_000 });
@@ -153,7 +151,7 @@ describe("several trainings", () => {
   });
 
   it("go on when the worker of one of them dies, and nothing else is lost", async () => {
-    const { page, leave } = await visit(2, "trainings=3&iterations=150&fps=15");
+    const { page, leave } = await visit(2, "trainings=3&iterations=400&fps=30");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
     page.on("worker", (worker) => workers.push(worker));
@@ -178,7 +176,7 @@ describe("several trainings", () => {
   });
 
   it("run side by side under different settings", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=15");
+    const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=60");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
     await page.getByTestId("setting-dynamicsIps").fill("8");
@@ -276,7 +274,6 @@ describe("the table of trainings", () => {
     });
     await page.getByRole("tab", { name: "Training" }).click();
     await page.getByTestId("train").click();
-    await page.getByTestId("cancel").waitFor();
     await trainIsBack(page);
     assert.deepEqual(await barriers(page), []);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);

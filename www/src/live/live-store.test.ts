@@ -46,6 +46,20 @@ describe("a live rollout", () => {
     expect(live.running).toBe(false);
   });
 
+  it("goes on with the model that took the stage while it began", async () => {
+    engine.holding.add("advanceLive");
+    const begun = live.start();
+    await settled();
+    await model.open(modelText(2));
+    engine.holding.clear();
+    engine.held.splice(0).forEach(({ end }) => end());
+    await begun;
+    expect(live.running).toBe(true);
+    // Nothing ends it when the couplings are looked at the next time.
+    model.setCoupling(0, 1, 9);
+    expect(live.running).toBe(true);
+  });
+
   it("begins where the figure stands, plays on without an end, and gives the clip back", async () => {
     playback.scrub(40);
     await live.start();

@@ -1,7 +1,7 @@
 // The live rollout: the model goes on from where the figure stands, while couplings are cut and parts are pushed.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { LiveChange, LiveFrames } from "../engine/protocol";
+import type { Engine, LiveChange, LiveFrames, ModelInfo } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
@@ -97,33 +97,43 @@ export class LiveStore extends Store {
   /** Goes on live from where the figure stands. */
   async start(): Promise<void> {
     const { engine } = this.#engine;
-    const { model } = this.#model;
-    if (!engine || !model || this.#track || this.#starting) return;
+    if (!engine || this.#track || this.#starting) return;
     this.#starting = true;
     try {
-      this.#stage.endClip();
-      const request = this.#model.rolloutRequest();
-      const frame = Math.min(Math.floor(this.#playback.frame), request.frames - 1);
-      await engine.startLive(request, frame);
-      this.#known = this.#couplings();
-      this.#revision = model.revision;
-      [this.#trace, this.#marks, this.#changes] = [[], [], []];
-      this.#cuts.clear();
-      const { info } = model;
-      const kept = Math.round(SHOWN_SECONDS / info.frameTime);
-      const { frameTime, figure, parts } = info;
-      const widths = parts.map(({ latent }) => latent);
-      const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
-      this.#take(track, await engine.advanceLive([], LEAD));
-      this.#track = track;
-      this.#stage.showLive(track);
-      this.#playback.play();
+      // A model that was trained may take the stage meanwhile: then that one goes on live.
+      for (let begun = false; !begun; ) {
+        const { model } = this.#model;
+        if (!model) return;
+        const track = await this.#begin(engine, model.info);
+        begun = this.#model.model?.revision === model.revision;
+        if (!begun) continue;
+        this.#revision = model.revision;
+        this.#track = track;
+        this.#stage.showLive(track);
+        this.#playback.play();
+      }
     } catch (problem) {
       this.#notices.addError("The live motion could not begin", messageOf(problem));
     } finally {
       this.#starting = false;
     }
     this.changed();
+  }
+
+  /** The first frames of this model, which the worker holds. */
+  async #begin(engine: Engine, { frameTime, figure, parts }: ModelInfo): Promise<LiveTrack> {
+    this.#stage.endClip();
+    const request = this.#model.rolloutRequest();
+    const frame = Math.min(Math.floor(this.#playback.frame), request.frames - 1);
+    await engine.startLive(request, frame);
+    this.#known = this.#couplings();
+    [this.#trace, this.#marks, this.#changes] = [[], [], []];
+    this.#cuts.clear();
+    const kept = Math.round(SHOWN_SECONDS / frameTime);
+    const widths = parts.map(({ latent }) => latent);
+    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
+    this.#take(track, await engine.advanceLive([], LEAD));
+    return track;
   }
 
   /** Back to the clip. */
