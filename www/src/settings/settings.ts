@@ -236,7 +236,7 @@ export const SETTINGS = {
   order: whole("order", 2, 1, 4),
   framesPerSecond: whole("fps", 30, 5, 60),
   seed: whole("seed", 1, 0, 4294967295),
-  maxIterations: whole("iterations", 600, 10, 5000, 10),
+  maxIterations: whole("iterations", 250, 10, 5000, 10),
   /** 0: as many as this machine has cores, a few at most. */
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),

@@ -272,6 +272,7 @@ describe("where nobody says how many", () => {
 describe("a run that stopped before its bound had settled", () => {
   const used = { cancelled: false, reason: "iterations" as const };
   const settledDown = { cancelled: false, reason: "settled" as const };
+  beforeEach(() => begin("seed=5&trainings=1&iterations=600"));
 
   async function stopped(outcome: typeof used | typeof cancelled | typeof settledDown) {
     const over = training.start();

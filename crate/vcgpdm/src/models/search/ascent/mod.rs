@@ -112,8 +112,6 @@ pub struct Ascent<T: Target> {
     iteration: usize,
     max_iterations: usize,
     optimizer: Option<Optimizer>,
-    /// Whether the optimiser has got on since it began.
-    moved: bool,
     /// Best values of the last phase, iteration by iteration.
     trace: Vec<f64>,
     value: f64,
@@ -163,7 +161,6 @@ where
             iteration: 0,
             max_iterations,
             optimizer: None,
-            moved: false,
             trace: Vec::new(),
             value,
             reason: None,
@@ -218,24 +215,19 @@ where
             self.trace.push(best);
             let settled = self.trace.len() > PATIENCE
                 && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
-            // What the optimiser remembers can mislead it far from any optimum: only one that begins anew knows that there is none better.
-            if settled || !(moved || self.moved) {
+            if settled || !moved {
                 self.reason = Some(SearchEnd::Settled);
             }
         }
-        if moved && (last || self.phase_iterations < self.phases[self.phase].iterations) {
+        if last || (moved && self.phase_iterations < self.phases[self.phase].iterations) {
             self.optimizer = Some(optimizer);
-            self.moved = true;
         } else {
-            self.moved = false;
-            if !last {
-                self.phase += 1;
-                self.phase_iterations = 0;
-            }
+            self.phase += 1;
+            self.phase_iterations = 0;
         }
     }
 
-    /// Every phase starts from the best point so far, and so does an optimiser that begins anew within the last.
+    /// Every phase starts from the best point so far.
     fn begin_phase(&self) -> Optimizer {
         let mut search = self.search();
         search.flat = search.best_flat.clone();

@@ -81,8 +81,7 @@ fn the_optimum_is_found_in_the_parameters_own_units() {
 }
 
 #[test]
-fn an_optimiser_that_gives_up_begins_anew() {
-    // Two line searches in a row find only points that cannot be computed: the optimiser stops far from the optimum.
+fn points_that_cannot_be_computed_are_turned_back_from() {
     let mut ascent = search(12..21);
     while ascent.reason().is_none() {
         ascent.step();

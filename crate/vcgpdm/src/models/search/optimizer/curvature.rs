@@ -6,10 +6,10 @@ use std::ops::Range;
 
 /// Rows that are computed together: what is summed over rows is summed block by block, in their order, whatever the number of threads.
 const ROWS: usize = 256;
-/// More blocks than these are shared out among threads; for fewer it does not pay to wake them.
-const MANY: usize = 64;
-/// A pair is left out when its step has no more curvature than rounding.
-const LEAST_CURVATURE: f64 = f64::EPSILON;
+/// A thread gets at least so many blocks: for fewer it does not pay to wake it.
+const FEWEST: usize = 64;
+/// A pair is left out when step and change make a right angle, up to rounding: the cosine that it must have.
+const LEAST_COSINE: f64 = f64::EPSILON;
 /// The range of the diagonal.
 const SMALLEST: f64 = 1e-8;
 const LARGEST: f64 = 1e8;
@@ -112,16 +112,17 @@ impl Curvature {
         }
     }
 
-    /// Learns from the step `s`, in which the gradient has changed by `y`, if it curves upwards.
+    /// Learns from the step `s`, in which the gradient has changed by `y`, if it curves upwards. A direction must be asked for before the next.
     pub fn learn(&mut self, s: &[f64], y: &[f64]) {
+        debug_assert!(self.newest.is_none());
         self.each(|rows, block| block.sum(&s[rows.clone()], &y[rows]));
         let mut sums = self.blocks.iter().fold(Sums::default(), |sums, block| sums + block.sums);
-        let curves = sums.sy > LEAST_CURVATURE * sums.yy;
+        let curves = sums.sy > LEAST_COSINE * (sums.ss * sums.yy).sqrt();
         if !curves {
             return;
         }
         // The first pair says how large D is.
-        let first = self.is_empty().then_some(sums.sy / sums.yy);
+        let first = self.is_empty().then_some((sums.sy / sums.yy).clamp(SMALLEST, LARGEST));
         if let Some(scale) = first {
             (sums.ydy, sums.sds) = (scale * sums.yy, sums.ss / scale);
         }
@@ -136,8 +137,9 @@ impl Curvature {
         });
     }
 
-    /// Minus the inverse of the Hessian matrix times the gradient, where the entries that are held are left out of both.
-    pub fn direction(&mut self, gradient: &[f64], held: &[bool]) -> Vec<f64> {
+    /// Minus the inverse of the Hessian matrix times the gradient, where the entries that are held are left out of both: they go the way that
+    /// they are held with.
+    pub fn direction(&mut self, gradient: &[f64], held: &[Option<f64>]) -> Vec<f64> {
         let newest = self.newest.take();
         self.each(|rows, block| block.begin(&gradient[rows.clone()], &held[rows], newest));
         let with_steps = self.sum(2, |block| &block.with_steps);
@@ -175,8 +177,9 @@ impl Curvature {
                 work(begin..begin + block.rows(), block);
             }
         };
-        if cfg!(feature = "threads") && self.threads > 1 && self.blocks.len() > MANY {
-            let share = self.blocks.len().div_ceil(self.threads);
+        let threads = self.threads.min(self.blocks.len() / FEWEST);
+        if cfg!(feature = "threads") && threads > 1 {
+            let share = self.blocks.len().div_ceil(threads);
             let mut shares = self.blocks.chunks_mut(share).enumerate();
             let own = shares.next();
             std::thread::scope(|scope| {
@@ -232,9 +235,9 @@ impl Block {
     }
 
     /// The first pass: downhill, and its products with the steps; beside them those of the newest change.
-    fn begin(&mut self, gradient: &[f64], held: &[bool], newest: Option<usize>) {
+    fn begin(&mut self, gradient: &[f64], held: &[Option<f64>], newest: Option<usize>) {
         for (q, (g, held)) in self.beside.column_mut(0).iter_mut().zip(gradient.iter().zip(held)) {
-            *q = if *held { 0.0 } else { -g };
+            *q = if held.is_some() { 0.0 } else { -g };
         }
         if let Some(newest) = newest {
             self.beside.set_column(1, &self.changes.column(newest));
@@ -253,12 +256,10 @@ impl Block {
     }
 
     /// The third pass: plus S c.
-    fn end(&mut self, c: &DMatrix<f64>, held: &[bool]) {
+    fn end(&mut self, c: &DMatrix<f64>, held: &[Option<f64>]) {
         add_product(&self.steps, c, &mut self.direction);
         for (d, held) in self.direction.iter_mut().zip(held) {
-            if *held {
-                *d = 0.0;
-            }
+            *d = held.unwrap_or(*d);
         }
     }
 }
@@ -287,7 +288,7 @@ mod tests {
         let (n, memory) = (9, 4);
         let a = hessian(n);
         let gradient = DVector::from_fn(n, |i, _| (i as f64 * 0.7).cos());
-        let held: Vec<bool> = (0..n).map(|i| i == 2 || i == 5).collect();
+        let held: Vec<Option<f64>> = (0..n).map(|i| (i == 2 || i == 5).then_some(0.1 * i as f64)).collect();
         let mut curvature = Curvature::new(n, memory);
         let all = pairs(&a, 7);
         for (k, (s, y)) in all.iter().enumerate() {
@@ -300,9 +301,9 @@ mod tests {
                 let v = DMatrix::identity(n, n) - y * s.transpose() * rho;
                 inverse = v.tr_mul(&inverse) * &v + s * s.transpose() * rho;
             }
-            let masked = DVector::from_fn(n, |i, _| if held[i] { 0.0 } else { gradient[i] });
+            let masked = DVector::from_fn(n, |i, _| if held[i].is_some() { 0.0 } else { gradient[i] });
             let expected =
-                DVector::from_fn(n, |i, _| if held[i] { 0.0 } else { -(inverse.row(i) * &masked)[0] });
+                DVector::from_fn(n, |i, _| held[i].unwrap_or_else(|| -(inverse.row(i) * &masked)[0]));
             assert_relative_eq!(DVector::from_vec(found), expected, max_relative = 1e-9, epsilon = 1e-12);
         }
     }
@@ -325,6 +326,7 @@ mod tests {
             let updated = &b - &bs * bs.transpose() / s.dot(&bs) + y * y.transpose() / s.dot(y);
             diagonal = updated.diagonal().map(|b| 1.0 / b);
             curvature.learn(s.as_slice(), y.as_slice());
+            curvature.direction(s.as_slice(), &[None; 6]);
             let found = DVector::from_row_slice(curvature.blocks[0].diagonal.as_slice());
             assert_relative_eq!(found, diagonal, max_relative = 1e-10);
         }
@@ -336,6 +338,6 @@ mod tests {
         curvature.learn(&[1.0, 0.0], &[-1.0, 0.0]);
         curvature.learn(&[1.0, 0.0], &[f64::NAN, 0.0]);
         assert!(curvature.is_empty());
-        assert_eq!(curvature.direction(&[1.0, -2.0], &[false; 2]), vec![-1.0, 2.0]);
+        assert_eq!(curvature.direction(&[1.0, -2.0], &[None; 2]), vec![-1.0, 2.0]);
     }
 }

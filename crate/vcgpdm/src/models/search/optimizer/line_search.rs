@@ -9,6 +9,8 @@ const FLATTER: f64 = 0.9;
 const LONGER: f64 = 4.0;
 /// How near to an end of the bracket the next step may be, in lengths of the bracket.
 const MARGIN: f64 = 0.1;
+/// A bracket that is shorter than this part of the step holds a kink, where an entry reaches the end of its box: no point in it is flat.
+const SHORTEST: f64 = 1e-3;
 const MOST_TRIALS: usize = 20;
 
 /// What was found after a step.
@@ -61,7 +63,8 @@ pub fn line_search<At>(
             None => LONGER * t,
             Some(high) => between(low, high),
         };
-        if !(t > 0.0 && t.is_finite()) {
+        let kink = high.is_some_and(|high| (high.t - low.t).abs() < SHORTEST * low.t);
+        if kink || !(t > 0.0 && t.is_finite()) {
             break;
         }
     }
@@ -120,6 +123,14 @@ mod tests {
             let (step, _) = taken(1.0, f);
             assert!(step.is_some_and(|t| t > 0.0 && t <= 0.1), "{step:?}");
         }
+    }
+
+    /// The value falls to a kink and rises behind it: no slope is ever flat.
+    #[test]
+    fn at_a_kink_the_search_is_short() {
+        let kink = |t: f64| if t < 0.3 { (-t, -1.0) } else { (2.0 * t - 0.9, 2.0) };
+        let (step, tried) = taken(1.0, kink);
+        assert!((step.unwrap() - 0.3).abs() < 1e-3 && tried < 12, "{step:?} {tried}");
     }
 
     /// A way that only rises, though its slope says otherwise.

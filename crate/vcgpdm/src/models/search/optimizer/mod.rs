@@ -1,7 +1,8 @@
 //! The quasi-Newton method of limited memory (L-BFGS) inside a box, one iteration at a time.
 //!
-//! Entries that stand at an end of their box, and would leave it, are held; the others move together, and stop at the ends that they
-//! reach (projection with two metrics: Bertsekas, "Projected Newton methods for optimization problems with simple constraints", 1982).
+//! Entries that stand at an end of their box or close to it, and would leave it, are held: they go to that end on their own. The others move
+//! together, and stop at the ends that they reach (projection with two metrics: Bertsekas, "Projected Newton methods for optimization
+//! problems with simple constraints", 1982).
 
 mod curvature;
 mod line_search;
@@ -16,8 +17,11 @@ pub type Evaluate = Box<dyn Fn(&[f64]) -> (f64, Vec<f64>) + Send>;
 const MEMORY: usize = 20;
 /// Below this infinity norm the projected gradient counts as zero.
 const GRADIENT_TOLERANCE: f64 = 1e-6;
-/// An iteration that gains less, relative to the value, is the last.
+/// When two iterations in a row gain less, relative to the value, they were the last.
 const SMALLEST_GAIN: f64 = 1e-13;
+/// Entries are close to an end of their box within this part of its width. Without it one that moves with the others towards an end would
+/// have all of them stop there, however short the way (Bertsekas, section 2).
+const CLOSE: f64 = 1e-3;
 
 struct Point {
     x: Vec<f64>,
@@ -33,6 +37,8 @@ pub struct Optimizer {
     start: Option<Vec<f64>>,
     point: Option<Point>,
     curvature: Curvature,
+    /// Whether the last iteration gained next to nothing.
+    stalled: bool,
 }
 
 impl Optimizer {
@@ -40,7 +46,7 @@ impl Optimizer {
     pub fn new(x: Vec<f64>, boxes: impl Iterator<Item = (f64, f64)>, evaluate: Evaluate) -> Self {
         let curvature = Curvature::new(x.len(), MEMORY);
         let (lower, upper) = boxes.unzip();
-        Self { evaluate, lower, upper, start: Some(x), point: None, curvature }
+        Self { evaluate, lower, upper, start: Some(x), point: None, curvature, stalled: false }
     }
 
     /// Computes directions in so many threads from now on, and to the same bits.
@@ -68,16 +74,28 @@ impl Optimizer {
     /// The next point, and whether it is worth to go on.
     fn improve(&mut self, point: Point) -> (Point, bool) {
         let held = self.held(&point);
-        let free = point.gradient.iter().zip(&held).filter(|(_, held)| !**held);
-        if free.fold(0.0, |largest: f64, (g, _)| largest.max(g.abs())) < GRADIENT_TOLERANCE {
+        let free = point.gradient.iter().zip(&held).filter(|(_, held)| held.is_none());
+        let largest = free.fold(0.0, |largest: f64, (g, _)| largest.max(g.abs()));
+        if largest < GRADIENT_TOLERANCE && held.iter().all(|to_end| to_end.is_none_or(|way| way == 0.0)) {
             return (point, false);
         }
         loop {
             let direction = self.curvature.direction(&point.gradient, &held);
             if let Some(next) = self.along(&direction, &point) {
-                self.curvature.learn(&minus(&next.x, &point.x), &minus(&next.gradient, &point.gradient));
+                let change = |a: &[f64], b: &[f64]| -> Vec<f64> {
+                    let free = |((a, b), held): ((&f64, &f64), &Option<f64>)| {
+                        if held.is_none() { a - b } else { 0.0 }
+                    };
+                    a.iter().zip(b).zip(&held).map(free).collect()
+                };
+                self.curvature.learn(&change(&next.x, &point.x), &change(&next.gradient, &point.gradient));
                 let gain = point.value - next.value;
-                let goes_on = gain > SMALLEST_GAIN * point.value.abs().max(1.0);
+                let stalled = gain <= SMALLEST_GAIN * point.value.abs().max(1.0);
+                let goes_on = !(stalled && self.stalled);
+                if stalled {
+                    self.curvature.forget();
+                }
+                self.stalled = stalled;
                 return (next, goes_on);
             }
             // What is remembered of far away can mislead: once more without it.
@@ -114,16 +132,19 @@ impl Optimizer {
         Some(Point { x, value: found.value, gradient })
     }
 
-    /// Whether each entry stands at an end of its box, and would leave it downhill.
-    fn held(&self, point: &Point) -> Vec<bool> {
-        let boxes = self.lower.iter().zip(&self.upper);
-        let entries = point.x.iter().zip(&point.gradient).zip(boxes);
-        entries.map(|((x, g), (low, high))| (x <= low && *g > 0.0) || (x >= high && *g < 0.0)).collect()
+    /// The way to the end of its box for every entry that is close to it and would leave it downhill; `None` for the others.
+    fn held(&self, point: &Point) -> Vec<Option<f64>> {
+        let entries = || point.x.iter().zip(&point.gradient).zip(self.lower.iter().zip(&self.upper));
+        // Nearer to the minimum less counts as close.
+        let ways = entries().map(|((x, g), (low, high))| (x - (x - g).max(*low).min(*high)).abs());
+        let longest = ways.fold(0.0, f64::max);
+        let held = |((x, g), (low, high)): ((&f64, &f64), (&f64, &f64))| {
+            let way = if *g > 0.0 { low - x } else { high - x };
+            let close = way.abs() <= longest.min(CLOSE * (high - low));
+            (*g != 0.0 && (way == 0.0 || close)).then_some(way)
+        };
+        entries().map(held).collect()
     }
-}
-
-fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// In several sums: one addition need not wait for the one before.

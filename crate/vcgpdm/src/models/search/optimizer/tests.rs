@@ -1,4 +1,8 @@
 use super::*;
+use nalgebra::{DMatrix, DVector};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 use std::sync::{Arc, Mutex};
 
 /// Rosenbrock's function, chained.
@@ -12,28 +16,6 @@ fn rosenbrock(x: &[f64]) -> (f64, Vec<f64>) {
         g[k + 1] += 200.0 * b;
     }
     (f, g)
-}
-
-#[test]
-fn chained_rosenbrock_in_a_box() {
-    let best = Arc::new(Mutex::new(vec![0.0; 6]));
-    let seen = Arc::clone(&best);
-    let mut optimizer = Optimizer::new(
-        vec![-1.2; 6],
-        std::iter::repeat_n((-2.0, 0.9), 6),
-        Box::new(move |x| {
-            *seen.lock().unwrap() = x.to_vec();
-            rosenbrock(x)
-        }),
-    );
-    let mut iterations = 0;
-    while optimizer.step() && iterations < 500 {
-        iterations += 1;
-    }
-    // The free minimum is at 1 in every coordinate; the box ends at 0.9 for the first, and the others follow its square.
-    let x = best.lock().unwrap().clone();
-    assert!(x.iter().all(|v| (-2.0..=0.9).contains(v)), "{x:?}");
-    assert!(optimizer.value().unwrap() < 1.0 && iterations < 200, "{iterations} {:?}", optimizer.value());
 }
 
 /// Where it ends, its value, the iterations and the evaluations.
@@ -63,6 +45,70 @@ fn minimise(
     let (x, value, evaluations) = seen.lock().unwrap().clone();
     assert_eq!(optimizer.value(), Some(value));
     (x, value, iterations, evaluations)
+}
+
+/// The free minimum is at 1 in every coordinate; the box ends at 0.9 for the first, and the others turn towards it.
+#[test]
+fn chained_rosenbrock_in_a_box() {
+    let (x, value, iterations, _) = minimise(vec![-1.2; 6], &[(-2.0, 0.9); 6], 1, rosenbrock);
+    assert!(x.iter().all(|v| (-2.0..=0.9).contains(v)), "{x:?}");
+    assert!((value - 0.963_812_8).abs() < 1e-6 && iterations < 200, "{iterations} {value}");
+}
+
+/// How far a step downhill, cut off by the box, would still go: 0 where nothing is better nearby.
+fn left_to_go(x: &[f64], gradient: &[f64], boxes: &[(f64, f64)]) -> f64 {
+    let entries = x.iter().zip(gradient).zip(boxes);
+    entries.fold(0.0, |far, ((x, g), (low, high))| far.max((x - (x - g).clamp(*low, *high)).abs()))
+}
+
+/// 1/2 (x - c)' A (x - c).
+fn bowl(a: &DMatrix<f64>, c: &DVector<f64>, x: &[f64]) -> (f64, Vec<f64>) {
+    let away = DVector::from_row_slice(x) - c;
+    let gradient = a * &away;
+    (0.5 * away.dot(&gradient), gradient.as_slice().to_vec())
+}
+
+/// Where entries pull at each other the value has a kink at which one reaches its end. The search once stopped at (1 - 1e-14, -0.55) of the
+/// first, far from the minimum.
+#[test]
+fn coupled_entries_do_not_jam_beside_an_end() {
+    let a = DMatrix::from_row_slice(2, 2, &[2.3, 4.2, 4.2, 8.0]);
+    let c = a.clone().lu().solve(&DVector::from_element(2, 1.2)).unwrap();
+    let boxes = [(-1.0, 1.0); 2];
+    let own = (a.clone(), c.clone());
+    let (x, _, _, evaluations) = minimise(vec![-0.7, -0.5], &boxes, 1, move |x| bowl(&own.0, &own.1, x));
+    assert!(left_to_go(&x, &bowl(&a, &c, &x).1, &boxes) < 1e-5 && evaluations < 40, "{x:?} {evaluations}");
+
+    let mut random = ChaCha8Rng::seed_from_u64(7);
+    let mut normal = move |_: usize, _: usize| -> f64 { StandardNormal.sample(&mut random) };
+    for n in [2, 3, 5, 10, 20] {
+        for _ in 0..40 {
+            let b = DMatrix::from_fn(n, n, |i, j| normal(i, j) * 10f64.powf(j as f64 / n as f64 - 0.5));
+            let a = b.tr_mul(&b) + DMatrix::identity(n, n) * 1e-3;
+            let c = DVector::from_fn(n, |i, j| 2.0 * normal(i, j));
+            let boxes = vec![(-1.0, 1.0); n];
+            let start = (0..n).map(|k| normal(k, 0).tanh()).collect();
+            let own = (a.clone(), c.clone());
+            let (x, _, _, evaluations) = minimise(start, &boxes, 1, move |x| bowl(&own.0, &own.1, x));
+            let left = left_to_go(&x, &bowl(&a, &c, &x).1, &boxes);
+            assert!(left < 1e-4 && evaluations < 600, "{n}: {left} {evaluations} {x:?}");
+        }
+    }
+}
+
+/// Beyond a wall nothing can be computed, not even at the first step.
+#[test]
+fn what_cannot_be_computed_is_kept_away_from() {
+    let f = |x: &[f64]| {
+        let far = x[0] < 0.5;
+        if far {
+            (f64::NAN, vec![f64::NAN; 2])
+        } else {
+            (x[0] + 1.0 / x[0] + x[1] * x[1], vec![1.0 - 1.0 / (x[0] * x[0]), 2.0 * x[1]])
+        }
+    };
+    let (x, value, ..) = minimise(vec![40.0, 3.0], &[(-99.0, 99.0); 2], 1, f);
+    assert!((x[0] - 1.0).abs() < 1e-5 && x[1].abs() < 1e-5 && (value - 2.0).abs() < 1e-9, "{x:?} {value}");
 }
 
 /// Curvatures from 1 to 10^6, in a box that leaves every third entry out of reach: there the solution is known.
