@@ -46,8 +46,8 @@ pub struct Options {
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases)]
     bases: usize,
-    /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work; the model is the same, but takes more
-    /// memory.
+    /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work, and over many frames the next step; the model
+    /// is the same, but takes more memory.
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: u16,
     /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).

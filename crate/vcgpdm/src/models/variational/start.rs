@@ -18,7 +18,8 @@ use rand_distr::{Distribution, StandardNormal, StandardUniform};
 const STEP_SHARE: f64 = 0.2;
 const SMALLEST_S: f64 = 1e-3;
 /// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit variance. Trained pose maps are:
-/// theirs are mostly between 5 and 100. From 3 fewer seeds end in a low bound than from 1, 10 or 100 (docs/training.md).
+/// theirs are mostly between 5 and 100. From 3 one seed of 120 ended in a low bound; from 1 and 10 one
+/// and two of 40 (docs/training.md): little tells them apart.
 const NEARLY_LINEAR: f64 = 3.0;
 
 /// The starting point on the centred observations `y` [N x D_i] of each part.

@@ -173,7 +173,7 @@ impl Trainer {
         self.ascent.hold(entries);
     }
 
-    /// Computes the bound in so many threads from now on. The outcome is the same to the bit; it takes more memory, and pays where there
+    /// Computes bound and direction in so many threads from now on. The outcome is the same to the bit; it takes more memory, and pays where there
     /// are thousands of frames or many inducing points.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
@@ -281,8 +281,8 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
 
 /// First what the latents are explained with, while they stay at their principal components; then everything together.
 ///
-/// Without the first block some seeds end in a model that stands still; with the authors' further blocks (latents alone, kernels
-/// alone, inducing points alone) more of them end in a worse bound.
+/// Without the first block more seeds end in a low bound on subject 7 (docs/training.md); with the authors' further blocks (latents alone,
+/// kernels alone, inducing points alone) all end lower, for many more evaluations.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{Couplings, InducingInputs, Kernels, Latents};
     let block = BLOCK_ITERATIONS.min(max_iterations / 8);
