@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Each clip is trained on alone. Without a clip the first bundled walk is used. A model keeps moving where its rollout does, or rests
-//! as the recording does; how each seed ends is on stderr.
+//! as the recording does; how each seed ends is on stderr. Bounds are smallest / middle / largest of the seeds.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 #[path = "shared/clips.rs"]
@@ -27,6 +27,8 @@ use vcgpdm::motion::{Clip, parts, samples};
 const FRAMES_PER_SECOND: f64 = 30.0;
 /// So many seeds are trained from together where nobody asks for another number.
 const GROUP: usize = 4;
+/// A bound is near the best within this part of it.
+const NEAR: f64 = 0.005;
 
 #[derive(Parser)]
 struct Arguments {
@@ -105,9 +107,9 @@ fn main() {
         clips.push(samples::clip("walk-1").unwrap());
     }
     println!(
-        "| clip | parts | points | p | iterations | seeds that keep moving | chosen of {GROUP} seeds | s |"
+        "| clip | parts | points | p | iterations | seeds that keep moving | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
     );
-    println!("|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|");
     for clip in &clips {
         for preset in &arguments.parts {
             let presets = parts::presets(&clip.skeleton);
@@ -135,10 +137,15 @@ fn main() {
                 let chosen = chosen.count();
                 let each: Vec<String> =
                     runs.iter().map(|run| format!("{} ({:.0})", word(&run.health), run.bound)).collect();
+                let mut bounds: Vec<f64> = runs.iter().map(|run| run.bound).collect();
+                bounds.sort_by(f64::total_cmp);
+                let (least, middle) = (bounds.first().unwrap(), bounds[bounds.len() / 2]);
+                let best = bounds.last().unwrap();
+                let near = bounds.iter().filter(|bound| **bound >= best - NEAR * best.abs()).count();
                 let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
                 eprintln!("{} {preset} {points}: {}", clip.name, each.join(", "));
                 println!(
-                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {seconds:.1} |",
+                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {least:.0} / {middle:.0} / {best:.0} | {near} | {seconds:.1} |",
                     clip.name,
                     runs.len(),
                     groups.len()
