@@ -82,13 +82,9 @@ impl Optimizer {
         loop {
             let direction = self.curvature.direction(&point.gradient, &held);
             if let Some(next) = self.along(&direction, &point) {
-                let change = |a: &[f64], b: &[f64]| -> Vec<f64> {
-                    let free = |((a, b), held): ((&f64, &f64), &Option<f64>)| {
-                        if held.is_none() { a - b } else { 0.0 }
-                    };
-                    a.iter().zip(b).zip(&held).map(free).collect()
-                };
-                self.curvature.learn(&change(&next.x, &point.x), &change(&next.gradient, &point.gradient));
+                let s = change(&next.x, &point.x, &held);
+                let y = change(&next.gradient, &point.gradient, &held);
+                self.curvature.learn(&s, &y);
                 let gain = point.value - next.value;
                 let stalled = gain <= SMALLEST_GAIN * point.value.abs().max(1.0);
                 let goes_on = !(stalled && self.stalled);
@@ -145,6 +141,12 @@ impl Optimizer {
         };
         entries().map(held).collect()
     }
+}
+
+/// From `b` to `a`, where nothing is held.
+fn change(a: &[f64], b: &[f64], held: &[Option<f64>]) -> Vec<f64> {
+    let entries = a.iter().zip(b).zip(held);
+    entries.map(|((a, b), held)| if held.is_none() { a - b } else { 0.0 }).collect()
 }
 
 /// In several sums: one addition need not wait for the one before.

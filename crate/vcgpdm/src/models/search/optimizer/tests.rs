@@ -132,11 +132,11 @@ fn badly_scaled_and_held_by_the_box() {
     assert!(iterations < 400 && evaluations < 2 * iterations, "{iterations} {evaluations}");
 }
 
-/// More rows than one block has, and more blocks than are left to one thread.
+/// More rows than one block has, and enough blocks for three threads.
 #[cfg(feature = "threads")]
 #[test]
 fn threads_take_the_same_steps() {
-    let n = 20_000;
+    let n = 50_000;
     let start: Vec<f64> = (0..n).map(|k| (k as f64).cos()).collect();
     let boxes = vec![(-1.5, 0.95); n];
     let few = |threads| {
