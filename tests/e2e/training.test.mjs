@@ -108,6 +108,9 @@ describe("after training", () => {
     const first = await provenance(page);
     const more = page.getByTestId("continue");
     assert.equal(await more.textContent(), "Continue, 10 more");
+    // Beside both buttons the words once had room for one of them a line.
+    const room = await page.getByTestId("progress").evaluate((words) => words.getBoundingClientRect().width);
+    assert.ok(room > 140, `${room} pixels for the words about the training`);
     await more.click();
     await page.getByTestId("progress").filter({ hasText: "Iteration 20 of 20." }).waitFor();
     const second = await provenance(page);
