@@ -1,7 +1,7 @@
 // Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, keepsNobodyOut, openSite, ready } from "./site.mjs";
+import { barriers, keepsNobodyOut, LONG, openSite, ready } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -26,7 +26,7 @@ describe("accessibility", () => {
   it("reaches and works the main controls by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
-      settings: "trainings=1&iterations=4000&fps=60",
+      settings: `trainings=1&${LONG}`,
     });
     await ready(page);
     const tabTo = async (/** @type {string} */ id) => {

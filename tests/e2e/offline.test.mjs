@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
 import { dist } from "../../scripts/site.mjs";
-import { openSite, ready } from "./site.mjs";
+import { LONG, openSite, ready } from "./site.mjs";
 
 /** A copy of the built page, which a test may change. */
 const folder = mkdtempSync(join(tmpdir(), "vcgpdm-offline-"));
@@ -30,7 +30,7 @@ describe("after the first visit", () => {
     const { page, problems, leave } = await site.visit({
       serviceWorkers: "allow",
       idle: true,
-      settings: "trainings=1&iterations=5000&dynamics=24&poses=24",
+      settings: `trainings=1&${LONG}`,
     });
     await ready(page);
     await kept(page);

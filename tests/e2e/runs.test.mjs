@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, openSite, ready, saved } from "./site.mjs";
+import { barriers, LONG, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -214,7 +214,7 @@ describe("several trainings", () => {
   });
 
   it("let the sliders answer meanwhile", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=2&iterations=5000&dynamics=24&poses=24");
+    const { page, problems, leave } = await visit(2, `trainings=2&${LONG}`);
     await page.getByTestId("train").click();
     await page.waitForFunction(
       () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,

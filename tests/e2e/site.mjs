@@ -125,6 +125,9 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
   };
 }
 
+/** Settings of a training that goes on long after a test has looked at it. */
+export const LONG = "iterations=5000&dynamics=24&poses=24";
+
 /** Waits until the wasm runs and the sample clips are there: nothing is dead any more. */
 export async function ready(/** @type {Page} */ page) {
   await page.waitForSelector("html[data-engine=ready], html[data-engine=failed]", { timeout: 30_000 });

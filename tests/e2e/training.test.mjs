@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { bvh } from "./clips.mjs";
-import { changes, drop, openSite, ready, saved } from "./site.mjs";
+import { changes, drop, LONG, openSite, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -57,7 +57,7 @@ describe("training", () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
       seen: true,
-      settings: "trainings=1&iterations=5000&dynamics=24&poses=24",
+      settings: `trainings=1&${LONG}`,
     });
     await ready(page);
     const before = await provenance(page);

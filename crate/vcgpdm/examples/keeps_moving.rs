@@ -15,7 +15,7 @@ mod seeds;
 
 use clap::Parser;
 use clips::read_clips;
-use seeds::each_seed;
+use seeds::{each_seed, near, range};
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
@@ -27,8 +27,6 @@ use vcgpdm::motion::{Clip, parts, samples};
 const FRAMES_PER_SECOND: f64 = 30.0;
 /// So many seeds are trained from together where nobody asks for another number.
 const GROUP: usize = 4;
-/// A bound is near the best within this part of it.
-const NEAR: f64 = 0.005;
 
 #[derive(Parser)]
 struct Arguments {
@@ -137,15 +135,13 @@ fn main() {
                 let chosen = chosen.count();
                 let each: Vec<String> =
                     runs.iter().map(|run| format!("{} ({:.0})", word(&run.health), run.bound)).collect();
-                let mut bounds: Vec<f64> = runs.iter().map(|run| run.bound).collect();
-                bounds.sort_by(f64::total_cmp);
-                let (least, middle) = (bounds.first().unwrap(), bounds[bounds.len() / 2]);
-                let best = bounds.last().unwrap();
-                let near = bounds.iter().filter(|bound| **bound >= best - NEAR * best.abs()).count();
+                let bounds = || runs.iter().map(|run| run.bound);
+                let near = near(bounds(), bounds().fold(f64::NEG_INFINITY, f64::max));
+                let bounds = range(bounds(), 0);
                 let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
                 eprintln!("{} {preset} {points}: {}", clip.name, each.join(", "));
                 println!(
-                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {least:.0} / {middle:.0} / {best:.0} | {near} | {seconds:.1} |",
+                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {bounds} | {near} | {seconds:.1} |",
                     clip.name,
                     runs.len(),
                     groups.len()

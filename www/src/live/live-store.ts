@@ -100,18 +100,17 @@ export class LiveStore extends Store {
     if (!engine || this.#track || this.#starting) return;
     this.#starting = true;
     try {
+      let track: LiveTrack;
       // A model that was trained may take the stage meanwhile: then that one goes on live.
-      for (let begun = false; !begun; ) {
+      do {
         const { model } = this.#model;
         if (!model) return;
-        const track = await this.#begin(engine, model.info);
-        begun = this.#model.model?.revision === model.revision;
-        if (!begun) continue;
         this.#revision = model.revision;
-        this.#track = track;
-        this.#stage.showLive(track);
-        this.#playback.play();
-      }
+        track = await this.#begin(engine, model.info);
+      } while (this.#model.model?.revision !== this.#revision);
+      this.#track = track;
+      this.#stage.showLive(track);
+      this.#playback.play();
     } catch (problem) {
       this.#notices.addError("The live motion could not begin", messageOf(problem));
     } finally {

@@ -17,7 +17,7 @@ mod ways;
 use clap::Parser;
 use clips::read_clips;
 use nalgebra::DMatrix;
-use seeds::each_seed;
+use seeds::{each_seed, near, range};
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -198,17 +198,6 @@ fn runs(problem: &Problem, way: &Way, seeds: u32, threads: usize) -> Vec<Run> {
     })
 }
 
-/// Smallest, middle and largest.
-fn range(values: impl Iterator<Item = f64>, digits: usize) -> String {
-    let mut sorted: Vec<f64> = values.collect();
-    if sorted.is_empty() {
-        return String::new();
-    }
-    sorted.sort_by(f64::total_cmp);
-    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
-    format!("{low:.digits$} / {:.digits$} / {high:.digits$}", sorted[sorted.len() / 2])
-}
-
 /// What another program makes of our starts: bounds, and how they were reached.
 fn peer(problem: &Problem, command: &str, seeds: u32) -> Vec<(f64, Trace)> {
     let file = std::env::temp_dir().join(format!("every-seed-{}.json", std::process::id()));
@@ -259,7 +248,7 @@ fn main() {
         );
         println!("|---|---|---|---|---|---|---|---|---|---|---|");
         for (way, runs) in all.iter().filter(|(_, runs)| !runs.is_empty()) {
-            let near = runs.iter().filter(|run| run.bound >= best - 0.005 * best.abs()).count();
+            let near = near(runs.iter().map(|run| run.bound), best);
             let until: Vec<(usize, f64)> = runs.iter().filter_map(|run| until(&run.trace, enough)).collect();
             println!(
                 "| {} | {} | {} | {near} | {} | {} | {} | {} | {} | {} | {} |",
@@ -276,7 +265,7 @@ fn main() {
             );
         }
         if let Some(peers) = peers {
-            let near = peers.iter().filter(|p| p.0 >= best - 0.005 * best.abs()).count();
+            let near = near(peers.iter().map(|p| p.0), best);
             let reached: Vec<(usize, f64)> =
                 peers.iter().filter_map(|(_, trace)| until(trace, enough)).collect();
             let whole = |of: fn(&(usize, f64, f64)) -> f64| {

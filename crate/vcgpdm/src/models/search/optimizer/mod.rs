@@ -137,7 +137,7 @@ impl Optimizer {
         let held = |((x, g), (low, high)): ((&f64, &f64), (&f64, &f64))| {
             let way = if *g > 0.0 { low - x } else { high - x };
             let close = way.abs() <= longest.min(CLOSE * (high - low));
-            (*g != 0.0 && (way == 0.0 || close)).then_some(way)
+            (*g != 0.0 && close).then_some(way)
         };
         entries().map(held).collect()
     }
