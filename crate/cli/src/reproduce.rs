@@ -25,6 +25,9 @@ pub struct Arguments {
     /// How far a number may be from the recorded one, relative to the larger of the two.
     #[arg(long, value_name = "T", default_value_t = 1e-8)]
     tolerance: f64,
+    /// Threads that compute the bound (vcgpdm, vgpdm), as for `vcgpdm train`; the bits are the same.
+    #[arg(long, value_name = "T", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: u16,
     /// Write the model that was trained again to this file.
     #[arg(long, value_name = "MODEL.json")]
     out: Option<PathBuf>,
@@ -53,6 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let learner = made.settings.learner(&movements, made.seed);
     let mut learner = learner.map_err(|reason| dataset.refusal(reason))?;
+    learner.use_threads(arguments.threads.into());
     let stopped = interrupt::flag()?;
     loop {
         let progress = learner.step();

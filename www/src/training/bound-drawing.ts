@@ -2,10 +2,9 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { TrainingProgress } from "../engine/protocol";
-import { grouped } from "../ui/format";
 import { theme } from "../ui/palette";
 import { type Stroke, termLines } from "./bound-lines";
-import { boundRange } from "./bound-range";
+import { axisNumbers, boundRange } from "./bound-range";
 import { dataOf, type Run } from "./runs";
 
 /** A line for each run whose bound can be compared with this one's; this one's lies above the others. */
@@ -83,7 +82,7 @@ export class BoundDrawing {
             font,
             size: 58,
             gap: 4,
-            values: (_, ticks) => ticks.map(grouped),
+            values: (_, ticks) => axisNumbers(ticks),
           },
         ],
         series: [

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { boundRange } from "./bound-range";
+import { axisNumbers, boundRange } from "./bound-range";
 
 it("leaves out the fall of the first iterations", () => {
   const course = [-1e6, -1e5, -1e4, ...Array.from({ length: 100 }, (_, i) => 1000 + i)];
@@ -24,4 +24,11 @@ it("looks at some of very many values, from several runs of different lengths", 
   expect(low).toBeGreaterThan(-100);
   expect(top).toBeGreaterThan(100);
   expect(top).toBeLessThan(120);
+});
+
+it("writes the numbers of an axis alike: the second of 23,000 and 24,000 was once 24,000.0", () => {
+  expect(axisNumbers([23_000, 24_000, 25_000])).toEqual(["23,000", "24,000", "25,000"]);
+  expect(axisNumbers([-0.5, 0, 0.5])).toEqual(["\u22120.5", "0.0", "0.5"]);
+  expect(axisNumbers([7])).toEqual(["7"]);
+  expect(axisNumbers([])).toEqual([]);
 });

@@ -16,7 +16,8 @@ fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
     let clips = ["sample:walk-3", text(&taller), "sample:walk-1"];
     let mut reproduce = vec!["reproduce", text(&model)];
     reproduce.extend(clips);
-    let said = json(&[&reproduce[..], &["--out", text(&again)]].concat());
+    // In two threads too.
+    let said = json(&[&reproduce[..], &["--out", text(&again), "--threads", "2"]].concat());
     assert_eq!((said["same_bits"].as_bool(), said["iterations"].as_u64()), (Some(true), Some(8)));
     assert_eq!(said["objective"], said["recorded_objective"]);
     assert_eq!(said["largest_difference"], Value::Null);
