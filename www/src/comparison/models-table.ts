@@ -48,7 +48,7 @@ const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${stands
 /** The error of each part, where there are several. */
 const ofParts = ({ partErrors }: ModelSummary, parts: readonly string[]) =>
   parts.length > 1 && partErrors.length === parts.length
-    ? html`<small class="of-parts">${parts.map((part, k) => `${part} ${plain(partErrors[k] ?? 0)}`).join(", ")}</small>`
+    ? html`<small class="of-parts">${parts.map((part, k) => `${part}\u00a0${plain(partErrors[k] ?? 0)}`).join(", ")}</small>`
     : nothing;
 
 interface Drawn extends Measure {

@@ -15,7 +15,8 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
-/// Candidates that were trained on all other trials, in the order of tables. Folds are numbered on from one comparison to the next.
+/// Candidates that were trained on all other trials, in the order of tables: by model, then those that differ in size alone by size. Folds are
+/// numbered on from one comparison to the next.
 pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let mut rows: Vec<Row> = Vec::new();
     let mut before = 0;
@@ -33,7 +34,17 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
         }
         before += trials;
     }
-    rows.sort_by_key(|row| ModelKind::ALL.iter().position(|kind| *kind == row.candidate.kind()));
+    // Of several jobs at a time, which was finished first is chance.
+    rows.sort_by_key(|row| row.candidate.size());
+    let groups: Vec<ModelSettings> =
+        groups(rows.iter()).iter().map(|group| group[0].candidate.without_size()).collect();
+    rows.sort_by_cached_key(|row| {
+        let (kind, alike) = (row.candidate.kind(), row.candidate.without_size());
+        (
+            ModelKind::ALL.iter().position(|other| *other == kind),
+            groups.iter().position(|other| *other == alike),
+        )
+    });
     rows
 }
 
@@ -179,5 +190,27 @@ impl Row<'_> {
             runs: self.runs(),
             stands_for,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::testing::{finished, outcome, results, variational};
+    use crate::models::{DmpSettings, TmpSettings};
+
+    #[test]
+    fn rows_go_by_model_and_size_whichever_was_finished_first() {
+        let vgpdm = |ips| ModelSettings::Vgpdm(variational(ips));
+        let dmp = |bases| ModelSettings::DmpRhythmic(DmpSettings { bases });
+        let tmp =
+            |primitives, normalised_time| ModelSettings::Tmp(TmpSettings { primitives, normalised_time });
+        let order =
+            [vgpdm(5), vgpdm(10), tmp(None, false), tmp(Some(4), false), tmp(None, true), dmp(25), dmp(100)];
+        let job = |place: usize| finished(order[place].clone(), 1, 1, 0, outcome(1.0, None, 100, 1.0));
+        let came = results(2, &[5, 3, 6, 1, 2, 0, 4].map(job));
+        let rows = rows(&[&came]);
+        let found: Vec<_> = rows.iter().map(|row| row.candidate.clone()).collect();
+        assert_eq!(found, order);
     }
 }
