@@ -36,6 +36,7 @@ const WHEN_ASKED = [
   "training/bound-drawing",
   "training/runs-table",
   "ui/dialog",
+  "ui/part-names",
   "ui/unsaved-dialog",
 ];
 const isAsked = (file: string) =>

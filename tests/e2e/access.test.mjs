@@ -1,7 +1,7 @@
 // Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, keepsNobodyOut, LONG, openSite, ready } from "./site.mjs";
+import { barriers, keepsNobodyOut, LONG, openSite, ready, recolour } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -63,6 +63,64 @@ describe("accessibility", () => {
     assert.deepEqual(problems, []);
     await leave();
   });
+});
+
+/** What is seen in the colour of a part, as soon as it stays so. */
+async function partColours(/** @type {Page} */ page) {
+  for (let i = 0, before = ""; i < 20; i++) {
+    const colours = await coloursNow(page);
+    if (before === colours.join()) return colours;
+    before = colours.join();
+    await page.waitForTimeout(250);
+  }
+  assert.fail("it does not come to rest");
+}
+
+/** Of elements their colours, of canvases the picture. */
+const coloursNow = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const inColour = [...document.querySelectorAll("*")].filter(
+      (element) =>
+        (element instanceof HTMLElement || element instanceof SVGElement) && element.style.getPropertyValue("--part"),
+    );
+    return inColour
+      .flatMap((element) => [element, ...element.querySelectorAll("*")])
+      .map((element) => {
+        const { color, backgroundColor, borderTopColor, fill, stroke } = getComputedStyle(element);
+        const picture = element instanceof HTMLCanvasElement ? element.toDataURL() : "";
+        const name = `${element.localName}.${element.getAttribute("class")}`;
+        return [name, color, backgroundColor, borderTopColor, fill, stroke, picture].join(" ");
+      });
+  });
+
+describe("a system that turns dark while the page is open", () => {
+  // Settings, and what comes last.
+  const VIEWS = /** @type {const} */ ([
+    ["", ".arrow .line"],
+    ["view=primitives", "pg-walk .map-bone"],
+    ["view=synthetic", ".curves-picture path"],
+  ]);
+  for (const [settings, last] of VIEWS) {
+    it(`leaves no colour of the light page behind: ${settings || "the first view"}`, async () => {
+      const { page, problems, leave } = await site.visit({ settings, colorScheme: "light" });
+      const arrive = async () => {
+        await page.locator(last).first().waitFor({ state: "attached" });
+        if (!settings) await ready(page);
+      };
+      await arrive();
+      const light = await partColours(page);
+      assert.ok(light.length > 10, `${light.length} elements in the colour of a part`);
+      await recolour(page, "dark");
+      const turned = await partColours(page);
+      assert.notDeepEqual(turned, light);
+      await page.reload();
+      await arrive();
+      await recolour(page, "dark");
+      assert.deepEqual(turned, await partColours(page), "as on a page that was opened in the dark");
+      assert.deepEqual(problems, []);
+      await leave();
+    });
+  }
 });
 
 describe("a phone", () => {

@@ -135,6 +135,13 @@ describe("a link", () => {
     await ready(page);
     assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
     assert.notEqual(Number(await page.getByTestId("alpha-0-1").innerText()), 50);
+    // It waits in the address too: a reload once lost it.
+    await page.getByTestId("setting-latent").fill("2");
+    await page.getByTestId("setting-latent").press("Enter");
+    await page.waitForURL(/latent=2/);
+    await page.reload();
+    await ready(page);
+    assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
     await page.getByRole("button", { name: "Forget them" }).click();
     await page.getByTestId("foreign-link").waitFor({ state: "detached" });
     await leave();

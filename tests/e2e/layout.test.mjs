@@ -82,8 +82,30 @@ describe("a window of 1440x900", () => {
     }
   });
 
+  it("says beside the figure, not over it, that it stands still; and the stage stays where it is", async () => {
+    const { page } = visitor;
+    const before = await page.getByTestId("stage").boundingBox();
+    await page.getByTestId("preset-legs-lost").click();
+    const card = await page.getByTestId("health").boundingBox();
+    const stage = await page.getByTestId("stage").boundingBox();
+    assert.deepEqual(stage, before);
+    // The figure stands in the middle, and is no wider than a fifth of the picture.
+    assert.ok(card && stage && card.x + card.width <= stage.x + 0.4 * stage.width, `${card?.width} of ${stage?.width}`);
+    await page.getByTestId("preset-as-learned").click();
+    await page.getByTestId("health").waitFor({ state: "detached" });
+  });
+
+  it("has nothing of the stage to save where the stage is not in sight", async () => {
+    const { page } = visitor;
+    await page.getByTestId("view-primitives").click();
+    await page.locator("[data-testid=save]:disabled").waitFor();
+    await page.getByTestId("view-play").click();
+    await page.locator("[data-testid=save]:enabled").waitFor();
+  });
+
   it("in large type keeps the words that say what the table means, after a reload too", async () => {
     const { page } = visitor;
+    const before = await page.getByTestId("stage").boundingBox();
     await page.keyboard.press("p");
     await page.waitForURL(/large=1/);
     await page.reload();
@@ -91,6 +113,13 @@ describe("a window of 1440x900", () => {
     assert.ok(await page.locator("html").evaluate((root) => root.hasAttribute("data-large")));
     assert.ok(await page.locator(".couplings thead small").first().isVisible());
     assert.deepEqual(await overprints(page), []);
+    // The figure is for the last row too, and the couplings are whole.
+    const stage = await page.getByTestId("stage").boundingBox();
+    assert.ok(before && stage && stage.height > 0.85 * before.height, `${stage?.height}, ${before?.height} before`);
+    const [needed = Infinity, room = 0] = await page
+      .locator("#panel-couplings")
+      .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
+    assert.ok(needed <= room, `${needed} of ${room} pixels`);
   });
 });
 

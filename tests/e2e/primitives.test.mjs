@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, keepsNobodyOut, openSite, ready, saved } from "./site.mjs";
+import { barriers, keepsNobodyOut, openSite, ready, recolour, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -107,6 +107,21 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
   return await measured.jsonValue();
 }
 const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
+/** The mean lightness of what is seen of an element, 0 to 1. */
+async function lightness(/** @type {import("playwright-core").Locator} */ element) {
+  const picture = (await element.screenshot()).toString("base64");
+  return element.page().evaluate(async (picture) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${picture}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const draw = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    draw.drawImage(image, 0, 0);
+    const { data } = draw.getImageData(0, 0, image.width, image.height);
+    return data.reduce((sum, value, i) => (i % 4 === 3 ? sum : sum + value), 0) / (0.75 * 255 * data.length);
+  }, picture);
+}
+
 const recorded = (/** @type {Page} */ page) => page.getByTestId("recorded").innerText();
 
 describe("a library of primitives", () => {
@@ -362,6 +377,23 @@ describe("a library of primitives", () => {
     assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "locking-7-7");
     await page.keyboard.press("Enter");
     assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.05");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("has a lesson whose picture does not glare in the dark, and whose numbers are written as elsewhere", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives", colorScheme: "light" });
+    const picture = page.locator(".lesson-paths img");
+    await picture.scrollIntoViewIfNeeded();
+    await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+    assert.ok((await lightness(picture)) > 0.9);
+    await recolour(page, "dark");
+    const dark = await lightness(picture);
+    assert.ok(dark > 0.05 && dark < 0.2, `dark as the page around it, with lines to be seen: ${dark}`);
+    const table = page.getByRole("region", { name: "A library beside models of one movement", exact: true });
+    assert.match(await table.innerText(), /DTW MSE × 1,000.*−1\.045 \(−2\.594 to \+0\.504\)/s);
+    const cost = page.getByRole("region", { name: "What a library costs beside models of one movement" });
+    assert.match(await cost.innerText(), /2,424\s+2,740/);
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -35,6 +35,10 @@ describe("tables of columns", () => {
     assert.equal(await page.getByTestId("tables").getByRole("listitem").count(), 2);
     const parts = page.locator("pg-tables .part-names input");
     assert.deepEqual([await parts.nth(0).inputValue(), await parts.nth(1).inputValue()], ["drive", "load"]);
+    await parts.nth(1).fill("drive");
+    await parts.nth(1).press("Enter");
+    await page.getByText("Another part is called “drive”.").waitFor();
+    assert.equal(await parts.nth(1).inputValue(), "load");
     await parts.nth(1).fill("machine");
     await parts.nth(1).press("Enter");
 

@@ -232,7 +232,8 @@ export async function barriers(/** @type {Page} */ page, /** @type {string[]} */
   return found;
 }
 
-async function recolour(/** @type {Page} */ page, /** @type {"light" | "dark"} */ colorScheme) {
+/** Turns a page that is open dark or light, as its system does. */
+export async function recolour(/** @type {Page} */ page, /** @type {"light" | "dark"} */ colorScheme) {
   await page.emulateMedia({ colorScheme });
   await atRest(page);
 }

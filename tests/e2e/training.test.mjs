@@ -169,6 +169,42 @@ describe("own files", () => {
     await leave();
   });
 
+  it("keeps what is unfolded with its clip, and a number of its cut until there is another", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    // A notice each, of a row too few.
+    const [one, other] = [bvh(0), bvh(1)].map((text) => text.replace("Frames: 60", "Frames: 61"));
+    await drop(page, { "one.bvh": one ?? "", "other.bvh": other ?? "" });
+    const row = (/** @type {string} */ name) => page.getByTestId("own-clips").locator("li.clip", { hasText: name });
+    await row("one").getByText("1 notice").click();
+    await row("one").locator("details[open]").waitFor();
+    await page.getByRole("button", { name: "Remove one" }).click();
+    await row("one").waitFor({ state: "detached" });
+    await row("other").getByText("1 notice").waitFor();
+    assert.equal(await row("other").locator("details[open]").count(), 0);
+
+    await page.getByRole("button", { name: "Cut other" }).click();
+    const [first, last] = [page.getByLabel("First frame of other"), page.getByLabel("Last frame of other")];
+    for (const [field, typed, holds] of /** @type {const} */ ([
+      [first, "6", "6"],
+      [first, "", "6"],
+      [last, "", "60"],
+      [last, "900", "60"],
+    ])) {
+      await field.fill(typed);
+      await field.blur();
+      assert.equal(await field.inputValue(), holds);
+    }
+    // Ten frames stay: the handle goes back as often as it goes too far.
+    await page.getByRole("button", { name: "Show other" }).click();
+    for (const frame of ["55", "58"]) {
+      await page.getByTestId("trim-first").fill(frame);
+      assert.equal(await page.getByTestId("trim-first").inputValue(), "50");
+    }
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("says in which line a dropped file is wrong, and loses nothing", async () => {
     const { page, problems, leave } = await site.visit({ settings: "alpha=0.1:50" });
     await ready(page);

@@ -48,7 +48,7 @@ export class HeaderView extends View {
       <nav class="segments" aria-label="Views">
         ${VIEWS.filter(([view]) => view !== "series" || this.hasSeries).map(
           ([view, title]) => html`
-          <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.values, view })}`)}
+          <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.written, view })}`)}
             data-testid="view-${view}" aria-current=${settings.values.view === view ? "page" : "false"}
             @click=${(event: MouseEvent) => {
               if (event.ctrlKey || event.metaKey || event.shiftKey) return;

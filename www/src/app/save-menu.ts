@@ -1,5 +1,5 @@
 // What can be saved, in a menu: the motion on the stage and what belongs to it, and the model.
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import { messageOf } from "../ui/format";
@@ -15,8 +15,8 @@ export class SaveMenu extends View {
   declare app: App;
 
   protected override stores() {
-    const { engine, model, stage, clips } = this.app;
-    return [engine, model, stage, clips];
+    const { engine, model, stage, clips, settings } = this.app;
+    return [engine, model, stage, clips, settings];
   }
 
   /** Before it is shown: below its button, within the window. */
@@ -48,8 +48,11 @@ export class SaveMenu extends View {
     const clip = clipOnStage(this.app);
     const hasModel = engine.engine !== null && model.rollout !== null;
     const noRollout = clip ? "Go back to the model first" : "";
+    // Other views save what they hold themselves: the stage is not in sight there.
+    const { isPlayView } = this.app;
     return html`
-      <button class="small" data-testid="save" popovertarget="save-menu" ?disabled=${!hasModel && !clip}>${icon("save")} Save</button>
+      <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to Play"}
+        ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} Save</button>
       <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.place}>
         ${this.item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
         ${this.item("glb", "Motion with a skin", "GLB", "For Blender and viewers", hasModel || clip !== null)}

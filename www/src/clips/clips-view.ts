@@ -1,5 +1,6 @@
 // The clips: made by the project or opened by the visitor; looked at, ticked, cut.
 import { html, nothing } from "lit";
+import { repeat } from "lit/directives/repeat.js";
 import type { EngineStore } from "../engine/engine-store";
 import type { StageStore } from "../stage/stage-store";
 import { fileButton } from "../ui/file-button";
@@ -28,17 +29,29 @@ export class ClipsView extends View {
     this.requestUpdate();
   }
 
+  private cutField(clip: ClipEntry, side: "first" | "end") {
+    const { clips } = this;
+    const { key, title, loaded } = clip;
+    // Visitors count frames from 1, and their last is kept.
+    const from = side === "first" ? 1 : 0;
+    const change = (event: Event) => {
+      const input = event.target as HTMLInputElement;
+      const asked: ClipEntry = { ...clip, [side]: input.valueAsNumber - from };
+      clips.cut(key, asked.first, asked.end);
+      // A number that stays is not drawn again.
+      const now = clips.all.find((other) => other.key === key) ?? clip;
+      input.value = String(now[side] + from);
+    };
+    return html`<input type="number" min="1" max=${loaded.info.frames} .value=${String(clip[side] + from)} ?disabled=${clips.locked}
+      aria-label="${side === "first" ? "First" : "Last"} frame of ${title}" @change=${change} />`;
+  }
+
   private cutFields(clip: ClipEntry) {
-    const { key, first, end, loaded, title } = clip;
-    const frames = loaded.info.frames;
-    const value = (event: Event) => (event.target as HTMLInputElement).valueAsNumber;
     return html`
-      <div class="cut" role="group" aria-label="Frames of ${title} to use">
-        <label>from <input type="number" min="1" max=${frames} .value=${String(first + 1)} aria-label="First frame of ${title}" ?disabled=${this.clips.locked}
-          @change=${(event: Event) => this.clips.cut(key, value(event) - 1, end)} /></label>
-        <label>to <input type="number" min="1" max=${frames} .value=${String(end)} aria-label="Last frame of ${title}" ?disabled=${this.clips.locked}
-          @change=${(event: Event) => this.clips.cut(key, first, value(event))} /></label>
-        <span>of ${frames} frames</span>
+      <div class="cut" role="group" aria-label="Frames of ${clip.title} to use">
+        <label>from ${this.cutField(clip, "first")}</label>
+        <label>to ${this.cutField(clip, "end")}</label>
+        <span>of ${clip.loaded.info.frames} frames</span>
       </div>`;
   }
 
@@ -72,6 +85,15 @@ export class ClipsView extends View {
             : nothing
         }
       </li>`;
+  }
+
+  /** By their keys: what is unfolded in a row stays with its clip. */
+  private rows(clips: readonly ClipEntry[]) {
+    return repeat(
+      clips,
+      ({ key }) => key,
+      (clip) => this.row(clip),
+    );
   }
 
   /** Where only the bones differ, what can be done about it; and how to undo it. */
@@ -113,7 +135,7 @@ export class ClipsView extends View {
       ${this.bones()}
       ${
         own.length > 0
-          ? html`<ul class="clip-list" data-testid="own-clips">${own.map((clip) => this.row(clip))}</ul>`
+          ? html`<ul class="clip-list" data-testid="own-clips">${this.rows(own)}</ul>`
           : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.
             <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>Time series</button>
             that are no body (.csv) have a view of their own.</p>`
@@ -123,7 +145,7 @@ export class ClipsView extends View {
           ? html`<details class="made" ?open=${this.unfolded}>
             <summary>Samples, made by a procedural walker
               <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked, to train a new model on</small></summary>
-            <ul class="clip-list" data-testid="made-clips">${made.map((clip) => this.row(clip))}</ul></details>`
+            <ul class="clip-list" data-testid="made-clips">${this.rows(made)}</ul></details>`
           : this.engine.state === "loading"
             ? html`<p class="empty">Getting the sample clips ready</p>`
             : nothing

@@ -3,37 +3,48 @@ import { html } from "lit";
 import type { PartSpec } from "../engine/protocol";
 import { partOfJoints } from "../scene/part-of-joints";
 import { MAX_PARTS } from "../engine/limits";
+import { partName } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { icon } from "../ui/icons";
-import { partColour } from "../ui/palette";
+import { freeName, partColours, partNames, renamed, whyNotName } from "../ui/part-names";
 import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
-import { completeSplit, moveBranch } from "./parts";
+import { filledSplit, moveBranch } from "./parts";
 import "./parts-editor.css";
 import { partStyle } from "../ui/styled";
 
 export class PartsEditor extends View {
   declare settings: SettingsStore;
   declare clips: ClipsStore;
+  /** Why the last name was refused; empty after the next change. */
+  private refused = "";
 
   protected override stores() {
     return [this.settings, this.clips];
   }
 
+  /** Of a link whose split is not valid, the parts that hold in its place. */
+  private get split(): PartSpec[] {
+    const { split } = this.settings.values;
+    return split.length > 0 ? split : this.clips.parts;
+  }
+
   private change(split: PartSpec[]): void {
+    this.refused = "";
     this.clips.setParts({ split });
   }
 
-  private rename(index: number) {
-    return (event: Event) => {
-      const name = (event.target as HTMLInputElement).value.trim();
-      if (name) this.change(this.settings.values.split.map((part, i) => (i === index ? { ...part, name } : part)));
-      this.requestUpdate();
-    };
+  private rename(place: number, text: string): string {
+    const { split } = this;
+    const name = partName(text);
+    const why = whyNotName(split, place, name);
+    if (!why) this.change(renamed(split, place, name));
+    this.refused = why;
+    this.requestUpdate();
+    return this.split[place]?.name ?? "";
   }
 
   private removePart(index: number): void {
-    const { split } = this.settings.values;
+    const { split } = this;
     const heir = index === 0 ? 1 : 0;
     const orphans = split[index]?.joints ?? [];
     const inherit = (part: PartSpec, i: number) =>
@@ -46,55 +57,37 @@ export class PartsEditor extends View {
     if (!clip) return html``;
     const { joints } = clip.loaded.info;
     const { locked } = this.clips;
-    const { split } = this.settings.values;
-    const whole = completeSplit(joints, split);
-    const part = partOfJoints(joints.length, whole);
+    const split = filledSplit(joints, this.split);
+    const part = partOfJoints(joints.length, split);
+    const colours = partColours(split.map(({ joints: own }) => own.length));
     const depth: number[] = [];
     for (const { parent } of joints) depth.push(parent === null ? 0 : (depth[parent] ?? 0) + 1);
-    // Parts without joints are kept while editing, but are not in `whole`: find each joint's part by name and place.
-    const index = (joint: number) => split.findIndex(({ name }) => name === whole[part[joint] ?? -1]?.name);
+    const joint = ({ name }: { name: string }, place: number) => {
+      const own = part[place] ?? 0;
+      return html`
+        <li style=${partStyle(colours[own] ?? "", { "--depth": Math.min(depth[place] ?? 0, 12) })}>
+          <i class="swatch"></i><span>${name}</span>
+          <select aria-label="Part of ${name}" ?disabled=${locked}
+            @change=${(event: Event) => this.change(moveBranch(joints, split, place, Number((event.target as HTMLSelectElement).value)))}>
+            ${split.map((to, i) => html`<option value=${i} .selected=${i === own}>${to.name}</option>`)}
+          </select>
+        </li>`;
+    };
     return html`
       <div class="parts-editor">
-        <div class="part-names">
-          ${split.map(
-            ({ name }, i) => html`
-            <div style=${partStyle(partColour(i))}>
-              <i class="swatch"></i>
-              <input type="text" maxlength="24" aria-label="Name of part ${i + 1}" .value=${name} ?disabled=${locked} @change=${this.rename(i)} />
-              <button class="round" aria-label="Remove part ${name}" ?disabled=${locked || split.length < 2} @click=${() => this.removePart(i)}>${icon("close")}</button>
-            </div>`,
-          )}
-          <button class="small" ?disabled=${locked || split.length >= MAX_PARTS}
-            @click=${() => this.change([...split, { name: freeName(split), joints: [] }])}>Add a part</button>
-        </div>
+        ${partNames({
+          parts: split.map(({ name, joints }) => ({ name, size: joints.length })),
+          of: "joints",
+          most: MAX_PARTS,
+          disabled: locked,
+          refused: this.refused,
+          rename: (place, text) => this.rename(place, text),
+          remove: (place) => this.removePart(place),
+          add: () => this.change([...this.split, { name: freeName(this.split), joints: [] }]),
+        })}
         <p class="hint">Choose a joint’s part; the joints below it go along.</p>
-        <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">
-          ${joints.map(
-            ({ name }, joint) => html`
-            <li style=${partStyle(partColour(Math.max(0, index(joint))), { "--depth": Math.min(depth[joint] ?? 0, 12) })}>
-              <i class="swatch"></i><span>${name}</span>
-              <select aria-label="Part of ${name}" ?disabled=${locked}
-                @change=${(event: Event) => {
-                  const to = Number((event.target as HTMLSelectElement).value);
-                  this.change(moveBranch(joints, fill(split, whole), joint, to));
-                }}>
-                ${split.map((to, i) => html`<option value=${i} ?selected=${i === index(joint)}>${to.name}</option>`)}
-              </select>
-            </li>`,
-          )}
-        </ul>
+        <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">${joints.map(joint)}</ul>
       </div>`;
   }
 }
 customElements.define("pg-parts-editor", PartsEditor);
-
-function freeName(split: readonly PartSpec[]): string {
-  for (let i = split.length + 1; ; i++) {
-    if (!split.some(({ name }) => name === `part ${i}`)) return `part ${i}`;
-  }
-}
-
-/** The split with the joints that `whole` gives each of its parts; parts without joints stay. */
-function fill(split: readonly PartSpec[], whole: readonly PartSpec[]) {
-  return split.map(({ name }) => ({ name, joints: whole.find((part) => part.name === name)?.joints ?? [] }));
-}

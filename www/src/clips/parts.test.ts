@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { partOfJoints } from "../scene/part-of-joints";
-import { completeSplit, moveBranch, partsFor } from "./parts";
+import { completeSplit, filledSplit, moveBranch, partsFor } from "./parts";
 
 //   0 - 1 - 2
 //     \ 3 - 4
@@ -25,15 +25,17 @@ describe("parts", () => {
   });
 
   it("by hand name every joint once", () => {
-    const parts = completeSplit(joints, [
+    const split = [
       { name: "a", joints: [1, 900] },
+      { name: "none", joints: [] },
       { name: "b", joints: [3] },
-      { name: "c", joints: [] },
-    ]);
-    expect(parts).toEqual([
+    ];
+    const [a, b] = [
       { name: "a", joints: [0, 1, 2] },
       { name: "b", joints: [3, 4] },
-    ]);
+    ];
+    expect(completeSplit(joints, split)).toEqual([a, b]);
+    expect(filledSplit(joints, split)).toEqual([a, { name: "none", joints: [] }, b]);
   });
 
   it("move a whole branch", () => {

@@ -9,8 +9,13 @@ export function partsFor(clip: Pick<ClipInfo, "joints" | "presets">, chosen: str
   return preset?.parts ?? [];
 }
 
-/** A split that names every joint once: a joint it leaves out goes with its parent, the root with the first part. */
+/** A split that names every joint once, in parts that have joints: those that can be trained. */
 export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
+  return filledSplit(joints, split).filter(({ joints: own }) => own.length > 0);
+}
+
+/** The same with the parts that have no joints: a joint the split leaves out goes with its parent, the root with the first part. */
+export function filledSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
   const part = new Array<number>(joints.length).fill(-1);
   split.forEach(({ joints: own }, index) => {
     for (const joint of own) if (joint < joints.length) part[joint] = index;
@@ -18,9 +23,10 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
   joints.forEach(({ parent }, joint) => {
     if (part[joint] === -1) part[joint] = parent === null ? 0 : (part[parent] ?? 0);
   });
-  return split
-    .map(({ name }, index) => ({ name, joints: part.flatMap((other, joint) => (other === index ? [joint] : [])) }))
-    .filter(({ joints: own }) => own.length > 0);
+  return split.map(({ name }, index) => ({
+    name,
+    joints: part.flatMap((other, joint) => (other === index ? [joint] : [])),
+  }));
 }
 
 /** Puts a joint and everything below it into a part. */

@@ -3,7 +3,7 @@ import { html } from "lit";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { View } from "../ui/view";
-import type { ClipsStore } from "./clips-store";
+import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./trim.css";
 import { styled } from "../ui/styled";
 
@@ -16,23 +16,27 @@ export class TrimView extends View {
     return [this.clips, this.stage];
   }
 
+  private get shown() {
+    return this.clips.all.find(({ key }) => key === this.stage.clip);
+  }
+
   /** Cuts, and stops at the frame that is now the first or the last, so that it can be seen. */
-  private cut(key: string, change: { first: number } | { end: number }): void {
-    const clip = this.clips.all.find((clip) => clip.key === key);
-    if (!clip) return;
-    const { first, end } = { ...clip, ...change };
-    this.clips.cut(key, first, end);
-    this.playback.scrub("first" in change ? 0 : this.playback.lastFrame);
-    // Where the handle may not go, it goes back.
-    this.requestUpdate();
+  private cut(event: Event, side: "first" | "end"): void {
+    const { shown } = this;
+    if (!shown) return;
+    const handle = event.target as HTMLInputElement;
+    const asked: ClipEntry = { ...shown, [side]: handle.valueAsNumber };
+    this.clips.cut(asked.key, asked.first, asked.end);
+    this.playback.scrub(side === "first" ? 0 : this.playback.lastFrame);
+    // Where the handle may not go, it goes back: a place that stays is not drawn again.
+    handle.value = String((this.shown ?? shown)[side]);
   }
 
   protected override render() {
-    const clip = this.clips.all.find(({ key }) => key === this.stage.clip);
+    const clip = this.shown;
     if (!clip) return html``;
-    const { key, title, first, end, loaded } = clip;
+    const { title, first, end, loaded } = clip;
     const { frames, frameTime } = loaded.info;
-    const value = (event: Event) => (event.target as HTMLInputElement).valueAsNumber;
     const seconds = (frame: number) => `${(frame * frameTime).toFixed(1)} s`;
     const share = (frame: number) => `${((100 * frame) / frames).toFixed(2)}%`;
     return html`
@@ -41,10 +45,10 @@ export class TrimView extends View {
         <div class="handles" style=${styled({ "--from": share(first), "--to": share(end) })}>
           <input type="range" data-testid="trim-first" aria-label="Trim the start of ${title}" min="0" max=${frames} .value=${String(first)}
             aria-valuetext="frame ${first + 1}, ${seconds(first)}" ?disabled=${this.clips.locked}
-            @input=${(event: Event) => this.cut(key, { first: value(event) })} />
+            @input=${(event: Event) => this.cut(event, "first")} />
           <input type="range" data-testid="trim-end" aria-label="Trim the end of ${title}" min="0" max=${frames} .value=${String(end)}
             aria-valuetext="frame ${end}, ${seconds(end)}" ?disabled=${this.clips.locked}
-            @input=${(event: Event) => this.cut(key, { end: value(event) })} />
+            @input=${(event: Event) => this.cut(event, "end")} />
         </div>
         <output>${seconds(first)} to ${seconds(end)}</output>
       </div>`;

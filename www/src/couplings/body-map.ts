@@ -96,15 +96,14 @@ export class BodyMap extends View {
     const path = source === target ? loopPath(a) : bowPath(a, b);
     const name = (part: number) => model.model?.info.parts[part]?.name ?? "";
     const alpha = model.alpha(source, target);
-    const colour = partColour(source);
     const head = `head-${source}-${target}`;
     return svg`
-      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(colour)} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
+      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(partColour(source))} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
         @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetCoupling(source, target)}>
         <title>${name(source)} to ${name(target)}: weight ${shareWord(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
-          markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" fill=${colour} /></marker>
+          markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" /></marker>
         <path class="grip" d=${path} />
         <path class="line" d=${path} stroke-width=${width.toFixed(2)} opacity=${(0.3 + 0.7 * Math.sqrt(w)).toFixed(2)} marker-end="url(#${head})" />
       </g>`;

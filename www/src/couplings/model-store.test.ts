@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeEngine, modelHash, modelText, settled, started } from "../engine/engine.fake";
 import { EngineStore } from "../engine/engine-store";
 import { FakeAddressBar } from "../settings/address.fake";
+import { readSettings, writeSettings } from "../settings/settings";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
@@ -163,6 +164,21 @@ describe("presets", () => {
     expect(engine.rollouts.length - before).toBe(1);
     model.setReading("as learned");
     expect(model.preset).toBeNull();
+  });
+
+  it("give back the visitor's reading with a reset: after a preset, sliders once went on in that of the preset", () => {
+    const other = model.presets.find(({ name }) => name === "Upper on its own")!;
+    model.setReading("as learned");
+    model.takePreset(other);
+    model.setCoupling(0, 1, 8);
+    model.resetCouplings();
+    expect([model.altered, settings.values.reading]).toEqual([false, "as learned"]);
+    // What the visitor chose later stays.
+    model.takePreset(other);
+    model.setReading("as learned");
+    model.setReading("re-inferred");
+    model.resetCouplings();
+    expect(settings.values.reading).toBe("re-inferred");
   });
 
   it("of the model that comes with the page are its own, also when it is opened again", async () => {
@@ -332,6 +348,16 @@ describe("a link", () => {
     await settled();
     expect([model.alpha(0, 1), model.foreign, model.rollout?.request.sequence]).toEqual([8, null, 1]);
     expect(settings.values.model).toBe(id(2));
+  });
+
+  it("stays in the address while it is waited for: a page that was loaded anew had lost it", async () => {
+    const link = `model=${id(2)}&alpha=0.1:8&start=1`;
+    await begin(link, 3);
+    settings.change({ latent: 4 });
+    const written = () => writeSettings(settings.written);
+    expect(readSettings(written())).toEqual({ ...readSettings(link), latent: 4 });
+    model.forgetForeign();
+    expect(written()).toBe("latent=4");
   });
 
   it("is no longer waited for when the visitor moves a slider or says so", async () => {

@@ -60,6 +60,8 @@ export class ModelStore extends Store {
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #foreign: Foreign | null = null;
+  /** The reading before a preset brought its own. */
+  #ownReading: Reading | null = null;
   /** When the visitor changed a coupling whose rollout is not there yet. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
@@ -227,7 +229,8 @@ export class ModelStore extends Store {
   takePreset(preset: Preset): void {
     const alpha = this.#model && couplingsOf(preset, this.#model.info);
     if (!alpha) return;
-    this.#foreign = null;
+    this.#waitFor(null);
+    this.#ownReading ??= this.#settings.values.reading;
     this.#change({ alpha, reading: preset.reading });
     this.#stage.endClip();
     this.#rollOut();
@@ -245,12 +248,15 @@ export class ModelStore extends Store {
     this.#rollOut();
   }
 
+  /** Takes back all couplings, and the reading that came with a preset. */
   resetCouplings(): void {
-    this.#change({ alpha: {} });
+    this.#change({ alpha: {}, reading: this.#ownReading ?? this.#settings.values.reading });
+    this.#ownReading = null;
     this.#rollOut();
   }
 
   setReading(reading: Reading): void {
+    this.#ownReading = null;
     this.#settings.change({ reading });
     this.#rollOut();
   }
@@ -275,8 +281,14 @@ export class ModelStore extends Store {
 
   /** The couplings of a link that belong to another model are not waited for any more. */
   forgetForeign(): void {
-    this.#foreign = null;
+    this.#waitFor(null);
     this.changed();
+  }
+
+  /** The address keeps what is waited for: whoever loads the page anew still has the link. */
+  #waitFor(foreign: Foreign | null): void {
+    this.#foreign = foreign;
+    this.#settings.holdBack(foreign ?? {});
   }
 
   #running(): Engine {
@@ -300,7 +312,7 @@ export class ModelStore extends Store {
   #set(changes: readonly [source: number, target: number, alpha: number][]): void {
     if (!this.#model) return;
     this.#changedAt = performance.now();
-    this.#foreign = null;
+    this.#waitFor(null);
     const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
     for (const [source, target, value] of changes) {
       // Close to the learned one it is back at it.
@@ -368,7 +380,8 @@ export class ModelStore extends Store {
   #settleCouplings({ info }: ModelView, keep: Keep): void {
     const { alpha, start, startFrame, model } = this.#settings.values;
     const isForeign = keep.couplings === "link" && model !== "" && model !== this.id;
-    if (isForeign) this.#foreign = { model, alpha, start, startFrame };
+    if (isForeign) this.#waitFor({ model, alpha, start, startFrame });
+    else if (keep.couplings === "link") this.#waitFor(null);
     // What the visitor has set for the model before is not lost: Back brings its address.
     const drops = keep.couplings === "none" || !this.#couplingsFit(info);
     if (isForeign || drops) this.#change({ alpha: {} }, keep.couplings !== "link" && this.altered);
@@ -376,7 +389,7 @@ export class ModelStore extends Store {
     // The link was followed before its model was there.
     if (this.#foreign?.model === this.id) {
       const { alpha, start, startFrame } = this.#foreign;
-      this.#foreign = null;
+      this.#waitFor(null);
       this.#change({ alpha, start, startFrame });
     } else {
       this.#change({});

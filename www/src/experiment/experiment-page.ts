@@ -4,7 +4,6 @@ import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
 import { sentence, timeLeft } from "../ui/format";
-import { onThemeChange } from "../ui/palette";
 import { progressBar } from "../ui/progress-bar";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
@@ -29,7 +28,6 @@ export class ExperimentPage extends View {
   }
 
   protected override arrived(): void {
-    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     this.whenLeaving(this.experiment.follow());
   }
 

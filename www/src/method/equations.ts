@@ -6,15 +6,18 @@ const row = (...parts: string[]) => tag("mrow", parts.join(""));
 const id = (name: string) => tag("mi", name);
 const num = (value: string) => tag("mn", value);
 const op = (sign: string) => tag("mo", sign);
-const text = (words: string) => tag("mtext", words);
+/** Words; a blank at their end is kept only if it does not break. */
+const text = (words: string) => tag("mtext", words.replace(/ $/, "\u00a0"));
 const sub = (base: string, below: string) => tag("msub", base + below);
 const sup = (base: string, above: string) => tag("msup", base + above);
 const both = (base: string, below: string, above: string) => tag("msubsup", base + below + above);
 const over = (above: string, below: string) => tag("mfrac", above + below);
-const bold = (name: string) => tag("mi", name, ' mathvariant="bold"');
 const sum = (index: string) => tag("munder", op("∑") + index);
 const bracket = (sign: string) => tag("mo", sign, ' stretchy="false"');
 const call = (f: string, ...given: string[]) => row(f, bracket("("), given.join(op(",")), bracket(")"));
+/** Browsers set no space beside the name of a function. */
+const thin = `<mspace width="0.17em"></mspace>`;
+const log = (of: string) => row(thin, id("log"), op("\u2061"), thin, of);
 const inverse = (matrix: string) => sup(matrix, row(op("−"), num("1")));
 
 const i = id("i");
@@ -31,6 +34,8 @@ const w = sub(id("w"), ji);
 const f = sup(id("f"), ji);
 const normal = (mean: string, variance: string) => call(id("𝒩"), mean, variance);
 const psi = (index: string) => sub(id("Ψ"), num(index));
+/** Expectation, a bold letter: browsers no longer make letters bold by an attribute. */
+const E = id("𝐄");
 const A = id("A");
 const b = id("b");
 
@@ -86,9 +91,7 @@ export const EQUATIONS = {
     call(id("GP"), num("0"), row(sup(id("σ"), num("2")), id("k"))),
   ),
   bound: math(
-    id("log"),
-    op("⁡"),
-    call(id("p"), id("Y")),
+    log(call(id("p"), id("Y"))),
     op("≥"),
     sum(i),
     sub(id("F"), row(text("poses "), i)),
@@ -105,18 +108,12 @@ export const EQUATIONS = {
     op("="),
     op("−"),
     over(row(id("R"), id("C")), num("2")),
-    id("log"),
-    op("("),
-    num("2"),
-    id("π"),
-    n,
-    op(")"),
+    log(call("", row(num("2"), id("π"), n))),
     op("−"),
     over(sub(id("c"), num("2")), row(num("2"), n)),
     op("+"),
     over(id("C"), num("2")),
-    id("log"),
-    over(row(op("|"), K, op("|")), row(op("|"), A, op("|"))),
+    log(over(row(op("|"), K, op("|")), row(op("|"), A, op("|")))),
     op("+"),
     over(row(id("tr"), op("("), sup(b, op("⊤")), inverse(A), b, op(")")), row(num("2"), sup(n, num("2")))),
     op("−"),
@@ -129,7 +126,7 @@ export const EQUATIONS = {
     op("+"),
     over(psi("2"), n),
     apart,
-    call(bold("E"), id("u")),
+    call(E, id("u")),
     op("="),
     over(row(K, inverse(A), b), n),
   ),
@@ -140,7 +137,7 @@ export const EQUATIONS = {
     w,
     call(id("k"), history(j), sup(id("z"), ji)),
     inverse(both(K, text("zz"), ji)),
-    call(bold("E"), sup(id("u"), ji)),
+    call(E, sup(id("u"), ji)),
   ),
 } as const;
 

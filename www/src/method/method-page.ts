@@ -59,7 +59,7 @@ export class MethodPage extends LitElement {
         <p><strong>Experts as learned.</strong> A slider changes α and so the weights. What each expert predicts stays as it is. This asks: what if
           this part listened less to that one?</p>
         <p><strong>Experts re-inferred.</strong> Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b,
-          so that E(u) can be computed again for any α, with the equation above. This asks: could the data be explained under these couplings?
+          so that <b>E</b>(u) can be computed again for any α, with the equation above. This asks: could the data be explained under these couplings?
           Often they can, and the motion stays nearly the same.</p>
         <button class="small" @click=${() => this.show("reading")}>Choose the reading</button>
       </section>`;

@@ -93,7 +93,8 @@ function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
   return {
     heading: heading(grid, `${measure.name} for numbers of pose points`),
     words: `${modelStyle(grid.model).name}: ${words}`,
-    x: { title: "Dynamics points", kind: "linear", reach: [] },
+    // From none on: of one number alone the axis would show fractions of a point.
+    x: { title: "Dynamics points", kind: "linear", reach: [0] },
     y: measure.axis,
     points: rows.flat(),
     lines: rows.map((row, i) => ({

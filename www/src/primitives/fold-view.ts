@@ -3,17 +3,17 @@ import { html, nothing } from "lit";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { ProgressStore } from "../training/progress-store";
 import { goingWords } from "../training/progress-row";
-import { sentence } from "../ui/format";
+import { grouped, sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { FoldOutcome, FoldStore } from "./fold-store";
-import stored from "./modularity.json";
+import { MEASURED } from "./measured";
 
 /** Where the stored table has the mean errors of a model alone and of a library. */
 const ALONE = 2;
 const LIBRARY = 3;
 
-const thousandths = ({ score }: ModularityOutcome) => (1000 * score.dtwMse).toFixed(3);
+const thousandths = ({ score }: ModularityOutcome) => grouped(1000 * score.dtwMse, 3);
 
 export class FoldView extends View {
   declare fold: FoldStore;
@@ -48,12 +48,12 @@ export class FoldView extends View {
   }
 
   #outcome({ trial, quick, library, alone }: FoldOutcome) {
-    const measured = stored.modular.rows.find(([movement]) => movement === library.movement) ?? [];
+    const measured = MEASURED.modular.rows.find(([movement]) => movement === library.movement) ?? [];
     const row = (words: string, outcome: ModularityOutcome, place: number) => html`
       <tr><th scope="row">${words}</th><td>${thousandths(outcome)}</td><td>${measured[place]}</td></tr>`;
     return html`
       <div class="table-box" role="region" tabindex="0" aria-label="One trial held out"><table class="lesson" data-testid="fold-outcome">
-        <thead><tr><th scope="col">DTW MSE x 1000</th><th scope="col">${trial.title}, here</th>
+        <thead><tr><th scope="col">DTW MSE × 1,000</th><th scope="col">${trial.title}, here</th>
           <th scope="col">all ${measured[1]} trials, measured</th></tr></thead>
         <tbody>${row("alone", alone, ALONE)}${row("library", library, LIBRARY)}</tbody>
       </table></div>

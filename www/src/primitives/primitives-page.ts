@@ -71,7 +71,7 @@ export class PrimitivesPage extends View {
     const { movements, frameTime } = known.info;
     const learned = movements.filter(({ learned }) => learned);
     const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
-    const names = learned.map(({ name }) => name).join(", ");
+    const names = learned.map(({ name }) => `“${name}”`).join(" and ");
     return html`
       <section class="panel library-head" aria-label="The library">
         <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>

@@ -18,7 +18,7 @@ import {
 import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
-import { partColour } from "../ui/palette";
+import { colourNow, partColour } from "../ui/palette";
 import { partOfJoints } from "./part-of-joints";
 
 export interface MovedBody {
@@ -140,7 +140,8 @@ function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
     const owner = bones.indexOf(bone.parent as Bone);
     if (owner < 0) return;
     const [from, to] = [placeOf(bone.parent as Bone), placeOf(bone)];
-    const colour = new Color((part[owner] ?? -1) < 0 ? NO_PART : partColour(part[owner] ?? 0)).toArray();
+    const own = part[owner] ?? -1;
+    const colour = new Color(own < 0 ? NO_PART : colourNow(partColour(own))).toArray();
     for (const corner of octahedron(from, to)) {
       points.push(...corner.toArray());
       colours.push(...colour);

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { added, moved, partsByName, placeOf, renamed, without } from "./parts-of-columns";
+import { added, moved, partsByName, placeOf, without } from "./parts-of-columns";
 
 const TABLE = ["arm_x", "arm_y", "leg_x"];
 const PARTS = [
@@ -38,9 +38,4 @@ it("adds and removes parts without losing a column", () => {
     { name: "part 3", columns: [] },
   ]);
   expect(without([{ name: "whole", columns: TABLE }], TABLE, 0)).toHaveLength(1);
-});
-
-it("gives a part another name, but not one that another has", () => {
-  expect(renamed(PARTS, 0, " hand ").map(({ name }) => name)).toEqual(["hand", "leg"]);
-  for (const name of ["leg", " "]) expect(renamed(PARTS, 0, name)).toEqual(PARTS);
 });

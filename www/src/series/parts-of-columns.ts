@@ -1,6 +1,7 @@
 // Which columns are which part's: a first guess by their names, and what the visitor changes of it. No rendering.
 import { MAX_PARTS } from "../engine/limits";
 import type { TablePart } from "../engine/series-protocol";
+import { freeName } from "../ui/part-names";
 
 /** Parts by how the names of columns begin, "arm_x" and "arm.y" being of "arm"; where that tells nothing, all columns are one part. */
 export function partsByName(columns: readonly string[]): TablePart[] {
@@ -28,11 +29,7 @@ export function moved(parts: readonly TablePart[], table: readonly string[], col
 
 /** One more part, without columns. */
 export function added(parts: readonly TablePart[]): TablePart[] {
-  if (parts.length >= MAX_PARTS) return [...parts];
-  for (let i = parts.length + 1; ; i++) {
-    const name = `part ${i}`;
-    if (!parts.some((part) => part.name === name)) return [...parts, { name, columns: [] }];
-  }
+  return parts.length >= MAX_PARTS ? [...parts] : [...parts, { name: freeName(parts), columns: [] }];
 }
 
 /** Without one part: its columns go to the one before it, or, of the first, to the next. */
@@ -42,11 +39,4 @@ export function without(parts: readonly TablePart[], table: readonly string[], g
   const orphans = parts[gone]?.columns ?? [];
   const inherited = orphans.reduce<TablePart[]>((now, column) => moved(now, table, column, heir), [...parts]);
   return inherited.filter((_, part) => part !== gone);
-}
-
-/** With another name for one part, if it is one that no other part has. */
-export function renamed(parts: readonly TablePart[], part: number, name: string): TablePart[] {
-  const word = name.trim();
-  const taken = word === "" || parts.some((other, i) => i !== part && other.name === word);
-  return parts.map((other, i) => (i === part && !taken ? { ...other, name: word } : other));
 }

@@ -3,7 +3,7 @@ import { html, nothing, svg } from "lit";
 import { axes, path, type Plot, ticksAcross, widthOf } from "../figures/chart";
 import "../figures/figures.css";
 import { linearScale } from "../figures/scale";
-import { partColour, onThemeChange } from "../ui/palette";
+import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { type Curve, curvesOf } from "./curves";
@@ -32,7 +32,6 @@ export class SeriesCurves extends View {
   }
 
   protected override arrived(): void {
-    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     this.whenLeaving(this.model.clock.on(() => this.#markNow()));
     const measure = () => {
       this.room = this.querySelector(".series-curve")?.clientWidth || this.room;

@@ -52,6 +52,20 @@ describe("tables", () => {
     if (first) await tables.tick(first, false);
     expect([tables.parts, tables.clash]).toEqual([[{ name: "whole", columns: ["x", "y"] }], ""]);
   });
+
+  it("have parts with names of their own: another gives way to the old one, with a word until the next change", async () => {
+    const { tables } = series;
+    await tables.open(file("a.csv"));
+    expect([tables.renamePart(0, " hand "), tables.refused]).toEqual(["hand", ""]);
+    expect([tables.renamePart(0, "leg"), tables.refused]).toEqual(["hand", "Another part is called “leg”."]);
+    expect(tables.parts.map(({ name }) => name)).toEqual(["hand", "leg"]);
+    tables.addPart();
+    expect(tables.refused).toBe("");
+    expect([tables.renamePart(2, " "), tables.refused]).toEqual(["part 3", "A part needs a name."]);
+    const [table] = tables.all;
+    if (table) await tables.tick(table, false);
+    expect(tables.refused).toBe("");
+  });
 });
 
 describe("a training", () => {

@@ -3,8 +3,9 @@ import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
 import { messageOf } from "../ui/format";
+import { renamed, whyNotName } from "../ui/part-names";
 import { Store } from "../ui/store";
-import { added, moved, partsByName, renamed, without } from "./parts-of-columns";
+import { added, moved, partsByName, without } from "./parts-of-columns";
 
 export interface TableEntry extends ReadTable {
   source: TableSource;
@@ -19,6 +20,7 @@ export class TablesStore extends Store {
   /** The columns that the parts are of. */
   #columns: readonly string[] = [];
   #clash = "";
+  #refused = "";
   #checks = 0;
 
   constructor(whole: WholeProgram) {
@@ -47,6 +49,11 @@ export class TablesStore extends Store {
   /** Why the ticked tables cannot be trained on together; empty when they can. */
   get clash(): string {
     return this.#clash;
+  }
+
+  /** Why the last name of a part was refused; empty after the next change. */
+  get refused(): string {
+    return this.#refused;
   }
 
   /** Opens a file; one that is open already stays as it is. */
@@ -80,12 +87,17 @@ export class TablesStore extends Store {
     this.#setParts(without(this.#parts, this.#columns, part));
   }
 
-  renamePart(part: number, name: string): void {
-    this.#setParts(renamed(this.#parts, part, name));
+  /** Gives a part another name, if it is one that no other part has. Answers the name that it has now. */
+  renamePart(part: number, text: string): string {
+    const name = text.trim();
+    const why = whyNotName(this.#parts, part, name);
+    this.#setParts(why ? this.#parts : renamed(this.#parts, part, name), why);
+    return this.#parts[part]?.name ?? "";
   }
 
-  #setParts(parts: readonly TablePart[]): void {
+  #setParts(parts: readonly TablePart[], refused = ""): void {
     this.#parts = parts;
+    this.#refused = refused;
     this.changed();
   }
 
@@ -95,6 +107,7 @@ export class TablesStore extends Store {
     if (JSON.stringify([...columns].sort()) !== JSON.stringify([...this.#columns].sort()))
       this.#parts = partsByName(columns);
     this.#columns = columns;
+    this.#refused = "";
     this.changed();
     this.#checks += 1;
     const check = this.#checks;

@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import "../clips/parts-editor.css";
 import { MAX_PARTS } from "../engine/limits";
 import { icon } from "../ui/icons";
-import { partColour } from "../ui/palette";
+import { partColours, partNames } from "../ui/part-names";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";
@@ -33,23 +33,11 @@ export class TablesView extends View {
       </li>`;
   }
 
-  #part(name: string, part: number) {
-    const { tables, busy } = this;
-    return html`
-      <div style=${partStyle(partColour(part))}>
-        <i class="swatch"></i>
-        <input type="text" maxlength="24" aria-label="Name of part ${part + 1}" .value=${name} ?disabled=${busy}
-          @change=${(event: Event) => tables.renamePart(part, (event.target as HTMLInputElement).value)} />
-        <button class="round" aria-label="Remove part ${name}" title="Its columns go to another" ?disabled=${busy || tables.parts.length < 2}
-          @click=${() => tables.removePart(part)}>${icon("close")}</button>
-      </div>`;
-  }
-
-  #column(column: string) {
+  #column(column: string, colours: readonly string[]) {
     const { tables, busy } = this;
     const of = placeOf(tables.parts, column);
     return html`
-      <li style=${partStyle(partColour(Math.max(0, of)))}>
+      <li style=${partStyle(colours[of] ?? "")}>
         <i class="swatch"></i><span title=${column}>${column}</span>
         <select aria-label="Part of ${column}" ?disabled=${busy}
           @change=${(event: Event) => tables.moveColumn(column, Number((event.target as HTMLSelectElement).value))}>
@@ -60,6 +48,8 @@ export class TablesView extends View {
 
   protected override render() {
     const { tables, busy } = this;
+    const parts = tables.parts.map(({ name, columns }) => ({ name, size: columns.length }));
+    const colours = partColours(parts.map(({ size }) => size));
     return html`
       ${tables.clash ? html`<p class="bad" role="alert">${tables.clash}</p>` : nothing}
       <ul class="clip-list" data-testid="tables">${tables.all.map((table) => this.#table(table))}</ul>
@@ -69,11 +59,17 @@ export class TablesView extends View {
           : html`
           <h3>Parts</h3>
           <div class="series-parts">
-            <div class="part-names">
-              ${tables.parts.map(({ name }, part) => this.#part(name, part))}
-              <button class="small" data-testid="add-part" ?disabled=${busy || tables.parts.length >= MAX_PARTS} @click=${() => tables.addPart()}>Add a part</button>
-            </div>
-            <ul class="joint-tree" tabindex="0" aria-label="Columns and their parts">${tables.columns.map((column) => this.#column(column))}</ul>
+            ${partNames({
+              parts,
+              of: "columns",
+              most: MAX_PARTS,
+              disabled: busy,
+              refused: tables.refused,
+              rename: (part, text) => tables.renamePart(part, text),
+              remove: (part) => tables.removePart(part),
+              add: () => tables.addPart(),
+            })}
+            <ul class="joint-tree" tabindex="0" aria-label="Columns and their parts">${tables.columns.map((column) => this.#column(column, colours))}</ul>
           </div>`
       }`;
   }

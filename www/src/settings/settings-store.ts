@@ -5,6 +5,7 @@ import { limited, readSettings, type Settings } from "./settings";
 
 export class SettingsStore extends Store {
   #values: Settings;
+  #waiting: Partial<Settings> = {};
   readonly address: Address;
 
   constructor(bar: AddressBar) {
@@ -17,6 +18,17 @@ export class SettingsStore extends Store {
     return this.#values;
   }
 
+  /** What an address says: the settings now, and in their place those of a link that still wait. */
+  get written(): Readonly<Settings> {
+    return { ...this.#values, ...this.#waiting };
+  }
+
+  /** Keeps settings of a link in the address that cannot hold yet; without any, the address says what holds. */
+  holdBack(waiting: Partial<Settings>): void {
+    this.#waiting = waiting;
+    this.address.writeSoon(this.written);
+  }
+
   /**
    * Changes settings, each within its limits; a value that is not valid leaves its setting as it was. Another view is another page to whoever
    * presses Back, and so is what `turnsPage`.
@@ -25,21 +37,26 @@ export class SettingsStore extends Store {
     const next = { ...this.#values, ...limited(change) };
     const isOther = turnsPage || next.view !== this.#values.view;
     this.#values = next;
-    if (isOther) this.address.push(next);
-    else this.address.writeSoon(next);
+    if (isOther) this.address.push(this.written);
+    else this.address.writeSoon(this.written);
     this.changed();
   }
 
   /** Takes over what another address says. */
   takeFragment(fragment: string): void {
-    this.#values = readSettings(fragment);
+    this.#take(fragment);
     this.address.writeSoon(this.#values);
     this.changed();
   }
 
   /** Takes over what the address says, after a visitor has followed a link or pressed Back. */
   readAddress(): void {
-    this.#values = readSettings(this.address.read());
+    this.#take(this.address.read());
     this.changed();
+  }
+
+  #take(fragment: string): void {
+    this.#values = readSettings(fragment);
+    this.#waiting = {};
   }
 }

@@ -81,6 +81,12 @@ describe("settings in the URL", () => {
   it("refuses a joint in two parts", () => {
     expect(readSettings("#split=a:0-4;b:4-6").split).toEqual([]);
   });
+
+  it("refuses a name that two parts have, also one that they have only as the address writes it", () => {
+    expect(readSettings("#parts=hand&split=a:0-4;a:5-6").split).toEqual([]);
+    const split = ["a b", "a:b"].map((name, joint) => ({ name, joints: [joint] }));
+    expect(limited({ split })).toEqual({});
+  });
 });
 
 describe("limits", () => {

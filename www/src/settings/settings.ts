@@ -120,6 +120,9 @@ function readJoints(text: string): number[] | null {
   return joints;
 }
 
+/** The name that a part can have: the text of a split has colons and semicolons between names and joints. */
+export const partName = (text: string): string => text.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME).trimEnd();
+
 const split: Setting<PartSpec[]> = {
   key: "split",
   initial: [],
@@ -140,12 +143,12 @@ const split: Setting<PartSpec[]> = {
       if (taken.has(joint) || joint > MAX_JOINT) return null;
       taken.add(joint);
     }
-    // The text has colons and semicolons between names and joints.
     const named = parts.map(({ name, joints }) => ({
-      name: name.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME),
+      name: partName(name),
       joints: [...joints].sort((a, b) => a - b),
     }));
-    return named.length <= MAX_PARTS && named.every(({ name }) => name) ? named : null;
+    const names = new Set(named.map(({ name }) => name));
+    return named.length <= MAX_PARTS && names.size === named.length && !names.has("") ? named : null;
   },
 };
 

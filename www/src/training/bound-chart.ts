@@ -22,7 +22,8 @@ export class BoundChart extends View {
   protected override arrived(): void {
     const redraw = () => {
       this.drawn?.forget();
-      this.fill();
+      // The list beneath has the colours of the lines.
+      this.requestUpdate();
     };
     this.whenLeaving(onThemeChange(redraw));
     this.whenLeaving(() => this.drawn?.destroy());

@@ -16,6 +16,7 @@ import "./bound-chart";
 import { isOver, secondsLeft, share } from "./runs";
 import "./training.css";
 import type { TrainingStore } from "./training-store";
+import { newModelWords } from "./words";
 import { partStyle } from "../ui/styled";
 
 export class TrainingView extends View {
@@ -92,10 +93,8 @@ export class TrainingView extends View {
     if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
     if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
     const { ticked } = this.clips;
-    const trainings = training.count;
-    const models = trainings === 1 ? "A new model" : `${trainings} new models`;
-    const sample = ticked.every(({ origin }) => origin === "made") ? "sample " : "";
-    const of = `${models}, of the ${ticked.length} ticked ${sample}${ticked.length === 1 ? "clip" : "clips"} and their body.`;
+    const made = ticked.every(({ origin }) => origin === "made");
+    const of = newModelWords(training.count, ticked.length, made);
     const { words, absurd } = training.cost;
     return words ? html`${of} <span class=${absurd ? "bad" : ""} data-testid="cost">${words}</span>` : of;
   }

@@ -1,7 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import { costWords } from "./cost";
-import { endingWords } from "./words";
+import { endingWords, newModelWords } from "./words";
+
+describe("what a training would make", () => {
+  it("is said of one clip and of several", () => {
+    expect(newModelWords(2, 1, false)).toBe("2 new models, of the ticked clip and its body.");
+    expect(newModelWords(1, 1, true)).toBe("A new model, of the ticked sample clip and its body.");
+    expect(newModelWords(4, 3, false)).toBe("4 new models, of the 3 ticked clips and their body.");
+  });
+});
 
 describe("how a training ended", () => {
   const done = { cancelled: false, reason: "settled" as const };

@@ -17,6 +17,14 @@ export function phaseWords(phase: TrainingProgress["phase"]): string {
   return PHASES[phase];
 }
 
+/** What trainings would make; `made`: all their clips are samples. */
+export function newModelWords(trainings: number, clips: number, made: boolean): string {
+  const models = trainings === 1 ? "A new model" : `${trainings} new models`;
+  const sample = made ? "sample " : "";
+  const of = clips === 1 ? `ticked ${sample}clip and its body` : `${clips} ticked ${sample}clips and their body`;
+  return `${models}, of the ${of}.`;
+}
+
 /** How a run ended whose page was left. */
 export const LEFT = "You left the page; this is the best so far.";
 export const STOPPED = "You cancelled; this is the best so far.";

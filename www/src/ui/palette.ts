@@ -53,9 +53,18 @@ export function theme(): Theme {
   return darkScheme?.matches ? DARK : LIGHT;
 }
 
+/** The colour of a part as styles have it: it turns dark or light with the page, without being written again. */
 export function partColour(part: number): string {
-  const shades = PARTS[part % PARTS.length] ?? BLUE;
-  return darkScheme?.matches ? shades.dark : shades.light;
+  const { light, dark } = PARTS[part % PARTS.length] ?? BLUE;
+  return `light-dark(${light}, ${dark})`;
+}
+
+const EITHER = /^light-dark\((.+), (.+)\)$/;
+
+/** A colour of styles as it is now: canvases, WebGL and files know one colour only. Who draws with it draws again `onThemeChange`. */
+export function colourNow(colour: string): string {
+  const [, light, dark] = EITHER.exec(colour) ?? [];
+  return (darkScheme?.matches ? dark : light) ?? colour;
 }
 
 /** Calls back when the page turns dark or light; answers how to stop that. */

@@ -1,6 +1,7 @@
 //! The settings of a candidate in words.
 
 use crate::models::ModelSettings;
+use crate::words::counted;
 
 /// The settings of a GPDM besides its size.
 #[derive(Clone, Copy, PartialEq)]
@@ -45,11 +46,14 @@ pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
         ModelSettings::Tmp(s) => {
             let count = match s.primitives {
                 None => "primitives by the bound".to_owned(),
-                Some(count) => format!("{count} primitives"),
+                Some(count) => counted(count, "primitive"),
             };
             Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
         }
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(format!("{} bases", s.bases)),
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(match s.bases {
+            1 => "1 basis".to_owned(),
+            bases => format!("{bases} bases"),
+        }),
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) fn reduced(
     }
     if let Some(columns) = y.iter().map(DMatrix::ncols).min().filter(|columns| *columns < settings.latent) {
         notices.push(format!(
-            "a part has only {}: {} of its {} latent dimensions begin as noise",
+            "a part has only {}: for {} of its {} latent dimensions there is only noise to begin with",
             counted(columns, "column"),
             settings.latent - columns,
             settings.latent
@@ -79,7 +79,7 @@ mod tests {
             [
                 "17 pose inducing points are reduced, because there are only 16 frames",
                 "13 dynamics inducing points are reduced, because there are only 12 frames with a history",
-                "a part has only 1 column: 2 of its 3 latent dimensions begin as noise",
+                "a part has only 1 column: for 2 of its 3 latent dimensions there is only noise to begin with",
             ]
         );
     }

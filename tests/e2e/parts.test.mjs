@@ -1,0 +1,86 @@
+// Parts by hand: which joints are whose, and what the parts are called.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { barriers, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+const names = (/** @type {Page} */ page) => page.locator("pg-parts-editor .part-names input");
+const said = (/** @type {Page} */ page) => page.locator("pg-parts-editor").getByRole("status");
+const partOf = (/** @type {Page} */ page, joint = "") => page.getByLabel(`Part of ${joint}`, { exact: true });
+
+/** The colour of what stands before the words of each row. */
+const colours = (/** @type {Page} */ page, rows = "") =>
+  page.locator(`${rows} .swatch`).evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+
+describe("parts by hand", () => {
+  it("have names of their own: another gives way to the old one, with a word until the next change", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("setting-parts").selectOption("hand");
+    await names(page).nth(1).waitFor();
+    const first = await names(page).nth(0).inputValue();
+    const second = await names(page).nth(1).inputValue();
+    for (const { name, why } of [
+      { name: first, why: `Another part is called “${first}”.` },
+      { name: " ", why: "A part needs a name." },
+    ]) {
+      await names(page).nth(1).fill(name);
+      await names(page).nth(1).press("Enter");
+      await said(page).filter({ hasText: why }).waitFor();
+      assert.equal(await names(page).nth(1).inputValue(), second);
+    }
+    assert.deepEqual(await barriers(page), []);
+    await page.getByTestId("add-part").click();
+    await names(page).nth(2).waitFor();
+    assert.equal(await said(page).innerText(), "");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("have one colour each everywhere, and one without joints has none and is left out", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await page.getByTestId("setting-parts").selectOption("hand");
+    await page.getByTestId("add-part").click();
+    const empty = page.getByText("No joints: left out of training");
+    await empty.waitFor();
+    const [lower, upper, none] = await colours(page, "pg-parts-editor .part-names");
+    // All joints go along; what was chosen for one below before does not stay.
+    const [root, below] = await page
+      .locator("pg-parts-editor select")
+      .evaluateAll((all) => all.map((select) => select.getAttribute("aria-label")?.replace("Part of ", "")));
+    await partOf(page, below).selectOption("1");
+    await partOf(page, root).selectOption("2");
+    await empty.nth(1).waitFor();
+    assert.equal(await partOf(page, below).inputValue(), "2");
+    assert.deepEqual(await colours(page, "pg-parts-editor .part-names"), [none, none, lower]);
+    assert.deepEqual(await colours(page, ".part-row"), [lower]);
+    assert.deepEqual([...new Set(await colours(page, ".joint-tree"))], [lower]);
+    assert.notEqual(upper, lower);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("of a link that gives two one name are those of the page, and can be changed", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "parts=hand&split=a:0-4;a:5-99" });
+    await ready(page);
+    await names(page).first().waitFor();
+    const row = page.locator(".part-row li");
+    const given = await names(page).evaluateAll((all) => all.map((one) => /** @type {HTMLInputElement} */ (one).value));
+    assert.equal(given.length, await row.count());
+    assert.equal(new Set(given).size, given.length);
+    await names(page).first().fill("body");
+    await names(page).first().press("Enter");
+    await row.filter({ hasText: "body" }).waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -1,0 +1,23 @@
+// The tables of the experiment as the program wrote them, with signs and digits as on the rest of the page.
+import { grouped } from "../ui/format";
+import stored from "./modularity.json";
+
+export interface Table {
+  head: string[];
+  rows: string[][];
+}
+
+/** "-1234.5 (x 1000)" becomes "−1,234.5 (× 1,000)"; a hyphen within a word stays. */
+export function asOnThePage(cell: string): string {
+  const numbers = /(?<![\w.-])-?\d+(?:\.(\d+))?/g;
+  return cell
+    .replace(numbers, (number: string, decimals = "") => grouped(Number(number), decimals.length))
+    .replace(/\bx (?=\d)/g, "× ");
+}
+
+const rewritten = ({ head, rows }: Table): Table => ({
+  head: head.map(asOnThePage),
+  rows: rows.map((row) => row.map(asOnThePage)),
+});
+
+export const MEASURED = { modular: rewritten(stored.modular), imports: rewritten(stored.imports) };

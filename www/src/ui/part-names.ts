@@ -1,0 +1,76 @@
+// The parts that a visitor makes: a row each, in its colour, with a name of its own.
+import { html, nothing, type TemplateResult } from "lit";
+import { icon } from "./icons";
+import { partColour } from "./palette";
+import { partStyle } from "./styled";
+
+interface Named {
+  name: string;
+}
+
+export interface PartNames {
+  /** Each part's name, and how many joints or columns it has. */
+  parts: readonly (Named & { size: number })[];
+  /** What parts are made of. */
+  of: "joints" | "columns";
+  /** No more parts than these. */
+  most: number;
+  disabled: boolean;
+  /** Why the last name was refused; empty after the next change. */
+  refused: string;
+  /** Gives a part another name, and answers the name that it has now. */
+  rename(place: number, text: string): string;
+  remove(place: number): void;
+  add(): void;
+}
+
+/** Why a part cannot have this name; empty where it can. */
+export function whyNotName(parts: readonly Named[], place: number, name: string): string {
+  if (name === "") return "A part needs a name.";
+  return parts.some((other, i) => i !== place && other.name === name) ? `Another part is called “${name}”.` : "";
+}
+
+/** With another name for one part. */
+export const renamed = <Part extends Named>(parts: readonly Part[], place: number, name: string): Part[] =>
+  parts.map((part, i) => (i === place ? { ...part, name } : part));
+
+/** A name for one more part. */
+export function freeName(parts: readonly Named[]): string {
+  for (let i = parts.length + 1; ; i++) {
+    const name = `part ${i}`;
+    if (!parts.some((part) => part.name === name)) return name;
+  }
+}
+
+/** The colours of parts of these sizes. An empty one is left out of training, and the next has the colour that it would have had. */
+export function partColours(sizes: readonly number[]): string[] {
+  let trained = 0;
+  return sizes.map((size) => {
+    if (size === 0) return "var(--line)";
+    trained += 1;
+    return partColour(trained - 1);
+  });
+}
+
+export function partNames({ parts, of, most, disabled, refused, ...change }: PartNames): TemplateResult {
+  const colours = partColours(parts.map(({ size }) => size));
+  const row = ({ name, size }: PartNames["parts"][number], place: number) => html`
+    <div style=${partStyle(colours[place] ?? "")}>
+      <i class="swatch"></i>
+      <input type="text" maxlength="24" aria-label="Name of part ${place + 1}" .value=${name} ?disabled=${disabled}
+        @change=${(event: Event) => {
+          const input = event.target as HTMLInputElement;
+          // A name that stays is not drawn again.
+          input.value = change.rename(place, input.value);
+        }} />
+      <button class="round" aria-label="Remove part ${name}" title="Its ${of} go to another" ?disabled=${disabled || parts.length < 2}
+        @click=${() => change.remove(place)}>${icon("close")}</button>
+      ${size === 0 ? html`<small>No ${of}: left out of training</small>` : nothing}
+    </div>`;
+  return html`
+    <div class="part-names">
+      ${parts.map(row)}
+      <small class="limit" role="status">${refused}</small>
+      <button class="small" data-testid="add-part" ?disabled=${disabled || parts.length >= most} @click=${() => change.add()}>Add a part</button>
+    </div>`;
+}
