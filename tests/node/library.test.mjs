@@ -99,6 +99,12 @@ describe("a library of primitives", () => {
     assert.deepEqual(model.info().alpha, library.nearestCouplings([0, 3]));
     const rollout = model.rollout({ frames: 40, sequence: 0 });
     assert.ok([...rollout.positions()].every(Number.isFinite));
+    // A learned movement keeps its name: with it went where its primitives come from.
+    const learned = library.info().movements.find((movement) => movement.learned)?.name ?? "";
+    assert.throws(() => library.withCombination(learned, [0, 3], model.info().alpha), {
+      code: "model",
+      message: `expected a name that no learned movement has, found "${learned}"`,
+    });
     const extended = library.withCombination("half", [0, 3], model.info().alpha);
     const movement = extended.info().movements[2];
     assert.equal(movement?.name, "half");

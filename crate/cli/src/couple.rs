@@ -45,7 +45,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
     let read = arguments.clips.iter().map(Path::new).chain([arguments.library.as_path()]);
     files::check_outs([Some(&arguments.out), arguments.library_out.as_ref()].into_iter().flatten(), read)?;
-    let name = arguments.name.as_deref().unwrap_or("combination");
+    // Without a name it is in no library that is kept.
+    let name = arguments.name.as_deref().unwrap_or_default();
+    trained.check_name(name).map_err(|error| usage(format!("--name: {error}")))?;
     let begin = Instant::now();
     let mut reason = None;
     // A combination that was recorded is there already, with the rows that it was learned from.
@@ -63,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             reason = Some(train_steps(|| trainer.step().into(), "bound")?);
             (trainer.movement(name), clips.into_iter().map(|clip| clip.info).collect())
         };
-        trained.add(movement, sequences);
+        trained.add(movement, sequences)?;
     }
     let seconds = begin.elapsed().as_secs_f64();
     let index = recorded.unwrap_or(trained.library.movements.len() - 1);

@@ -1,6 +1,6 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
-use crate::progress::Progress;
+use crate::progress::{Progress, say};
 use crate::results::Store;
 use crate::train::{parts, warn_of_cost};
 use crate::usage::usage;
@@ -17,6 +17,9 @@ use vcgpdm::models::{ModelKind, VariationalSettings};
 use vcgpdm::motion::Clip;
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
+///
+/// The exit status is 1 when all jobs failed. Some failures beside outcomes are results like others, and are said at the end. Coupled models
+/// are left out for a body in one part.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
@@ -97,7 +100,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
     let start_frames = usize::from(arguments.start_frames);
     let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
-    let asked = jobs(arguments, clips.len())?;
+    let asked = jobs(arguments, clips.len(), parts.len())?;
     // Whatever cannot be used is found before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
     for job in &asked {
@@ -131,14 +134,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(problem) = &progress.problem {
         return Err(problem.clone().into());
     }
-    let computed = progress.done;
+    let (computed, failed) = (progress.done, progress.failures.len());
     files::print_json(&json!({
         "jobs": known.len() + work.jobs.len(),
         "computed": computed,
         "known_before": known.len(),
         "left": work.jobs.len() - computed,
-        "failed": progress.failed,
-    }))
+        "failed": failed,
+    }))?;
+    let Some(first) = progress.failures.first() else { return Ok(()) };
+    let words = format!("{failed} of {computed} jobs failed, first {first}");
+    if failed == computed && known.is_empty() {
+        return Err(words.into());
+    }
+    // A failure beside outcomes is one of the results: whoever computes shares goes on to put them together.
+    say(&words);
+    Ok(())
 }
 
 /// Jobs that are shared out to threads, and where they stand.
@@ -156,7 +167,8 @@ struct Standing {
     /// How far the job of each thread is, 0 to 1.
     fractions: HashMap<usize, f64>,
     done: usize,
-    failed: usize,
+    /// Why jobs failed, each with its job.
+    failures: Vec<String>,
     problem: Option<String>,
 }
 
@@ -164,8 +176,14 @@ impl Work {
     fn new(jobs: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
         let stopped = interrupt::flag()?;
         let shown = Progress::new("about");
-        let standing =
-            Standing { store, shown, fractions: HashMap::new(), done: 0, failed: 0, problem: None };
+        let standing = Standing {
+            store,
+            shown,
+            fractions: HashMap::new(),
+            done: 0,
+            failures: Vec::new(),
+            problem: None,
+        };
         Ok(Self { jobs, next: AtomicUsize::new(0), stopped, standing: Mutex::new(standing) })
     }
 
@@ -189,7 +207,7 @@ impl Work {
                 Err(error) => Err(error.to_string()),
             };
             let mut standing = self.standing();
-            standing.failed += usize::from(result.is_err());
+            standing.failures.extend(result.as_ref().err().map(|why| format!("{job}: {why}")));
             let came_of_it =
                 result.as_ref().map_or_else(|why| format!("failed: {why}"), |_| "done".to_owned());
             if let Err(problem) = standing.store.add(Finished::new(job.clone(), result)) {
@@ -225,8 +243,8 @@ impl Work {
     }
 }
 
-/// The jobs that the arguments ask for on so many trials.
-fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>> {
+/// The jobs that the arguments ask for on so many trials of a body in so many parts.
+fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, Box<dyn Error>> {
     let plan = Plan {
         models: models(&arguments.models)?,
         latent: arguments.latent,
@@ -244,12 +262,28 @@ fn jobs(arguments: &Arguments, trials: usize) -> Result<Vec<Job>, Box<dyn Error>
         training_trials: arguments.training_trials.clone(),
         growth: false,
     };
+    let plan = if parts > 1 { plan } else { of_one_part(plan, &arguments.parts)? };
     plan.jobs(trials).map_err(|error| match error {
         PlanError::TrainingTrials { most, found } => {
             usage(format!("--training-trials {found}: expected from 1 to {most} trials"))
         }
         error => error.into(),
     })
+}
+
+/// The plan without the coupled models that it asks for, which have nothing to couple in one part: what became of them would say nothing
+/// about them. `split` is what `--parts` says.
+fn of_one_part(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
+    let coupled = plan.models.iter().filter(|kind| kind.is_coupled());
+    let coupled = coupled.map(|kind| kind.id()).collect::<Vec<_>>().join(", ");
+    let plan = plan.without_coupled();
+    if plan.models.is_empty() {
+        return Err(usage(format!("--parts {split}: expected two parts or more for {coupled}, found 1")));
+    }
+    if !coupled.is_empty() {
+        say(&format!("--parts {split} is one part: {coupled} left out, which would have nothing to couple"));
+    }
+    Ok(plan)
 }
 
 /// The trials held out, counted from 1; none named: each in turn.

@@ -3,6 +3,7 @@
 use crate::usage::usage;
 use nalgebra::DMatrix;
 use serde::Serialize;
+use std::collections::HashSet;
 use std::error::Error;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read, Write};
@@ -88,20 +89,38 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     })
 }
 
-/// Finds out early that one of several files could not be written, or that two of them would be stdout.
+/// Finds out early that one of several files could not be written, or that two of them would be stdout or one file.
 pub fn check_outs<'a, P: AsRef<Path> + 'a>(
     outs: impl IntoIterator<Item = P>,
     read: impl IntoIterator<Item = &'a Path> + Clone,
 ) -> Result<()> {
-    let mut standard = 0;
+    let mut places = HashSet::new();
     for out in outs {
-        check_writable(out.as_ref(), read.clone())?;
-        standard += usize::from(is_standard(out.as_ref()));
-    }
-    if standard > 1 {
-        return Err(usage("-: expected one file on stdout, found two"));
+        let out = out.as_ref();
+        check_writable(out, read.clone())?;
+        let place = place_of(out);
+        // A pipe or a device can take several.
+        let takes_several = place.exists() && !place.is_file() && !is_standard(out);
+        if places.insert(place) || takes_several {
+            continue;
+        }
+        if is_standard(out) {
+            return Err(usage("-: expected one file on stdout, found two"));
+        }
+        let words = "expected a file of its own for each output, found it twice: the second would be written over the first";
+        return Err(format!("{}: {words}", out.display()).into());
     }
     Ok(())
+}
+
+/// A path by which a file is known however it is spelt, whether it is there yet or not.
+fn place_of(path: &Path) -> PathBuf {
+    if is_standard(path) {
+        return path.to_owned();
+    }
+    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    let new = || Some(fs::canonicalize(folder).ok()?.join(path.file_name()?));
+    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
 }
 
 /// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and that it is none of

@@ -33,12 +33,12 @@ pub struct Arguments {
     /// Natural movements that no model has seen, for catch trials.
     #[arg(long, value_name = "CLIP", num_args = 1.., value_delimiter = ',')]
     unseen: Vec<String>,
-    /// Only these models: all, or ids.
-    #[arg(long, value_name = "all|ID,ID", default_value = "all")]
-    models: String,
-    /// Only predictions of these trials: all, or numbers from 1.
-    #[arg(long, value_name = "all|N,N", default_value = "all")]
-    folds: String,
+    /// Only these models: all, or ids; absent: all.
+    #[arg(long, value_name = "all|ID,ID")]
+    models: Option<String>,
+    /// Only predictions of these trials: all, or numbers from 1; absent: all.
+    #[arg(long, value_name = "all|N,N")]
+    folds: Option<String>,
     /// The trials and times: class, p3-part-1, p3-part-2 or p2.
     #[arg(long, value_name = "DESIGN")]
     preset: Option<String>,
@@ -51,9 +51,9 @@ pub struct Arguments {
     /// Which generated movements are marked as obvious failures, by their ids: they check attention. No others are.
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     failed: Option<Vec<String>>,
-    /// Seconds of every movement.
-    #[arg(long, value_name = "S", default_value_t = 3.5)]
-    seconds: f64,
+    /// Seconds of every movement; absent: 3.5.
+    #[arg(long, value_name = "S")]
+    seconds: Option<f64>,
     /// The seed of everything random in the design.
     #[arg(long, value_name = "S")]
     seed: Option<u32>,
@@ -65,12 +65,33 @@ pub struct Arguments {
     out: PathBuf,
 }
 
+/// Seconds of every movement, where nobody asks for others.
+const SECONDS: f64 = 3.5;
+
+impl Arguments {
+    /// The first option given that only acts when a study is made.
+    fn about_making(&self) -> Option<&'static str> {
+        let options = [
+            ("--unseen", !self.unseen.is_empty()),
+            ("--models", self.models.is_some()),
+            ("--folds", self.folds.is_some()),
+            ("--seconds", self.seconds.is_some()),
+        ];
+        options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let clips = arguments.clips.iter().chain(&arguments.unseen).map(Path::new);
     files::check_writable(&arguments.out, clips.chain([arguments.source.as_path()]))?;
     let preset = arguments.preset.as_deref().map(preset).transpose()?;
     let look = arguments.look.as_deref().map(look).transpose()?;
     let mut made = if arguments.clips.is_empty() {
+        if let Some(option) = arguments.about_making() {
+            return Err(usage(format!(
+                "{option}: expected the clips of an evaluation with it; a study that is there keeps its movements"
+            )));
+        }
         let study = read(&arguments.source)?;
         if let Some(preset) = preset { study.with_preset(preset) } else { study }
     } else {
@@ -144,7 +165,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
     }
     let Some(body) = folds.get(&1).map(Fold::body) else { return Err("expected trials, found none".into()) };
     let skeleton = body.mapping.skeleton().clone();
-    let mut maker = Maker::new(&skeleton, arguments.seconds, 1.0 / body.frame_time, start);
+    let mut maker = Maker::new(&skeleton, arguments.seconds.unwrap_or(SECONDS), 1.0 / body.frame_time, start);
     for (number, fold) in &folds {
         let trial = &setting.trials[number - 1].name;
         let body = fold.body();
@@ -193,8 +214,8 @@ fn natural(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, Box<dyn E
 /// Of each candidate that was trained on all other trials, in each fold, the seed of the highest objective, and how long its training took.
 fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box<dyn Error>> {
     let trials = results.setting().trials.len();
-    let kinds = models(&arguments.models)?;
-    let folds = crate::evaluate::folds(&arguments.folds, trials)?;
+    let kinds = models(arguments.models.as_deref().unwrap_or("all"))?;
+    let folds = crate::evaluate::folds(arguments.folds.as_deref().unwrap_or("all"), trials)?;
     let mut best: Vec<(Job, &Outcome)> = Vec::new();
     for finished in results.in_order() {
         let (job, Some(outcome)) = (&finished.job, &finished.outcome) else { continue };

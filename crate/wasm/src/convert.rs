@@ -21,12 +21,25 @@ pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
 
 /// A value from JavaScript. The error has this code; its words begin with `what` the value is.
 pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue) -> Result<T, VcgpdmError> {
-    let value = in_snake_case(value).map_err(|reason| refused(code, what, &reason))?;
+    read(code, what, checked(code, what, value, fields::<T>())?)
+}
+
+/// A copy of a value with the names of the library, after a look at its fields.
+fn checked(code: ErrorCode, what: &str, value: &JsValue, fields: &[&str]) -> Result<JsValue, VcgpdmError> {
+    let checked = in_snake_case(value).and_then(|value| check_fields(&value, fields).map(|()| value));
+    checked.map_err(|reason| refused(code, what, &reason))
+}
+
+fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: JsValue) -> Result<T, VcgpdmError> {
+    serde_wasm_bindgen::from_value(value).map_err(|reason| refused(code, what, &words(&reason)))
+}
+
+/// The names of the fields of a struct; none of anything else.
+fn fields<T: DeserializeOwned>() -> &'static [&'static str] {
     let mut fields: &[&str] = &[];
     // It always fails: it only asks for the names.
     let _ = T::deserialize(FieldNames(&mut fields));
-    check_fields(&value, fields).map_err(|reason| refused(code, what, &reason))?;
-    serde_wasm_bindgen::from_value(value).map_err(|reason| refused(code, what, &words(&reason)))
+    fields
 }
 
 /// Asks a struct for the names of its fields: what reads values of JavaScript looks for these and does not see others.
@@ -77,16 +90,17 @@ pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result
     Ok(Object::assign(first, second).into())
 }
 
-/// Two values with their fields side by side in one object: the fields of these names are the first's, the others the second's.
+/// Two structs with their fields side by side in one object.
 #[cfg(feature = "training")]
 pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
     code: ErrorCode,
     what: &str,
     value: &JsValue,
-    names: &[&str],
 ) -> Result<(A, B), VcgpdmError> {
-    let (first, second) = divided(value, names);
-    Ok((from_js(code, what, &first)?, from_js(code, what, &second)?))
+    let (first, second) = (fields::<A>(), fields::<B>());
+    let value = checked(code, what, value, &[first, second].concat())?;
+    let (first, second) = divided(&value, first);
+    Ok((read(code, what, first.into())?, read(code, what, second.into())?))
 }
 
 /// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would weigh more.
@@ -277,6 +291,21 @@ mod tests {
         assert_eq!(text(&value), expected);
         assert_eq!(from_js::<Outer>(ErrorCode::Settings, "it", &value).ok().unwrap(), outer());
         assert_eq!(text(&value), expected, "what JavaScript gave is left as it was");
+    }
+
+    #[wasm_bindgen_test]
+    fn of_two_structs_in_one_object_all_fields_are_named() {
+        let both = |text: &str| {
+            let value = JSON::parse(text).unwrap();
+            from_js_beside::<Inner, Outer>(ErrorCode::Settings, "it", &value)
+        };
+        let (first, second) =
+            both(r#"{"dynamicsIps":[[1,2],[]],"dtwMse":0.5,"allScores":[{"dtwMse":0.5}]}"#).ok().unwrap();
+        assert_eq!((first, second), (Inner { dtw_mse: 0.5 }, outer()));
+        let error: js_sys::Error = JsValue::from(both(r#"{"bogus":3}"#).err().unwrap()).unchecked_into();
+        let expected =
+            "it: unknown field `bogus`, expected some of `dtwMse`, `dynamicsIps`, `allScores`, `sha256`";
+        assert_eq!(String::from(error.message()), expected);
     }
 
     #[wasm_bindgen_test]

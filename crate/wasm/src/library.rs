@@ -230,7 +230,8 @@ impl Library {
         to_js(&rows(&self.trained.library.nearest_couplings(&uses)))
     }
 
-    /// A library with the combination added as a movement of that name, under these couplings; one of the same name makes way.
+    /// A library with the combination added as a movement of that name, under these couplings; a combination of the same name makes way,
+    /// a learned movement does not.
     /// `couplings` says where they come from, such as a fit; without it they are the nearest ones, or chosen by hand.
     #[wasm_bindgen(js_name = withCombination)]
     pub fn with_combination(

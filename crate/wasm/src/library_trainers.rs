@@ -131,18 +131,19 @@ impl CouplingTrainer {
         to_js(&rows(&self.fit.alpha()))
     }
 
-    /// A library with the combination as a movement of that name, which starts where the clips do.
+    /// A library with the combination as a movement of that name, which starts where the clips do; a combination of the same name
+    /// makes way, a learned movement does not.
     pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
         let name = name.get(ErrorCode::Model, "the name")?;
         let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.add(self.fit.movement(&name), self.sequences.clone());
+        trained.add(self.fit.movement(&name), self.sequences.clone())?;
         Ok(Library { trained: Rc::new(trained) })
     }
 
     /// The combination with the best couplings so far.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.add(self.fit.movement(""), self.sequences.clone());
+        trained.add(self.fit.movement(""), self.sequences.clone())?;
         Ok(Model { model: Rc::new(trained.movement(trained.library.movements.len() - 1)?) })
     }
 }

@@ -38,10 +38,14 @@ impl LiveRollout {
     /// again under them. When they do not fit, all stays as it was.
     #[wasm_bindgen(js_name = setCouplings)]
     pub fn set_couplings(&mut self, alpha: &[f64], re_inferred: bool) -> Result<(), VcgpdmError> {
-        let parts = self.model.model.part_count();
-        let alpha = DMatrix::from_fn(parts, alpha.len().div_ceil(parts), |source, target| {
-            alpha.get(source * parts + target).copied().unwrap_or(f64::NAN)
-        });
+        let (parts, found) = (self.model.model.part_count(), alpha.len());
+        if found != parts * parts {
+            let words = format_args!(
+                "expected coupling variances for {parts} x {parts} parts, found {found} numbers"
+            );
+            return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
+        }
+        let alpha = DMatrix::from_row_slice(parts, parts, alpha);
         let reading = if re_inferred { Reading::ReInferred } else { Reading::AsLearned };
         self.dynamics = self.model.model.dynamics_without(&self.cuts, &alpha, reading)?;
         (self.alpha, self.reading) = (alpha, reading);

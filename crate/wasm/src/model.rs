@@ -13,7 +13,7 @@ use std::rc::Rc;
 #[cfg(feature = "training")]
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
-use vcgpdm::models::{SequenceInfo, TrainedModel, VariationalSettings};
+use vcgpdm::models::{RolloutRequest, SequenceInfo, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -154,6 +154,9 @@ pub(crate) fn provenance_info<'a>(
     }
 }
 
+/// More sampled rollouts at once than anybody looks at.
+const MOST_SAMPLES: u32 = 1000;
+
 /// A trained model.
 #[wasm_bindgen]
 pub struct Model {
@@ -206,7 +209,8 @@ impl Model {
         Rollout::new(&self.model, self.model.rollout(&request)?, &request)
     }
 
-    /// Sampled rollouts, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from what the experts predict.
+    /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from what the experts predict.
+    /// Together they have no more frames than one rollout may have.
     #[wasm_bindgen(js_name = sampledRollouts)]
     pub fn sampled_rollouts(
         &self,
@@ -215,8 +219,19 @@ impl Model {
         seed: &Whole,
     ) -> Result<Vec<Rollout>, VcgpdmError> {
         let count = count.get(ErrorCode::Rollout, "the number of rollouts")?;
+        if !(1..=MOST_SAMPLES).contains(&count) {
+            let words =
+                format_args!("the number of rollouts: expected from 1 to {MOST_SAMPLES}, found {count}");
+            return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
+        }
         let seed = seed.get(ErrorCode::Rollout, "the seed")?;
-        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let request: RolloutRequest = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let together = request.frames.saturating_mul(count as usize);
+        let width = self.model.model.latent_dimensions().iter().sum();
+        let checked = self.model.body.check_frames(together, width);
+        checked.map_err(|reason| {
+            VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
+        })?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
         let rollouts = self.model.sampled_rollouts(&request, seeds)?;
         rollouts.map(|rollout| Rollout::new(&self.model, rollout?, &request)).collect()

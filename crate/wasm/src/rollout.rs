@@ -95,9 +95,23 @@ struct End {
 /// Which of several models of the same data is to be shown: of those of the highest rank (`Health.rank` of their rollouts) the one of the
 /// highest bound. A place in the lists, which are as long; -1 where they are empty.
 #[wasm_bindgen(js_name = bestToShow)]
-pub fn best_to_show(ranks: &[u8], bounds: &[f64]) -> i32 {
-    let models = ranks.iter().copied().zip(bounds.iter().copied());
-    vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32)
+pub fn best_to_show(
+    // As bytes, a 256 would be a 0.
+    #[wasm_bindgen(unchecked_param_type = "Uint8Array")] ranks: &[f64],
+    bounds: &[f64],
+) -> Result<i32, VcgpdmError> {
+    let refused = |expected: &str, found: f64| {
+        let words = format_args!("the ranks: expected {expected}, found {found}");
+        Err(VcgpdmError::new(ErrorCode::Rollout, &words))
+    };
+    if ranks.len() != bounds.len() {
+        return refused("as many as there are bounds", ranks.len() as f64);
+    }
+    if let Some(found) = ranks.iter().find(|rank| f64::from(**rank as u8) != **rank) {
+        return refused("whole numbers from 0 to 255", *found);
+    }
+    let models = ranks.iter().map(|rank| *rank as u8).zip(bounds.iter().copied());
+    Ok(vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32))
 }
 
 /// A rolled-out motion.
@@ -154,7 +168,11 @@ impl Rollout {
     pub fn measures(&self, first: &Whole) -> Result<JsValue, VcgpdmError> {
         let first = first.count(ErrorCode::Rollout, "the first frame")?;
         let (body, frames) = (&self.model.body, self.frames());
-        let values = self.positions.len() / frames * first.min(frames);
+        if first >= frames {
+            let words = format_args!("the first frame: expected one from 0 to {}, found {first}", frames - 1);
+            return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
+        }
+        let values = self.positions.len() / frames * first;
         let measured = measures(body.mapping.skeleton(), &self.positions[values..], body.frame_time);
         let parts = body.layout.parts().iter().map(|part| measured.of_joints(&part.joints)).collect();
         to_js_beside(&measured, &Parts { parts })

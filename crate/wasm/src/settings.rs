@@ -102,5 +102,5 @@ pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsV
 pub fn settings_from_js<P: DeserializeOwned>(
     value: &JsValue,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
-    from_js_beside(ErrorCode::Settings, "settings", value, &["parts", "framesPerSecond", "seed"])
+    from_js_beside(ErrorCode::Settings, "settings", value)
 }

@@ -64,8 +64,8 @@ pub struct Table {
 
 #[wasm_bindgen]
 impl Table {
-    /// Reads a CSV file: the names of the columns in its first row, then a row of numbers a moment. A column `time` holds seconds. The
-    /// error names the file, the line, the column, what was expected and what was found.
+    /// Reads a CSV file: the names of the columns in its first row, then a row of numbers a moment. A column `time` (or
+    /// `t`, `seconds`) holds seconds. The error names the file, the line, the column, what was expected and what was found.
     pub fn read(name: &Text, bytes: &[u8]) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
         Ok(Table { table: read(&name, bytes)? })

@@ -1,7 +1,7 @@
 // What training found: the couplings as a table, and how well the model explains the data.
 import { html, nothing } from "lit";
 import "../terms/term";
-import { grouped, short, weight } from "../ui/format";
+import { grouped, sentence, short, weight } from "../ui/format";
 import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
 import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
@@ -57,7 +57,7 @@ export function fitTable(run: ExperimentRun | null) {
 
 /** The answer in words. */
 export function verdictWords(run: ExperimentRun | null, truth: SyntheticTruth | null) {
-  if (run?.state === "failed") return html`<p class="bad">Training failed. ${run.ending}</p>`;
+  if (run?.state === "failed") return html`<p class="bad">${sentence(`Training failed: ${run.ending}`)}</p>`;
   if (!run?.findings || !truth)
     return html`<p class="empty">${run ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
   const { findings, driving, state, iteration } = run;

@@ -90,7 +90,7 @@ export class TrainingView extends View {
       return html`${done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
     }
     if (why) return sentence(why);
-    if (ending.failed) return html`<span class="bad">Training failed. ${sentence(ending.words)}</span>`;
+    if (ending.failed) return html`<span class="bad">${sentence(`Training failed: ${ending.words}`)}</span>`;
     if (ending.words) return html`${iteration}<span>${sentence(ending.words)}</span>`;
     const { ticked } = this.clips;
     const made = ticked.every(({ origin }) => origin === "made");

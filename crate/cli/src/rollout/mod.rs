@@ -7,6 +7,7 @@ use crate::files;
 use crate::usage::{Usage, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
+use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::Vcgpdm;
@@ -87,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if arguments.samples.is_some() && outs.clone().any(|out| files::is_standard(out)) {
         return Err(usage("--samples: expected files to be numbered, found stdout"));
     }
-    files::check_outs(outs, [arguments.model.as_path()])?;
+    files::check_outs(arguments.outs(), [arguments.model.as_path()])?;
     match document {
         Document::Body(model) => {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
@@ -141,6 +142,16 @@ impl Arguments {
             ("--variance", self.variance.is_some()),
         ];
         options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    /// All files that it writes, those of the samples too.
+    fn outs(&self) -> impl Iterator<Item = PathBuf> {
+        let samples = 1..=self.samples.unwrap_or(0) as usize;
+        let each = [&self.out, &self.columns, &self.latents].into_iter().flatten();
+        let each = each.flat_map(move |out| {
+            once(None).chain(samples.clone().map(Some)).map(move |number| numbered(out, number))
+        });
+        each.chain(self.variance.clone())
     }
 
     /// Writes what was rolled out, as motion and as columns, as far as they are asked for.

@@ -14,7 +14,7 @@ pub struct Arguments {
     #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
     pub(super) movements: Vec<String>,
     /// Parts that use the same primitive in all movements; every other part has one of its own in each.
-    #[arg(long, value_name = "PART,PART", requires = "movements")]
+    #[arg(long, value_name = "PART,PART")]
     pub(super) share: Vec<String>,
     /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
@@ -25,7 +25,7 @@ pub struct Arguments {
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     pub(super) parts: Option<String>,
     /// Train on columns of numbers that are no body: each CLIP is a CSV file, with the names of the columns in its first row and a row a
-    /// moment. A column "time" holds seconds; a column "frame" is left out.
+    /// moment. A column "time" (or "t", "seconds") holds seconds; a column "frame" is left out.
     #[arg(long, conflicts_with_all = ["seed_frames", "first_bones"])]
     pub(super) columns: bool,
     /// Write the model to this file.

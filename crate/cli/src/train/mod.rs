@@ -32,6 +32,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !arguments.movements.is_empty() {
         return library::run(arguments);
     }
+    // clap would not ask for it: clips, which are there, exclude movements.
+    if !arguments.share.is_empty() {
+        return Err(usage("--share: expected --movement with it"));
+    }
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;

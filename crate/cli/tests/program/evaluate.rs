@@ -82,6 +82,40 @@ fn what_failed_is_tried_again() {
     assert_eq!(mended["finished"][0]["failure"], Value::Null);
 }
 
+/// Failures beside outcomes are results, which a workflow goes on with; failures alone are not.
+#[test]
+fn what_failed_is_said_at_the_end() {
+    let out = file("all-failed");
+    let order = ["--folds", "1,1,2", "--order", "0"];
+    let output = evaluate(&out, &[&order[..], &["--models", "vgpdm,vgpdm"]].concat());
+    let last = |output: &Output| String::from_utf8_lossy(&output.stderr).lines().last().unwrap().to_owned();
+    let said = last(&output);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("vcgpdm: 2 of 2 jobs failed, first vgpdm, "), "{said}");
+    assert!(said.contains("the order of the dynamics must be from 1 to 100, found 0"), "{said}");
+    assert_eq!(results(&out)["finished"].as_array().map(Vec::len), Some(2));
+    let output = evaluate(&out, &[&order[..], &["--models", "vgpdm,dmp-rhythmic"]].concat());
+    assert!(last(&output).starts_with("vcgpdm: 2 of 4 jobs failed, first "), "{}", last(&output));
+    assert_eq!(summary(&output)["failed"].as_u64(), Some(2));
+}
+
+#[test]
+fn a_body_in_one_part_has_no_coupled_models() {
+    let out = file("one-part");
+    let whole =
+        ["evaluate", "sample:walk-1", "sample:walk-2", "--parts", "whole", "--fps", "15", "--folds", "1"];
+    let asked = |models| run(&[&whole[..], &["--models", models, "--out", out.to_str().unwrap()]].concat());
+    let said = refusal(&asked("vcgpdm,map-cgpdm"));
+    assert!(
+        said.contains("--parts whole: expected two parts or more for vcgpdm, map-cgpdm, found 1"),
+        "{said}"
+    );
+    let output = asked("map-cgpdm,dmp-rhythmic");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("--parts whole is one part: map-cgpdm left out"), "{said}");
+    assert_eq!(summary(&output)["jobs"].as_u64(), Some(1));
+}
+
 #[test]
 fn shares_together_are_the_whole() {
     let (one, whole) = (file("share"), file("whole"));

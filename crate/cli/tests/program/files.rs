@@ -95,6 +95,44 @@ fn what_is_read_is_not_written_over() {
     assert_eq!(fs::read(&clip).unwrap(), before);
 }
 
+/// Once the second output was written over the first, and all seemed well.
+#[test]
+fn each_output_has_a_file_of_its_own() {
+    let folder = folder("outputs");
+    let (out, other) = (folder.join("out.json"), folder.join("out-2.json"));
+    let same = folder.join("..").join("outputs").join("out.json");
+    json(&["train", "sample:walk-1", "--parts", "whole", "--max-iterations", "1", "--out", text(&other)]);
+    let model = folder.join("model.json");
+    fs::rename(&other, &model).unwrap();
+    let (out, other, same) = (text(&out), text(&other), text(&same));
+    let rollout = ["rollout", text(&model), "--frames", "9", "--out", out];
+    for arguments in [
+        &["train", "sample:walk-1", "--parts", "whole", "--out", out, "--write-start", same][..],
+        &[&rollout[..], &["--latents", same]].concat(),
+        &[&rollout[..], &["--columns", same]].concat(),
+        &[&rollout[..], &["--variance", same]].concat(),
+        &[&rollout[..], &["--variance", other, "--samples", "2", "--seed", "1"]].concat(),
+    ] {
+        let said = fails(arguments);
+        assert!(said.contains("expected a file of its own for each output, found it twice"), "{said}");
+    }
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is written");
+    // What cannot be lost there can be thrown away together.
+    #[cfg(unix)]
+    json(&[
+        "train",
+        "sample:walk-1",
+        "--parts",
+        "whole",
+        "--max-iterations",
+        "1",
+        "--out",
+        "/dev/null",
+        "--write-start",
+        "/dev/null",
+    ]);
+}
+
 #[test]
 fn clips_that_cannot_be_read_or_written_say_why_and_where() {
     let folder = folder("bad-clips");

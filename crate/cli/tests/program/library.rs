@@ -13,7 +13,7 @@ fn json(arguments: &[&str]) -> Value {
 }
 
 /// A small library of two movements with the lower body in common.
-fn library(name: &str) -> PathBuf {
+pub fn library(name: &str) -> PathBuf {
     let out = folder(name).join("library.json");
     let line = "train --movement walk=sample:walk-1,sample:walk-2 --movement wave=sample:walk-wave-1 --share lower \
                 --parts lower,upper --fps 12 --latent 2 --dynamics-ips 6 --pose-ips 6 --max-iterations 20";
@@ -55,6 +55,20 @@ fn primitives_of_a_library_are_coupled_anew() {
     let movement = kept.library.movements.last().unwrap();
     assert_eq!((movement.name.as_str(), &movement.uses), ("again", &vec![0, 2]));
     assert!(matches!(movement.couplings, CouplingsFrom::Clips { iterations: 1..=12, .. }));
+    // It makes way for another one; what was learned does not.
+    let more =
+        ["couple", text(&again), "--use", "lower=walk,upper=wave", "--out", text(&out), "--library-out"];
+    let others = library.with_file_name("others.json");
+    json(&[&more[..], &[text(&others), "--name", "again"]].concat());
+    let kept = TrainedLibrary::from_json(&fs::read_to_string(&others).unwrap()).unwrap();
+    assert_eq!(kept.library.movements.len(), 3);
+    let words = fails(&[&more[..], &[text(&others), "--name", "wave"]].concat());
+    assert!(
+        words.contains("--name: expected a name that no learned movement has, found \"wave\""),
+        "{words}"
+    );
+    let words = fails(&[&more[..], &[text(&out), "--name", "other"]].concat());
+    assert!(words.contains("expected a file of its own for each output"), "{words}");
     let alpha: Vec<Vec<f64>> = serde_json::from_value(printed["alpha"].clone()).unwrap();
     assert_eq!(movement.alpha[(0, 1)], alpha[0][1]);
 }
@@ -69,6 +83,8 @@ fn what_cannot_be_combined_is_refused_in_words() {
         "{}",
         couple("lower=walk")
     );
+    let words = couple("lower=walk,upper=walk,upper=wave");
+    assert!(words.contains("for each part, such as lower=walk+wave,upper=walk, found \"lower="), "{words}");
     assert!(couple("lower=walk,upper=jump").contains("to be one of walk, wave, found \"jump\""));
     let words = fails(&["rollout", text(&library), "--frames", "9", "--out", text(&out)]);
     assert!(words.contains("found a library of primitives"), "{words}");
@@ -80,6 +96,8 @@ fn what_cannot_be_combined_is_refused_in_words() {
     let share =
         ["--movement", "a=sample:walk-1", "--share", "tail", "--parts", "lower,upper", "--out", text(&out)];
     let words = fails(&[&["train"], &share[..]].concat());
+    let alone = ["train", "sample:walk-1", "--share", "lower", "--parts", "lower,upper", "--out", text(&out)];
+    assert!(fails(&alone).contains("--share: expected --movement with it"));
     assert!(words.contains("--share tail: expected one of the parts lower, upper"), "{words}");
 }
 

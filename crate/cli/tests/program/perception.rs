@@ -77,6 +77,11 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
     assert!(no_study.contains("expected a study with \"format\": \"vcgpdm study\", found"), "{no_study}");
     let id = fails(&["study", text(&made), "--failed", "trial-1", "--out", text(&other)]);
     assert!(id.contains("expected a movement of the study, found trial-1"), "{id}");
+    for option in [["--models", "tmp"], ["--folds", "1"], ["--unseen", "sample:walk-6"], ["--seconds", "2"]] {
+        let said = fails(&[&["study", text(&made), "--out", text(&other)], &option[..]].concat());
+        let expected = format!("{}: expected the clips of an evaluation with it", option[0]);
+        assert!(said.contains(&expected), "{said}");
+    }
     let itself = fails(&["study", text(&made), "--out", text(&made)]);
     assert!(itself.contains("expected another file to write to than one that is read"), "{itself}");
 }

@@ -1,6 +1,7 @@
 //! `vcgpdm reproduce`: what a model's file says is enough to train it again.
 
 use crate::call::{fails, folder, json, prints, run, taller_walk, text};
+use crate::library::library;
 use serde_json::Value;
 use std::fs;
 
@@ -27,6 +28,14 @@ fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
     assert_eq!(written["sequences"][1]["bones_of"], "walk-1 (made by this project).bvh");
     assert_eq!(written["sequences"][2]["whole"], false);
 
+    // Clips are known by their content, not by their names.
+    let copy = folder.join("copy.bvh");
+    prints(&["clip", "sample:walk-1", "--out", text(&copy)]);
+    let copied = [&reproduce[..4], &[text(&copy)]].concat();
+    let first = json(&["clip", "sample:walk-1"]);
+    assert_eq!(json(&["clip", text(&copy)])["sha256"], first["sha256"]);
+    assert_eq!(json(&copied)["same_bits"], true);
+
     // Somebody has touched a coupling.
     let mut touched = recorded;
     let alpha = touched["alpha"][0][1].as_f64().unwrap();
@@ -39,6 +48,10 @@ fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
     assert!(!output.status.success() && out.contains("\"within_tolerance\":false"), "{out}");
     assert!(err.contains("alpha") && err.contains("differs"), "{err}");
     prints(&[&reproduce[..], &["--tolerance", "0.01"]].concat());
+    for tolerance in ["nan", "-1", "inf"] {
+        let said = fails(&[&reproduce[..], &["--tolerance", tolerance]].concat());
+        assert!(said.contains(": expected a finite number from 0\n"), "{said}");
+    }
 }
 
 #[test]
@@ -53,4 +66,16 @@ fn a_clip_that_is_missing_is_named() {
     assert!(said.contains("expected the clip walk-1 (made by this project).bvh (SHA-256 "), "{said}");
     let said = json(&["reproduce", text(&model), "sample:walk-2", "sample:walk-1"]);
     assert_eq!(said["same_bits"], true);
+}
+
+#[test]
+fn a_model_that_was_put_together_is_not_trained_as_something_else() {
+    let library = library("reproduce-library");
+    let model = library.with_file_name("model.json");
+    json(&["couple", text(&library), "--use", "lower=walk,upper=wave", "--out", text(&model)]);
+    let said = fails(&["reproduce", text(&model), "sample:walk-wave-1"]);
+    assert!(
+        said.contains("model.json: expected a model that was trained from clips, found one that"),
+        "{said}"
+    );
 }

@@ -102,6 +102,8 @@ fn what_does_not_fit_is_refused_in_words() {
         (&["--cut", "lower:tail@3-9"][..], 2, "expected two of the parts lower, upper"),
         (&["--cut", "lower:upper@3-9", "1:1@3-9"], 1, "nothing would say where it goes"),
         (&["--push", "upper@3=1,2"], 1, "expected a push of part 1 by 3 finite numbers"),
+        (&["--push", "upper@90=3f"], 1, "from 2 on and before 90, found 90"),
+        (&["--cut", "lower:upper@150-160"], 1, "from 2 on and before 90, found 150"),
         (&["--samples", "2"], 2, "--seed"),
         (&["--cut", "lower:upper@3-9", "--samples", "1", "--seed", "1"], 2, "cannot be used with"),
     ] {

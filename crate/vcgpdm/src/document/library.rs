@@ -175,7 +175,7 @@ mod tests {
             let fitted = library.observed(&clips[0]).unwrap();
             let mut fit = library.coupling_trainer(&uses, std::slice::from_ref(&fitted), 4).unwrap();
             while !fit.step().done {}
-            library.add(fit.movement("fitted"), vec![fitted.info]);
+            library.add(fit.movement("fitted"), vec![fitted.info]).unwrap();
             library
         })
     }

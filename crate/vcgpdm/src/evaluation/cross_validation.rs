@@ -41,6 +41,12 @@ pub enum EvaluationError {
         /// The number asked for.
         found: usize,
     },
+    /// A coupled model has nothing to couple.
+    #[error("expected two parts or more for a {model} model, found 1")]
+    OnePart {
+        /// The id of its kind.
+        model: &'static str,
+    },
     /// The trials cannot be used together.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
@@ -181,6 +187,10 @@ impl Fold {
     /// # Errors
     /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one of them.
     pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+        let kind = candidate.kind();
+        if kind.is_coupled() && self.movements.y.len() == 1 {
+            return Err(EvaluationError::OnePart { model: kind.id() });
+        }
         let learner = candidate.learner(&self.movements, seed);
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
@@ -335,6 +345,16 @@ mod tests {
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
+    }
+
+    #[test]
+    fn a_coupled_model_of_one_part_is_not_evaluated() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let candidate = ModelSettings::Vcgpdm(VariationalSettings::default());
+        let error = fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| true).unwrap_err().to_string();
+        assert_eq!(error, "expected two parts or more for a vcgpdm model, found 1");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::evaluation::job::Job;
 use crate::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use thiserror::Error;
 
 /// Which jobs a comparison asks for: every candidate in every fold with every seed.
@@ -154,7 +155,7 @@ impl Plan {
         }
     }
 
-    /// The jobs on so many trials, fold after fold, so that the first tables come early.
+    /// The jobs on so many trials, each once, fold after fold, so that the first tables come early.
     ///
     /// # Errors
     /// It asks for a trial that is not there, or for more trials to train on than there are.
@@ -183,6 +184,8 @@ impl Plan {
             let fewer = self.growth_jobs(&folds, most);
             jobs.extend(fewer);
         }
+        let mut ids = BTreeSet::new();
+        jobs.retain(|job| ids.insert(job.to_string()));
         Ok(jobs)
     }
 
@@ -204,7 +207,6 @@ impl Plan {
                     seed,
                 })
             })
-            .filter(|job| !self.training_trials.contains(&job.training_trials))
             .collect()
     }
 }
@@ -242,6 +244,21 @@ mod tests {
         assert_eq!(jobs.len(), 4 * fold);
         assert_eq!((jobs[0].held_out, jobs[0].training_trials), (3, 1));
         assert_eq!((jobs[fold].held_out, jobs[fold].training_trials), (3, 2));
+    }
+
+    #[test]
+    fn what_is_named_twice_is_one_job() {
+        let once = Plan { held_out: vec![2, 1], training_trials: vec![2, 1], ..plan() };
+        let twice = Plan {
+            models: [ModelKind::ALL, ModelKind::ALL].concat(),
+            ips: vec![8, 12, 8, 16],
+            primitives: vec![None, None],
+            seeds: vec![3, 4, 3],
+            held_out: vec![2, 2, 1],
+            training_trials: vec![2, 1, 2],
+            ..once.clone()
+        };
+        assert_eq!(twice.jobs(3), once.jobs(3));
     }
 
     #[test]

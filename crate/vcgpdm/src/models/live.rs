@@ -63,13 +63,15 @@ impl LiveRollout {
     ///
     /// # Errors
     ///
-    /// When the poses are no longer finite.
+    /// When there is no such number of frames, or the poses are no longer finite.
     pub fn advance(
         &mut self,
         model: &TrainedModel<Vcgpdm>,
         dynamics: &LatentDynamics,
         frames: usize,
     ) -> Result<LiveFrames, RolloutError> {
+        let width = model.model.latent_dimensions().iter().sum();
+        model.body.check_frames(frames, width)?;
         self.paths.forget();
         let before = self.paths.frames();
         dynamics.extend(&mut self.paths, before + frames);

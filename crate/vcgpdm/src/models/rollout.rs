@@ -138,6 +138,28 @@ pub enum RolloutError {
         /// How many numbers there are.
         found: usize,
     },
+    /// A push is not by numbers.
+    #[error("expected a push of part {part} by finite numbers, found {found}")]
+    PushNumber {
+        /// The part, counted from 0.
+        part: usize,
+        /// What stands there.
+        found: f64,
+    },
+    /// A cut or a push would not be felt.
+    #[error(
+        "expected a {what} in a frame that is predicted, from {first} on and before {end}, found {found}"
+    )]
+    Unfelt {
+        /// A cut or a push.
+        what: &'static str,
+        /// The first frame that is predicted: the order p of the dynamics.
+        first: usize,
+        /// Frames of the rollout.
+        end: usize,
+        /// The frame asked for; of a cut the first one.
+        found: usize,
+    },
     /// Uncertain rollouts know no cuts and pushes.
     #[error("expected no cuts and pushes in a rollout with variances")]
     Disturbed,

@@ -56,8 +56,8 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
         .ok_or_else(|| about(1, "expected a row with the names of the columns, found nothing"))?;
     check_names(&names).map_err(|problem| about(line, &problem))?;
 
-    let mut rows = Vec::new();
-    let mut count = 0;
+    // Blank lines are no rows: each row has the line on which it stands.
+    let (mut rows, mut lines) = (Vec::new(), Vec::new());
     for (line, fields) in records {
         if fields.len() != names.len() {
             let problem =
@@ -78,11 +78,11 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
             })
         });
         rows.push(numbers.collect::<Result<Vec<f64>, _>>()?);
-        count = line;
+        lines.push(line);
     }
     if rows.len() < 2 {
         return Err(about(
-            count.max(line),
+            lines.last().copied().unwrap_or(line),
             &format!("expected at least two rows of numbers, found {}", rows.len()),
         ));
     }
@@ -92,7 +92,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
     let frame_time =
         time.map(|k| step(&rows, k)).transpose().map_err(|(row, expected)| SeriesError::Number {
             file: file.to_owned(),
-            line: line + 1 + row,
+            line: lines[row],
             column: time.unwrap_or(0) + 1,
             name: time.map_or_else(String::new, |k| names[k].clone()),
             expected,

@@ -46,6 +46,10 @@ fn errors_name_file_line_and_column() {
         ("x,y\n1,inf\n3,4\n", "line 2, column 2 (y): expected a number from -1e9 to 1e9, found \"inf\""),
         ("time,y\n0,1\n1,2\n3,3\n4,4\n", "line 3, column 1 (time): expected seconds that grow by as much"),
         ("time,y\n3,1\n2,2\n1,3\n", "line 4, column 1 (time): expected seconds that grow by"),
+        (
+            "time,y\n\n0,1\n1,2\n\n3,3\n4,4\n",
+            "line 4, column 1 (time): expected seconds that grow by as much",
+        ),
         ("time\n0\n1\n", "line 1: expected a column of numbers beside the times"),
         ("x,\"y\n1,2\n", "line 1: expected a closing quote"),
     ] {

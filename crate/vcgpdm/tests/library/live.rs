@@ -23,6 +23,9 @@ fn undisturbed_it_goes_on_as_the_rollout_does() {
     }
     let begin = 20 * expected.len() / 60;
     assert_eq!(positions.len(), expected.len() - begin);
+    // More than memory holds are refused before anything is made of them.
+    let error = live.clone().advance(&model, &dynamics, 1_000_000_000).unwrap_err().to_string();
+    assert!(error.starts_with("expected from 1 to ") && error.ends_with("found 1000000000"), "{error}");
     for (a, b) in positions.iter().zip(&expected[begin..]) {
         assert!((a - b).abs() < 1e-4, "{a} {b}");
     }

@@ -40,6 +40,12 @@ pub enum CombinationError {
         /// The one asked for, counted from 0.
         found: usize,
     },
+    /// A combination would take the place of a movement that primitives learned from.
+    #[error("expected a name that no learned movement has, found {found:?}")]
+    Learned {
+        /// The name asked for.
+        found: String,
+    },
     /// The couplings do not fit the parts.
     #[error(transparent)]
     Couplings(#[from] CouplingsError),

@@ -155,11 +155,13 @@ impl TrainedLibrary {
     ///
     /// # Errors
     ///
-    /// When it names a part or a primitive that is not there, or not one primitive for each part.
+    /// When it names a part or a primitive that is not there, or not just one primitive for each part.
     pub fn uses(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
         let mut uses: Vec<Option<usize>> = vec![None; self.library.part_count()];
         for a in self.chosen(text)? {
-            uses[self.library.primitives[a].part] = Some(a);
+            if uses[self.library.primitives[a].part].replace(a).is_some() {
+                return Err(self.misunderstood(text));
+            }
         }
         let whole: Option<Vec<usize>> = uses.into_iter().collect();
         whole.ok_or_else(|| self.misunderstood(text))
@@ -260,12 +262,12 @@ impl TrainedLibrary {
         Ok(CouplingTrainer::new(&self.library, uses, y, lengths, max_iterations)?)
     }
 
-    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where the nearest movements do; one of
-    /// the same name makes way. Couplings that are not the nearest ones come from where `from` says, else from somebody's hand.
+    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where the nearest movements do; a
+    /// combination of the same name makes way. Couplings that are not the nearest ones come from where `from` says, else from somebody's hand.
     ///
     /// # Errors
     ///
-    /// As [`Library::combination`].
+    /// As [`Library::combination`], and when a learned movement has the name.
     pub fn add_combination(
         &mut self,
         name: &str,
@@ -281,12 +283,33 @@ impl TrainedLibrary {
             from => from.unwrap_or(CouplingsFrom::Hand),
         };
         let infos = self.start_infos(uses);
-        self.add(LearnedMovement { alpha: alpha.clone(), couplings, ..nearest }, infos);
+        self.add(LearnedMovement { alpha: alpha.clone(), couplings, ..nearest }, infos)
+    }
+
+    /// Checks that a combination can have this name: the rows of a learned movement, and with them where primitives come from, would go.
+    ///
+    /// # Errors
+    ///
+    /// When a learned movement has it.
+    pub fn check_name(&self, name: &str) -> Result<(), CombinationError> {
+        let has_rows = |m: &LearnedMovement| m.name == name && m.sums.is_some();
+        if self.library.movements.iter().any(has_rows) {
+            return Err(CombinationError::Learned { found: shown(name) });
+        }
         Ok(())
     }
 
-    /// Adds a movement that starts where these clips do; one of the same name makes way.
-    pub fn add(&mut self, movement: LearnedMovement, sequences: Vec<SequenceInfo>) {
+    /// Adds a movement that starts where these clips do; a combination of the same name makes way.
+    ///
+    /// # Errors
+    ///
+    /// When a learned movement has the name.
+    pub fn add(
+        &mut self,
+        movement: LearnedMovement,
+        sequences: Vec<SequenceInfo>,
+    ) -> Result<(), CombinationError> {
+        self.check_name(&movement.name)?;
         if let Some(old) = self.library.movements.iter().position(|m| m.name == movement.name) {
             let before: usize = self.library.movements[..old].iter().map(|m| m.starts.len()).sum();
             let gone = self.library.movements.remove(old).starts.len();
@@ -294,6 +317,7 @@ impl TrainedLibrary {
         }
         self.library.movements.push(movement);
         self.body.sequences.extend(sequences);
+        Ok(())
     }
 }
 

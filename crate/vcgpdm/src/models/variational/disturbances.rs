@@ -46,16 +46,25 @@ impl Vcgpdm {
     ///
     /// # Errors
     ///
-    /// When the couplings, cuts or pushes do not fit the model, or there is no such sequence.
+    /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it could be felt, or there is no such
+    /// sequence.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
         let frames = request.frames.max(self.order);
         let latent = self.latent_dimensions();
+        let (first, end) = (self.order, request.frames);
+        let unfelt = |what, found| RolloutError::Unfelt { what, first, end, found };
         for push in &request.pushes {
             push.check(&latent)?;
+            if !(first..end).contains(&push.frame) {
+                return Err(unfelt("push", push.frame));
+            }
         }
         for cut in &request.cuts {
             self.check_parts(&[(cut.source, cut.target)])?;
+            if cut.from.max(first) >= cut.to.min(end) {
+                return Err(unfelt("cut", cut.from));
+            }
         }
         let mut paths = LatentPaths::new(&self.start(request.sequence, request.frame)?, self.order, &latent)?;
         let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
@@ -87,11 +96,12 @@ impl Push {
     pub fn check(&self, latent: &[usize]) -> Result<(), RolloutError> {
         let &expected =
             latent.get(self.part).ok_or(RolloutError::Part { count: latent.len(), found: self.part })?;
-        let fits = self.by.is_empty() || self.by.len() == expected;
-        if fits && self.by.iter().chain([&self.ahead]).all(|x| x.is_finite()) {
-            return Ok(());
+        let part = self.part;
+        if !self.by.is_empty() && self.by.len() != expected {
+            return Err(RolloutError::Push { part, expected, found: self.by.len() });
         }
-        Err(RolloutError::Push { part: self.part, expected, found: self.by.len() })
+        let wrong = self.by.iter().chain([&self.ahead]).find(|x| !x.is_finite());
+        wrong.map_or(Ok(()), |&found| Err(RolloutError::PushNumber { part, found }))
     }
 }
 
@@ -162,5 +172,25 @@ mod tests {
             refused(RolloutRequest { pushes: vec![push], ..request(9) }),
             "expected a push of part 0 by 2 finite numbers, one for each latent dimension, found 1"
         );
+        let push = |frame, by| Push { part: 0, frame, by: vec![by, 1.0], ahead: 0.0 };
+        assert_eq!(
+            refused(RolloutRequest { pushes: vec![push(3, f64::NAN)], ..request(9) }),
+            "expected a push of part 0 by finite numbers, found NaN"
+        );
+        for frame in [1, 9] {
+            assert_eq!(
+                refused(RolloutRequest { pushes: vec![push(frame, 1.0)], ..request(9) }),
+                format!(
+                    "expected a push in a frame that is predicted, from 2 on and before 9, found {frame}"
+                )
+            );
+        }
+        for (from, to) in [(0, 2), (9, 12)] {
+            let cut = Cut { source: 0, target: 1, from, to };
+            assert_eq!(
+                refused(RolloutRequest { cuts: vec![cut], ..request(9) }),
+                format!("expected a cut in a frame that is predicted, from 2 on and before 9, found {from}")
+            );
+        }
     }
 }

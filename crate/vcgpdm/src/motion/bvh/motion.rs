@@ -19,8 +19,8 @@ pub(super) fn read(
     skeleton: &Skeleton,
     warnings: &mut Vec<String>,
 ) -> Result<Motion, BvhError> {
-    let (declared, frame_time) = header(cursor, warnings)?;
     let (channels, most) = (skeleton.channel_count(), skeleton.max_frames());
+    let (declared, frame_time) = header(cursor, most, warnings)?;
     let too_many = |frames| BvhProblem::TooManyFrames { frames, nodes: skeleton.node_count(), most };
     if declared > most {
         return Err(cursor.error(too_many(declared)));
@@ -47,8 +47,8 @@ pub(super) fn read(
     Ok(Motion { frames: found, frame_time, values })
 }
 
-/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order.
-fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64), BvhError> {
+/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order. A body like this can have so many frames at `most`.
+fn header(cursor: &mut Cursor, most: usize, warnings: &mut Vec<String>) -> Result<(usize, f64), BvhError> {
     let (mut frames, mut frame_time) = (None, None);
     while frames.is_none() || frame_time.is_none() {
         let wanted = if frames.is_none() { "Frames:" } else { "Frame Time:" };
@@ -70,7 +70,8 @@ fn header(cursor: &mut Cursor, warnings: &mut Vec<String>) -> Result<(usize, f64
             "frames" if frames.is_none() => {
                 let count = value.and_then(finite).filter(|count| *count >= 1.0 && count.fract() == 0.0);
                 let Some(count) = count else {
-                    return Err(cursor.error(BvhProblem::expected("a number of frames, at least 1", value)));
+                    let wanted = format!("a number of frames from 1 to {most}");
+                    return Err(cursor.error(BvhProblem::expected(&wanted, value)));
                 };
                 frames = Some(count as usize);
             }

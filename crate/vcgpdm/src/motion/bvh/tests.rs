@@ -130,16 +130,20 @@ fn errors_say_where_what_was_expected_and_what_was_found() {
         (with("OFFSET 0 -7.5 1", "OFFSET 0 -7.5"), r#"line 13: expected a number, found "}""#.into()),
         (
             with("Frames: 3", "Frames: three"),
-            r#"line 17: expected a number of frames, at least 1, found "three""#.into(),
+            r#"line 17: expected a number of frames from 1 to 1666666, found "three""#.into(),
         ),
         (
             with("Frames: 3", "Frames: -3"),
-            r#"line 17: expected a number of frames, at least 1, found "-3""#.into(),
+            r#"line 17: expected a number of frames from 1 to 1666666, found "-3""#.into(),
+        ),
+        (
+            with("Frames: 3", "Frames: 99999999999999"),
+            r#"line 17: expected a number of frames from 1 to 1666666, found "99999999999999""#.into(),
         ),
         // Whether rows follow or not: a file that says so contradicts itself, or holds no motion.
         (
             with("Frames: 3", "Frames: 0"),
-            r#"line 17: expected a number of frames, at least 1, found "0""#.into(),
+            r#"line 17: expected a number of frames from 1 to 1666666, found "0""#.into(),
         ),
         (with("Frames: 3\n", ""), r#"line 18: expected Frames:, found "1 2 3"#.into()),
         (with("Frame Time: 0.0333333\n", ""), r#"line 18: expected Frame Time:, found "1 2 3"#.into()),
