@@ -140,7 +140,7 @@ describe("a comparison of models", () => {
       .first()
       .waitFor();
     await table
-      .getByText(/^lower 0\.\d+, upper 0\.\d+$/)
+      .getByText(/^lower\s0\.\d+, upper\s0\.\d+$/)
       .first()
       .waitFor();
     const more = page.getByRole("button", { name: /^All \d+ settings$/ });
