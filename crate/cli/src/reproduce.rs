@@ -17,7 +17,7 @@ use vcgpdm::motion::Clip;
 /// of large matrices are summed as the processor can do it best.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The model, as `vcgpdm train` or the page has saved it.
+    /// The model of a body, as `vcgpdm train` or the page has saved it.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
     /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their content.

@@ -8,7 +8,7 @@ use vcgpdm::evaluation::dtw_mse;
 /// Print the error of a rollout against a whole trial after dynamic time warping as one JSON object.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A trained model of any kind.
+    /// A trained model of a body, of any kind.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
     /// The trial: a BVH file of the same body, or sample:ID.
