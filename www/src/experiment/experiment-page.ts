@@ -43,7 +43,8 @@ export class ExperimentPage extends View {
         first && asked.length === 1 ? `Iteration ${first.iteration}` : `${over} of ${asked.length} seeds done`;
       return html`<span>${where}</span><span>${sentence(timeLeft(restOf(asked, width)))}</span>`;
     }
-    if (shown?.state === "failed") return html`<span class="bad">${sentence(`Training failed: ${shown.ending}`)}</span>`;
+    if (shown?.state === "failed")
+      return html`<span class="bad">${sentence(`Training failed: ${shown.ending}`)}</span>`;
     if (shown?.ending) return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(shown.ending)}</span>`;
     return "The seed decides the data and the training.";
   }
