@@ -2,7 +2,7 @@
 
 use crate::evaluate::models;
 use crate::progress::Progress;
-use crate::usage::usage;
+use crate::usage::{first_given, usage};
 use crate::{files, interrupt, results};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -77,7 +77,7 @@ impl Arguments {
             ("--folds", self.folds.is_some()),
             ("--seconds", self.seconds.is_some()),
         ];
-        options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+        first_given(options)
     }
 }
 

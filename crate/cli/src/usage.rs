@@ -19,3 +19,8 @@ impl Error for Usage {}
 pub fn usage(text: impl Into<String>) -> Box<dyn Error> {
     Box::new(Usage(text.into()))
 }
+
+/// The first of these options that was given.
+pub fn first_given(options: impl IntoIterator<Item = (&'static str, bool)>) -> Option<&'static str> {
+    options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+}

@@ -13,7 +13,7 @@ use std::rc::Rc;
 #[cfg(feature = "training")]
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
-use vcgpdm::models::{RolloutRequest, SequenceInfo, TrainedModel, VariationalSettings};
+use vcgpdm::models::{MOST_SAMPLES, RolloutRequest, SequenceInfo, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -154,9 +154,6 @@ pub(crate) fn provenance_info<'a>(
     }
 }
 
-/// More sampled rollouts at once than anybody looks at.
-const MOST_SAMPLES: u32 = 1000;
-
 /// A trained model.
 #[wasm_bindgen]
 pub struct Model {
@@ -227,9 +224,7 @@ impl Model {
         let seed = seed.get(ErrorCode::Rollout, "the seed")?;
         let request: RolloutRequest = from_js(ErrorCode::Rollout, "rollout", &options)?;
         let together = request.frames.saturating_mul(count as usize);
-        let width = self.model.model.latent_dimensions().iter().sum();
-        let checked = self.model.body.check_frames(together, width);
-        checked.map_err(|reason| {
+        self.model.check_frames(together).map_err(|reason| {
             VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
         })?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);

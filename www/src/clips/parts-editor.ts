@@ -5,12 +5,11 @@ import { partOfJoints } from "../scene/part-of-joints";
 import { MAX_PARTS } from "../engine/limits";
 import { partName } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { freeName, partColours, partNames, renamed, whyNotName } from "../ui/part-names";
+import { freeName, memberRow, partColours, partNames, renamed, whyNotName } from "../ui/part-names";
 import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
 import { filledSplit, moveBranch } from "./parts";
 import "./parts-editor.css";
-import { partStyle } from "../ui/styled";
 
 export class PartsEditor extends View {
   declare settings: SettingsStore;
@@ -62,17 +61,13 @@ export class PartsEditor extends View {
     const colours = partColours(split.map(({ joints: own }) => own.length));
     const depth: number[] = [];
     for (const { parent } of joints) depth.push(parent === null ? 0 : (depth[parent] ?? 0) + 1);
-    const joint = ({ name }: { name: string }, place: number) => {
-      const own = part[place] ?? 0;
-      return html`
-        <li style=${partStyle(colours[own] ?? "", { "--depth": Math.min(depth[place] ?? 0, 12) })}>
-          <i class="swatch"></i><span>${name}</span>
-          <select aria-label="Part of ${name}" ?disabled=${locked}
-            @change=${(event: Event) => this.change(moveBranch(joints, split, place, Number((event.target as HTMLSelectElement).value)))}>
-            ${split.map((to, i) => html`<option value=${i} .selected=${i === own}>${to.name}</option>`)}
-          </select>
-        </li>`;
-    };
+    const joint = ({ name }: { name: string }, place: number) =>
+      memberRow({ parts: split, disabled: locked }, colours, {
+        name,
+        part: part[place] ?? 0,
+        more: { "--depth": Math.min(depth[place] ?? 0, 12) },
+        move: (to) => this.change(moveBranch(joints, split, place, to)),
+      });
     return html`
       <div class="parts-editor">
         ${partNames({

@@ -287,6 +287,7 @@ export class ModelStore extends Store {
 
   /** The address keeps what is waited for: whoever loads the page anew still has the link. */
   #waitFor(foreign: Foreign | null): void {
+    if (foreign === this.#foreign) return;
     this.#foreign = foreign;
     this.#settings.holdBack(foreign ?? {});
   }

@@ -1,7 +1,5 @@
 // Numbers as figures and their tables write them: as many digits as say something.
-import { grouped } from "../ui/format";
-
-const MOST_DECIMALS = 8;
+import { decimalsOf, grouped, MOST_DECIMALS } from "../ui/format";
 
 /** A mean, and what is known about its error. */
 export interface Estimate {
@@ -42,18 +40,15 @@ export function spreadWords({ mean, standardError, count }: Estimate): { mean: s
   return { mean: grouped(mean, Math.max(0, decimals)), error: `± ${grouped(standardError, Math.max(0, decimals))}` };
 }
 
-const decimalsOf = (value: number) =>
-  String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0);
-
 /** Labels of values with equal steps between them: all with as many decimals as one of them needs. */
 export function evenLabels(values: readonly number[]): { value: number; label: string }[] {
-  const decimals = Math.max(0, ...values.map(decimalsOf));
+  const decimals = decimalsOf(values);
   return values.map((value) => ({ value, label: tickLabel(value, decimals) }));
 }
 
 /** Labels of values on a logarithmic scale: each with its own decimals. */
 export function powerLabels(values: readonly number[]): { value: number; label: string }[] {
-  return values.map((value) => ({ value, label: tickLabel(value, decimalsOf(value)) }));
+  return values.map((value) => ({ value, label: tickLabel(value, decimalsOf([value])) }));
 }
 
 function tickLabel(value: number, decimals: number): string {
@@ -63,7 +58,7 @@ function tickLabel(value: number, decimals: number): string {
     const text = byPower(value, digits);
     return text.replace(/^1 × /, "");
   }
-  return grouped(value, Math.min(MOST_DECIMALS, decimals));
+  return grouped(value, decimals);
 }
 
 /** A ratio of two numbers. */

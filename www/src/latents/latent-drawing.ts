@@ -1,5 +1,5 @@
 // Draws one part's latent space on a canvas: training latents, rollout, inducing points, and now.
-import { colourNow, theme } from "../ui/palette";
+import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
@@ -17,7 +17,6 @@ import { arrowHead } from "./shapes";
 export interface Between {
   inducing: DynamicsInducing;
   other: number;
-  /** As in styles. */
   colour: string;
 }
 
@@ -27,7 +26,6 @@ export type Behind = (draw: CanvasRenderingContext2D, plane: Plane, part: number
 export interface LatentPicture extends PlotView {
   ratio: number;
   part: number;
-  /** As in styles. */
   colour: string;
   /** [frames x Q] */
   rollout: Float64Array;
@@ -78,7 +76,7 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   if (picture.training) drawTraining(draw, picture, plane, picture.training);
   if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
   if (live) picture.behind?.(draw, plane, part, frame);
-  if (said) picture.band.draw(draw, plane, said, { view: picture, colour: colourNow(picture.colour), ratio });
+  if (said) picture.band.draw(draw, plane, said, { view: picture, colour: picture.colour, ratio });
   drawRollout(draw, picture, plane);
   if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
   const strength = predicted ? BESIDE_PREDICTIONS : 1;
@@ -123,7 +121,7 @@ function drawLearned(draw: CanvasRenderingContext2D, picture: LatentPicture, pla
 function drawRollout(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
   const { rollout, frame, live } = picture;
   const count = rows(rollout, picture);
-  draw.strokeStyle = colourNow(picture.colour);
+  draw.strokeStyle = picture.colour;
   draw.globalAlpha = live ? 0.16 : 0.5;
   draw.lineWidth = 1.25;
   tracePath(draw, plane, rollout, count);
@@ -151,7 +149,7 @@ function tracePath(draw: CanvasRenderingContext2D, plane: Plane, path: Float64Ar
 }
 
 function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, light: Float64Array): void {
-  draw.fillStyle = colourNow(picture.colour);
+  draw.fillStyle = picture.colour;
   const count = Math.min(light.length, rows(picture.rollout, picture));
   for (let t = 0; t < count; t++) {
     if (light[t]! < 0.05) continue;
@@ -209,8 +207,8 @@ function drawPairs(
 
 function drawOutgoing(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, between: Between): void {
   const { order } = picture;
-  draw.strokeStyle = colourNow(between.colour);
-  draw.fillStyle = colourNow(between.colour);
+  draw.strokeStyle = between.colour;
+  draw.fillStyle = between.colour;
   draw.lineWidth = 1.5;
   draw.globalAlpha = 0.85;
   for (let i = 0; i < between.inducing.count; i++) {
@@ -230,7 +228,7 @@ function drawOutgoing(draw: CanvasRenderingContext2D, picture: LatentPicture, pl
 }
 
 function drawIncoming(draw: CanvasRenderingContext2D, plane: Plane, between: Between): void {
-  draw.fillStyle = colourNow(between.colour);
+  draw.fillStyle = between.colour;
   draw.globalAlpha = 0.85;
   for (let i = 0; i < between.inducing.count; i++) {
     const [x, y] = plane.place(between.inducing.outputs, i);
@@ -285,7 +283,7 @@ function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   const now = placeNow(picture, plane);
   if (!now) return;
   const [x, y] = now;
-  draw.fillStyle = colourNow(picture.colour);
+  draw.fillStyle = picture.colour;
   if (!small) {
     draw.globalAlpha = 0.22;
     draw.beginPath();

@@ -5,7 +5,7 @@ import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/p
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
-import { onThemeChange, partColour } from "../ui/palette";
+import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
 import { Plane } from "./plane";
@@ -172,7 +172,7 @@ export class LatentPlot extends View {
     const between = (of: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
         const points = other === part || !layers.between ? undefined : of(other);
-        return points ? [{ inducing: points, other, colour: partColour(other) }] : [];
+        return points ? [{ inducing: points, other, colour: partColourNow(other) }] : [];
       });
     return {
       width: box.clientWidth,
@@ -181,7 +181,7 @@ export class LatentPlot extends View {
       projection,
       turn,
       part,
-      colour: partColour(part),
+      colour: partColourNow(part),
       rollout: latents,
       learned: altered || live ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,

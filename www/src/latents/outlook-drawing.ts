@@ -1,7 +1,7 @@
 // Draws what may come behind the path of a part: sampled futures, and the Gaussian of moment matching.
 import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
-import { colourNow, partColour, theme } from "../ui/palette";
+import { partColourNow, theme } from "../ui/palette";
 import { ellipseOf, type Plane } from "./plane";
 import { between } from "./predicted";
 import { type BandPoint, traceBand, traceEllipse } from "./shapes";
@@ -24,7 +24,7 @@ export function drawFutures(
   frame: number,
   futures: readonly RolloutResult[],
 ): void {
-  draw.strokeStyle = draw.fillStyle = colourNow(partColour(part));
+  draw.strokeStyle = draw.fillStyle = partColourNow(part);
   draw.lineWidth = 1.25;
   for (const { latents, request } of futures) {
     const path = latents[part];

@@ -1,6 +1,6 @@
 // Draws the product of experts at one time: what each part predicts, what their product is, and the step that is taken.
 import type { PredictionsReport } from "../engine/protocol";
-import { colourNow, partColour, theme } from "../ui/palette";
+import { partColourNow, theme } from "../ui/palette";
 import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
 import { between, type Predicted, type PredictedPart, predictedAt } from "./predicted";
 import { type BandPoint, arrowHead, traceBand, traceEllipse } from "./shapes";
@@ -113,9 +113,7 @@ export function drawPredictions(
   weights: readonly number[],
 ): void {
   const { ink, dark } = theme();
-  experts.forEach((expert, source) =>
-    drawExpert(draw, expert, product, weights[source] ?? 0, colourNow(partColour(source))),
-  );
+  experts.forEach((expert, source) => drawExpert(draw, expert, product, weights[source] ?? 0, partColourNow(source)));
   const [from, to] = step;
   draw.globalAlpha = 1;
   draw.strokeStyle = draw.fillStyle = ink;

@@ -5,7 +5,7 @@ import "../latents/push-handle";
 import type { PushPart } from "../latents/push-handle";
 import type { StageView } from "../stage/stage-view";
 import { cleared } from "../ui/canvas";
-import { colourNow, onThemeChange, partColour } from "../ui/palette";
+import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
@@ -138,7 +138,7 @@ function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number
   draw.globalAlpha = 1;
   const lines = (all: Pieces[], first: number, y: (value: number) => number) =>
     all.forEach((pieces, k) => {
-      draw.strokeStyle = colourNow(partColour(k + first));
+      draw.strokeStyle = partColourNow(k + first);
       for (const piece of pieces)
         line(
           draw,
@@ -159,7 +159,7 @@ function drawMark(
 ) {
   const from = x(mark.from);
   if (mark.kind === "push") {
-    draw.strokeStyle = mark.part < 0 ? "gray" : colourNow(partColour(mark.part));
+    draw.strokeStyle = mark.part < 0 ? "gray" : partColourNow(mark.part);
     draw.setLineDash([3, 3]);
     line(
       draw,
@@ -172,7 +172,7 @@ function drawMark(
     draw.setLineDash([]);
     return;
   }
-  draw.fillStyle = colourNow(partColour(mark.source));
+  draw.fillStyle = partColourNow(mark.source);
   draw.globalAlpha = 0.18;
   draw.fillRect(from, 0, x(mark.to ?? last) - from, height);
   draw.globalAlpha = 1;

@@ -4,7 +4,7 @@ import type { Motion } from "../engine/protocol";
 import type { Body } from "../scene/columns";
 import { cleared } from "../ui/canvas";
 import { eachFrame } from "../ui/each-frame";
-import { colourNow, onThemeChange, partColour, theme } from "../ui/palette";
+import { onThemeChange, partColourNow, theme } from "../ui/palette";
 import { View } from "../ui/view";
 import { SmallFigure } from "./small-figure";
 
@@ -54,7 +54,7 @@ export class FigureView extends View {
     this.#drawn = this.#walked;
     const pale = theme().dark ? "#3d444b" : "#d3d5d6";
     const colourOf = (part: number) =>
-      part >= 0 && (this.accent === null || this.accent === part) ? colourNow(partColour(part)) : pale;
+      part >= 0 && (this.accent === null || this.accent === part) ? partColourNow(part) : pale;
     this.#figure.draw(surface.draw, surface, this.#walked / 1000, colourOf);
   }
 

@@ -12,7 +12,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
-import { colourNow, partColour, theme } from "../ui/palette";
+import { partColourNow, theme } from "../ui/palette";
 import { partOfJoints } from "./part-of-joints";
 import type { Figure, PartSpec } from "../engine/protocol";
 import { type Ball, type Capsule, shapeOf } from "./body-shape";
@@ -128,7 +128,7 @@ export class FigureView {
 
   private material(part: number, style: FigureStyle): MeshStandardMaterial {
     const { ghost } = theme();
-    const own = part < 0 ? ghost : colourNow(partColour(part));
+    const own = part < 0 ? ghost : partColourNow(part);
     const look = { roughness: 0.62, metalness: 0 };
     const accent = style.kind === "accent" && style.part === part;
     const opacity = opacityOf(style, accent);

@@ -18,7 +18,7 @@ import {
 import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
-import { colourNow, partColour } from "../ui/palette";
+import { partColourNow } from "../ui/palette";
 import { partOfJoints } from "./part-of-joints";
 
 export interface MovedBody {
@@ -141,7 +141,7 @@ function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
     if (owner < 0) return;
     const [from, to] = [placeOf(bone.parent as Bone), placeOf(bone)];
     const own = part[owner] ?? -1;
-    const colour = new Color(own < 0 ? NO_PART : colourNow(partColour(own))).toArray();
+    const colour = new Color(own < 0 ? NO_PART : partColourNow(own)).toArray();
     for (const corner of octahedron(from, to)) {
       points.push(...corner.toArray());
       colours.push(...colour);

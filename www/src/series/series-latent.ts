@@ -3,7 +3,7 @@ import { html } from "lit";
 import { drawLatents } from "../latents/latent-drawing";
 import { StepBand } from "../latents/prediction-drawing";
 import { type Projection, principalAxes } from "../latents/projection";
-import { onThemeChange, partColour } from "../ui/palette";
+import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { cleared } from "../ui/canvas";
 import { View } from "../ui/view";
@@ -66,7 +66,7 @@ export class SeriesLatent extends View {
       projection: this.#projection,
       turn: FLAT,
       part: this.bodyPart,
-      colour: partColour(this.bodyPart),
+      colour: partColourNow(this.bodyPart),
       rollout: path,
       learned: altered ? (learned?.latents[this.bodyPart] ?? null) : null,
       training: known.training?.[this.bodyPart] ?? null,

@@ -3,8 +3,7 @@ import { html, nothing } from "lit";
 import "../clips/parts-editor.css";
 import { MAX_PARTS } from "../engine/limits";
 import { icon } from "../ui/icons";
-import { partColours, partNames } from "../ui/part-names";
-import { partStyle } from "../ui/styled";
+import { memberRow, partColours, partNames } from "../ui/part-names";
 import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";
 import type { TableEntry, TablesStore } from "./tables-store";
@@ -35,15 +34,12 @@ export class TablesView extends View {
 
   #column(column: string, colours: readonly string[]) {
     const { tables, busy } = this;
-    const of = placeOf(tables.parts, column);
-    return html`
-      <li style=${partStyle(colours[of] ?? "")}>
-        <i class="swatch"></i><span title=${column}>${column}</span>
-        <select aria-label="Part of ${column}" ?disabled=${busy}
-          @change=${(event: Event) => tables.moveColumn(column, Number((event.target as HTMLSelectElement).value))}>
-          ${tables.parts.map(({ name }, part) => html`<option value=${part} .selected=${part === of}>${name}</option>`)}
-        </select>
-      </li>`;
+    return memberRow({ parts: tables.parts, disabled: busy }, colours, {
+      name: column,
+      part: placeOf(tables.parts, column),
+      title: column,
+      move: (to) => tables.moveColumn(column, to),
+    });
   }
 
   protected override render() {

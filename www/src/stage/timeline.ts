@@ -4,7 +4,7 @@ import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { cleared } from "../ui/canvas";
 import { icon } from "../ui/icons";
-import { colourNow, onThemeChange, partColour } from "../ui/palette";
+import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import type { Playback } from "./playback";
 import { spotlight } from "./spotlight";
@@ -115,7 +115,7 @@ function drawMarks(canvas: HTMLCanvasElement, marks: Marks | null): void {
   const paper = cleared(canvas);
   if (!paper || !marks) return;
   const { draw, height } = paper;
-  draw.fillStyle = colourNow(partColour(marks.part));
+  draw.fillStyle = partColourNow(marks.part);
   const width = paper.width / Math.max(1, marks.frames.length);
   spotlight(marks.frames).forEach((share, frame) => {
     if (share < 0.02) return;

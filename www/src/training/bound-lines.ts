@@ -1,6 +1,6 @@
 // The terms of a bound, each a line of the chart.
 import type { TrainingProgress } from "../engine/protocol";
-import { colourNow, partColour, theme } from "../ui/palette";
+import { partColourNow, theme } from "../ui/palette";
 
 export interface Stroke {
   label: string;
@@ -19,14 +19,14 @@ export function termLines(parts: readonly string[]): Line[] {
     ...parts.map(
       (name, i): Line => ({
         label: `poses, ${name}`,
-        colour: colourNow(partColour(i)),
+        colour: partColourNow(i),
         value: ({ terms }) => terms.kinematics[i] ?? 0,
       }),
     ),
     ...parts.map(
       (name, i): Line => ({
         label: `dynamics, ${name}`,
-        colour: colourNow(partColour(i)),
+        colour: partColourNow(i),
         dash: [5, 4],
         value: ({ terms }) => terms.dynamics[i] ?? 0,
       }),

@@ -1,5 +1,5 @@
 // The part of a bound's course that is worth drawing, and the numbers beside it.
-import { grouped } from "../ui/format";
+import { decimalsOf, grouped } from "../ui/format";
 
 /** So many values are enough to know where most of them lie. */
 const ENOUGH = 3000;
@@ -18,9 +18,8 @@ export function boundRange(values: readonly (number | null)[]): [number, number]
   return [low - pad, top + pad];
 }
 
-/** The numbers beside a chart's lines, all with as many decimals as tell them apart. */
+/** The numbers beside a chart's lines, all with as many decimals as one of them needs. */
 export function axisNumbers(ticks: readonly number[]): string[] {
-  const steps = ticks.slice(1).map((tick, i) => tick - (ticks[i] ?? 0));
-  const decimals = Math.max(0, Math.ceil(-Math.log10(Math.min(1, ...steps)) - 1e-9));
+  const decimals = decimalsOf(ticks);
   return ticks.map((tick) => grouped(tick, decimals));
 }

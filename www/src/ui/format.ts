@@ -20,6 +20,16 @@ export function grouped(value: number, decimals = 0): string {
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 
+/** More decimals than these nobody reads. */
+export const MOST_DECIMALS = 8;
+
+/** So many decimals tell each of these numbers as it is. */
+export function decimalsOf(values: readonly number[]): number {
+  const own = (value: number) =>
+    String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0);
+  return Math.min(MOST_DECIMALS, Math.max(0, ...values.map(own)));
+}
+
 /** "3 s", "1 min 20 s", "2 min", "2 h 5 min" */
 export function duration(seconds: number): string {
   const whole = Math.round(seconds);

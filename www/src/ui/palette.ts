@@ -53,18 +53,18 @@ export function theme(): Theme {
   return darkScheme?.matches ? DARK : LIGHT;
 }
 
+const shadesOf = (part: number): Shades => PARTS[part % PARTS.length] ?? BLUE;
+
 /** The colour of a part as styles have it: it turns dark or light with the page, without being written again. */
 export function partColour(part: number): string {
-  const { light, dark } = PARTS[part % PARTS.length] ?? BLUE;
+  const { light, dark } = shadesOf(part);
   return `light-dark(${light}, ${dark})`;
 }
 
-const EITHER = /^light-dark\((.+), (.+)\)$/;
-
-/** A colour of styles as it is now: canvases, WebGL and files know one colour only. Who draws with it draws again `onThemeChange`. */
-export function colourNow(colour: string): string {
-  const [, light, dark] = EITHER.exec(colour) ?? [];
-  return (darkScheme?.matches ? dark : light) ?? colour;
+/** The colour as it is now: canvases, WebGL and files know one only. Who draws with it draws again `onThemeChange`. */
+export function partColourNow(part: number): string {
+  const { light, dark } = shadesOf(part);
+  return theme().dark ? dark : light;
 }
 
 /** Calls back when the page turns dark or light; answers how to stop that. */

@@ -1,4 +1,4 @@
-// The parts that a visitor makes: a row each, in its colour, with a name of its own.
+// The parts that a visitor makes: a row each, in its colour, with a name of its own; and what is whose.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "./icons";
 import { partColour } from "./palette";
@@ -74,3 +74,27 @@ export function partNames({ parts, of, most, disabled, refused, ...change }: Par
       <button class="small" data-testid="add-part" ?disabled=${disabled || parts.length >= most} @click=${() => change.add()}>Add a part</button>
     </div>`;
 }
+
+export interface Member {
+  name: string;
+  /** The place of its part. */
+  part: number;
+  /** What its style has besides the colour. */
+  more?: Record<string, number>;
+  title?: string;
+  move(to: number): void;
+}
+
+/** A joint or a column in the colour of its part, with the choice of another. */
+export const memberRow = (
+  { parts, disabled }: Pick<PartNames, "disabled"> & { parts: readonly Named[] },
+  colours: readonly string[],
+  { name, part, more, title, move }: Member,
+): TemplateResult => html`
+  <li style=${partStyle(colours[part] ?? "", more)}>
+    <i class="swatch"></i><span title=${title ?? nothing}>${name}</span>
+    <select aria-label="Part of ${name}" ?disabled=${disabled}
+      @change=${(event: Event) => move(Number((event.target as HTMLSelectElement).value))}>
+      ${parts.map((to, i) => html`<option value=${i} .selected=${i === part}>${to.name}</option>`)}
+    </select>
+  </li>`;

@@ -4,14 +4,14 @@ mod latents;
 mod words;
 
 use crate::files;
-use crate::usage::{Usage, usage};
+use crate::usage::{Usage, first_given, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
 use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Body, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel};
+use vcgpdm::models::{Body, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
 use vcgpdm::series;
 
@@ -44,7 +44,7 @@ pub struct Arguments {
     #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     push: Vec<String>,
     /// Write so many sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
-    #[arg(long, value_name = "N", requires = "seed", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", requires = "seed", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)))]
     samples: Option<u32>,
     /// The seed of the first sampled rollout; the next ones count on from it.
     #[arg(long, value_name = "S", requires = "samples")]
@@ -141,7 +141,7 @@ impl Arguments {
             ("--samples", self.samples.is_some()),
             ("--variance", self.variance.is_some()),
         ];
-        options.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+        first_given(options)
     }
 
     /// All files that it writes, those of the samples too.

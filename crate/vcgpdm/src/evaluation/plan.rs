@@ -3,7 +3,7 @@
 use crate::evaluation::job::Job;
 use crate::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
 use serde::Deserialize;
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use thiserror::Error;
 
 /// Which jobs a comparison asks for: every candidate in every fold with every seed.
@@ -184,8 +184,8 @@ impl Plan {
             let fewer = self.growth_jobs(&folds, most);
             jobs.extend(fewer);
         }
-        let mut ids = BTreeSet::new();
-        jobs.retain(|job| ids.insert(job.to_string()));
+        let mut known = HashSet::new();
+        jobs.retain(|job| known.insert(job.clone()));
         Ok(jobs)
     }
 

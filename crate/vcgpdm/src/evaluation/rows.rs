@@ -35,14 +35,13 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
         before += trials;
     }
     // Of several jobs at a time, which was finished first is chance.
-    rows.sort_by_key(|row| row.candidate.size());
-    let groups: Vec<ModelSettings> =
-        groups(rows.iter()).iter().map(|group| group[0].candidate.without_size()).collect();
+    let groups: Vec<ModelSettings> = rows.iter().map(|row| row.candidate.without_size()).collect();
     rows.sort_by_cached_key(|row| {
         let (kind, alike) = (row.candidate.kind(), row.candidate.without_size());
         (
             ModelKind::ALL.iter().position(|other| *other == kind),
             groups.iter().position(|other| *other == alike),
+            row.candidate.size(),
         )
     });
     rows

@@ -70,8 +70,7 @@ impl LiveRollout {
         dynamics: &LatentDynamics,
         frames: usize,
     ) -> Result<LiveFrames, RolloutError> {
-        let width = model.model.latent_dimensions().iter().sum();
-        model.body.check_frames(frames, width)?;
+        model.check_frames(frames)?;
         self.paths.forget();
         let before = self.paths.frames();
         dynamics.extend(&mut self.paths, before + frames);

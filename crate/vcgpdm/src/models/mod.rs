@@ -58,7 +58,7 @@ pub use observed::Observed;
 pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
 pub use provenance::{ENGINE, Provenance};
-pub use rollout::{Cut, Push, Rollout, RolloutError, RolloutRequest};
+pub use rollout::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
 pub use sequences::{Sequences, SequencesError};
 pub use settings::{DmpSettings, MapSettings, ModelSettings, TmpSettings, VariationalSettings};

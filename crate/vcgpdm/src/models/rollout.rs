@@ -9,6 +9,9 @@ use nalgebra::DMatrix;
 use serde::Deserialize;
 use thiserror::Error;
 
+/// So many sampled rollouts can be asked for at once: more than anybody looks at.
+pub const MOST_SAMPLES: u32 = 1000;
+
 /// What a rollout of a model with couplings is asked for.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -138,13 +138,22 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
         Ok(Self { model: trainer.model()?, body: Body::new(dataset), provenance })
     }
 
+    /// Whether so many frames can be rolled out.
+    ///
+    /// # Errors
+    ///
+    /// When they are none or too many.
+    pub fn check_frames(&self, frames: usize) -> Result<(), RolloutError> {
+        self.body.check_frames(frames, latent_columns(&self.model))
+    }
+
     /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
     ///
     /// # Errors
     ///
     /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or too large.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
-        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        self.check_frames(request.frames)?;
         Ok(self.rollout_along(self.model.path(request)?, request))
     }
 
@@ -159,7 +168,7 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
         request: &'a RolloutRequest,
         seeds: impl IntoIterator<Item = u64> + 'a,
     ) -> Result<impl Iterator<Item = Result<Rollout, RolloutError>> + 'a, RolloutError> {
-        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        self.check_frames(request.frames)?;
         let dynamics = self.predictive_dynamics(request)?;
         let start = self.model.start(request.sequence, request.frame)?;
         Ok(seeds
@@ -174,7 +183,7 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
     ///
     /// As [`TrainedModel::rollout`], and when a covariance cannot be factorised.
     pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
-        self.body.check_frames(request.frames, latent_columns(&self.model))?;
+        self.check_frames(request.frames)?;
         self.predictive_dynamics(request)?
             .moments(&self.model.start(request.sequence, request.frame)?, request.frames)
     }
