@@ -84,8 +84,19 @@ describe("tables of columns", () => {
     await page.getByTestId("series-maxIterations").fill("5000");
     await page.getByTestId("series-train").click();
     await question.waitFor();
+    // Asked when the question goes: the first look of the new training, a moment later, is not saved again.
+    const asksAtOnce = page.evaluate(
+      () =>
+        new Promise((answer) => {
+          const look = () =>
+            document.querySelector("[data-testid=unsaved]")
+              ? requestAnimationFrame(look)
+              : answer(!dispatchEvent(new Event("beforeunload", { cancelable: true })));
+          look();
+        }),
+    );
     const model = await saved(page, "unsaved-save");
-    assert.ok(!(await leaving()), "it is on a disk");
+    assert.ok(!(await asksAtOnce), "it is on a disk");
     await page.getByTestId("series-cancel").click();
     await page.getByTestId("series-train").waitFor();
     assert.deepEqual(problems, []);
