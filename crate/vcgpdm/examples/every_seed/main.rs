@@ -24,7 +24,7 @@ use std::time::Instant;
 use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::evaluation::stats::rank_correlation;
 use vcgpdm::golden::Case;
-use vcgpdm::models::variational::{Objective, Trainer, Vcgpdm};
+use vcgpdm::models::variational::{Objective, Params, SMALLEST_S, Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, PartsPreset};
 use vcgpdm::motion::{Clip, Skeleton, parts, samples};
@@ -89,6 +89,13 @@ struct Run {
     mse: f64,
     still: bool,
     alpha: DMatrix<f64>,
+    /// The share of the variances S that are as small as they can be.
+    smallest: f64,
+}
+
+fn share_of_smallest(params: &Params) -> f64 {
+    let all = || params.parts.iter().flat_map(|part| part.latents.variance.iter());
+    all().filter(|s| **s < 1.01 * SMALLEST_S).count() as f64 / all().count() as f64
 }
 
 fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
@@ -115,7 +122,8 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     let end = request(300, 0).rows(240, 60).row_variance().sum().sqrt();
     let variance = problem.actual.row_variance().sum();
     let still = end < 0.2 * variance.sqrt() || mse > 0.5 * variance / problem.actual.ncols() as f64;
-    Run { bound: progress.best, trace, mse, still, alpha: model.model.alpha.clone() }
+    let smallest = share_of_smallest(&trainer.best());
+    Run { bound: progress.best, trace, mse, still, alpha: model.model.alpha.clone(), smallest }
 }
 
 impl Run {
@@ -286,6 +294,10 @@ fn main() {
         println!(
             "Seconds of a whole training of ours: {}.\n",
             range(ours.iter().map(|run| run.whole().1), 1)
+        );
+        println!(
+            "Share of the variances S that are as small as they can be: {}.\n",
+            range(ours.iter().map(|run| run.smallest), 2)
         );
         foretold(&all);
         who_drives_whom(&problem, &ours);

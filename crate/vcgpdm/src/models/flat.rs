@@ -49,14 +49,18 @@ impl Kind {
 
 /// The largest coupling variance that training can reach.
 pub const LARGEST_COUPLING: f64 = 10.0;
+/// The smallest variance S that training can reach. A tenth to a half of a trained model's stand here: smaller ones would raise the bound, and
+/// some models would then predict worse or stand still (docs/training.md).
+pub const SMALLEST_S: f64 = 1e-3;
 
-// The boxes keep the search away from numbers at which a covariance is no longer one; a good model stays inside them.
+// The boxes keep the search away from numbers at which a covariance is no longer one. A good model stays inside them, but for S and for
+// lengthscales, which are largest where a map is straight.
 //
 // A search gets on well when a step of one unit changes the objective about as much in whatever direction it goes. Where S is best, log S has
 // the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S wants a far larger unit; log beta has N D / 2, some ten thousands,
 // and wants a smaller one.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
-pub(crate) const S: Kind = positive(Group::Latents, 1e-3, 2.0).in_units_of(20.0);
+pub(crate) const S: Kind = positive(Group::Latents, SMALLEST_S, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
 pub(crate) const LAMBDA: Kind = positive(Group::Kernels, 1e-3, 1e4);
 pub(crate) const SIGNAL: Kind = positive(Group::Kernels, 1e-4, 1e3);

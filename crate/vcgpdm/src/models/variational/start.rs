@@ -3,6 +3,7 @@
 
 use crate::gp::linalg::stacked;
 use crate::gp::{Gaussians, Kernel};
+use crate::models::flat::SMALLEST_S;
 use crate::models::latents::{STAND_IN, starting_couplings, starting_dynamics, starting_pose};
 use crate::models::sequences::Sequences;
 use crate::models::settings::VariationalSettings;
@@ -16,7 +17,6 @@ use rand_distr::{Distribution, StandardNormal, StandardUniform};
 
 /// The variances S as a part of the mean absolute step of the latents.
 const STEP_SHARE: f64 = 0.2;
-const SMALLEST_S: f64 = 1e-3;
 /// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit variance. Trained pose maps are:
 /// theirs are mostly between 5 and 100. From 3 one seed of 120 ended in a low bound; from 1 and 10 one
 /// and two of 40 (docs/training.md): little tells them apart.
