@@ -1,6 +1,7 @@
 //! `vcgpdm bound`: the bound of a golden case, with everything that is expected of it.
 
 use crate::files;
+use crate::numbers::whole;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -13,7 +14,7 @@ pub struct Arguments {
     #[arg(value_name = "CASE.json")]
     case: PathBuf,
     /// Compute the bound with its gradient so often and add the median time, in milliseconds.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX))]
     repeat: Option<u32>,
 }
 

@@ -1,11 +1,11 @@
 //! `vcgpdm clip`: what a clip is, and the clip written back.
 
 use crate::files;
-use crate::usage::usage;
+use crate::numbers::check_within;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::{asf, bvh};
+use vcgpdm::motion::{Clip, asf, bvh};
 
 /// Print what a clip holds as one JSON object, and write it back.
 #[derive(clap::Args)]
@@ -28,13 +28,14 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if let Some(fps) = arguments.fps {
+        check_within("--fps", "frames a second", Clip::RATES, fps)?;
+    }
     let skeleton = Path::new(&arguments.clip);
     let mut clip = match &arguments.motion {
         None => files::read_clip(&arguments.clip)?,
-        Some(_) if !(0.1..=100_000.0).contains(&arguments.amc_fps) => {
-            return Err(usage("--amc-fps: expected frames a second from 0.1 to 100000"));
-        }
         Some(motion) => {
+            check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };

@@ -1,13 +1,14 @@
 //! `vcgpdm couple`: primitives of a library in a new combination.
 
 use crate::files;
+use crate::numbers::whole;
 use crate::train::train_steps;
 use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use vcgpdm::models::library::{CouplingsFrom, TrainedLibrary};
+use vcgpdm::models::library::{CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
@@ -25,7 +26,7 @@ pub struct Arguments {
     #[arg(long = "clip", value_name = "CLIP")]
     clips: Vec<String>,
     /// Most iterations of the fit.
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = whole(1..=MOST_ITERATIONS))]
     max_iterations: usize,
     /// Write the model of the combination to this file.
     #[arg(long, value_name = "MODEL.json")]
@@ -44,7 +45,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut trained = TrainedLibrary::from_json(&text).map_err(named)?;
     let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
     let read = arguments.clips.iter().map(Path::new).chain([arguments.library.as_path()]);
-    files::check_outs([Some(&arguments.out), arguments.library_out.as_ref()].into_iter().flatten(), read)?;
+    let library_out = arguments.library_out.as_deref().map(|path| ("--library-out", path));
+    files::check_outs([Some(("--out", arguments.out.as_path())), library_out].into_iter().flatten(), read)?;
     // Without a name it is in no library that is kept.
     let name = arguments.name.as_deref().unwrap_or_default();
     trained.check_name(name).map_err(|error| usage(format!("--name: {error}")))?;

@@ -1,5 +1,6 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
+use crate::numbers::{check_within, whole};
 use crate::progress::{Progress, say};
 use crate::results::Store;
 use crate::train::{parts, warn_of_cost};
@@ -13,7 +14,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
-use vcgpdm::models::{ModelKind, VariationalSettings};
+use vcgpdm::models::{
+    MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, VariationalSettings,
+};
 use vcgpdm::motion::Clip;
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
@@ -35,14 +38,14 @@ pub struct Arguments {
     #[arg(long, value_name = "all|N,N", default_value = "all")]
     folds: String,
     /// Seeds of the models that have some.
-    #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0])]
+    #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0], value_parser = whole(0..=u32::MAX))]
     seeds: Vec<u32>,
     /// Inducing points of every dynamics map of the variational models, and of every pose map where --pose-ips is absent: one
     /// number, or several to compare.
-    #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12])]
+    #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12], value_parser = whole(1..=MOST_INDUCING))]
     ips: Vec<usize>,
     /// Inducing points of every pose map: each number with each of --ips.
-    #[arg(long, value_name = "L,L", value_delimiter = ',')]
+    #[arg(long, value_name = "L,L", value_delimiter = ',', value_parser = whole(1..=MOST_INDUCING))]
     pose_ips: Vec<usize>,
     /// The TMP's primitives over normalised time, with weights that all trials share, as in the papers.
     #[arg(long)]
@@ -51,19 +54,19 @@ pub struct Arguments {
     #[arg(long, value_name = "bound|N,N", value_delimiter = ',', default_values_t = ["bound".to_owned()])]
     primitives: Vec<String>,
     /// Basis functions of every column of the DMPs.
-    #[arg(long, value_name = "B,B", value_delimiter = ',', default_values_t = [20])]
+    #[arg(long, value_name = "B,B", value_delimiter = ',', default_values_t = [20], value_parser = whole(1..=MOST_BASES))]
     bases: Vec<usize>,
     /// How many of the other trials are trained on, to see how time grows; absent: all.
-    #[arg(long, value_name = "N,N", value_delimiter = ',')]
+    #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = whole::<usize>(1..))]
     training_trials: Vec<usize>,
     /// Latent dimensions of every part.
-    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent, value_parser = whole(1..=MOST_DIMENSIONS))]
     latent: usize,
     /// Frames of history that the dynamics see.
-    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order, value_parser = whole(1..=MOST_DIMENSIONS))]
     order: usize,
     /// Most iterations of the optimiser.
-    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations, value_parser = whole::<usize>(0..))]
     max_iterations: usize,
     /// Balance the dynamics of the MAP models against their many columns.
     #[arg(long)]
@@ -72,10 +75,10 @@ pub struct Arguments {
     #[arg(long)]
     linear: bool,
     /// Resample the clips to about so many frames a second.
-    #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
     /// Predict from so many first frames of the trial held out.
-    #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
     /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for the discrete DMP.
     #[arg(long)]
@@ -84,7 +87,7 @@ pub struct Arguments {
     #[arg(long, num_args = 3, value_names = ["K", "of", "N"])]
     job: Option<Vec<String>>,
     /// Jobs at a time; absent: as many as there are cores.
-    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "T", value_parser = whole(1..=u16::MAX))]
     threads: Option<u16>,
     /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that failed are.
     #[arg(long, value_name = "RESULTS.json")]
@@ -92,6 +95,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
     let mut clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
     if arguments.whole_cycles {
@@ -313,8 +317,10 @@ pub fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
 fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
     let number = |word: &String| match (word.trim(), word.trim().parse()) {
         ("bound", _) => Ok(None),
-        (_, Ok(count)) => Ok(Some(count)),
-        _ => Err(usage(format!("--primitives {word}: expected bound, or a number"))),
+        (_, Ok(count)) if (1..=MOST_PRIMITIVES).contains(&count) => Ok(Some(count)),
+        _ => Err(usage(format!(
+            "--primitives {word}: expected bound, or a number from 1 to {MOST_PRIMITIVES}"
+        ))),
     };
     asked.iter().map(number).collect()
 }

@@ -3,7 +3,7 @@
 use crate::usage::usage;
 use nalgebra::DMatrix;
 use serde::Serialize;
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::error::Error;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read, Write};
@@ -89,26 +89,28 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     })
 }
 
-/// Finds out early that one of several files could not be written, or that two of them would be stdout or one file.
+/// Finds out early that one of several files, each with its option, could not be written, or that two of them would be stdout or one
+/// file.
 pub fn check_outs<'a, P: AsRef<Path> + 'a>(
-    outs: impl IntoIterator<Item = P>,
+    outs: impl IntoIterator<Item = (&'static str, P)>,
     read: impl IntoIterator<Item = &'a Path> + Clone,
 ) -> Result<()> {
-    let mut places = HashSet::new();
-    for out in outs {
+    let mut places = HashMap::new();
+    for (option, out) in outs {
         let out = out.as_ref();
         check_writable(out, read.clone())?;
         let place = place_of(out);
         // A pipe or a device can take several.
         let takes_several = place.exists() && !place.is_file() && !is_standard(out);
-        if places.insert(place) || takes_several {
-            continue;
-        }
+        let Some(other) = places.insert(place, option).filter(|_| !takes_several) else { continue };
         if is_standard(out) {
             return Err(usage("-: expected one file on stdout, found two"));
         }
-        let words = "expected a file of its own for each output, found it twice: the second would be written over the first";
-        return Err(format!("{}: {words}", out.display()).into());
+        let words = "the second would be written over the first";
+        return Err(usage(format!(
+            "{option} {}: expected a file of its own, found that of {other}: {words}",
+            out.display()
+        )));
     }
     Ok(())
 }

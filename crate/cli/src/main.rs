@@ -10,6 +10,7 @@ mod evaluate;
 mod files;
 mod interrupt;
 mod merge;
+mod numbers;
 mod perception;
 mod primitives;
 mod progress;
@@ -27,7 +28,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::error::Error;
 use std::io::Write;
-use std::num::{IntErrorKind, ParseFloatError, ParseIntError};
+use std::num::ParseFloatError;
 use std::process::ExitCode;
 use usage::Usage;
 
@@ -128,22 +129,9 @@ fn words(error: &clap::Error) -> String {
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");
-    let words = error.source().and_then(|reason| Some((reason.to_string(), number_words(reason)?)));
-    let first = words.map_or(first.to_owned(), |(reason, expected)| first.replace(&reason, &expected));
+    // The standard library says it for programmers.
+    let reason = error.source().filter(|reason| reason.is::<ParseFloatError>());
+    let first =
+        reason.map_or(first.to_owned(), |reason| first.replace(&reason.to_string(), "expected a number"));
     format!("{first} (try --help)")
-}
-
-/// What was expected of a number, where the standard library and clap say it for programmers.
-fn number_words(reason: &(dyn Error + 'static)) -> Option<String> {
-    if let Some(reason) = reason.downcast_ref::<ParseIntError>() {
-        let large = *reason.kind() == IntErrorKind::PosOverflow;
-        let expected = if large { "expected a smaller number" } else { "expected a whole number from 0" };
-        return Some(expected.to_owned());
-    }
-    if reason.is::<ParseFloatError>() {
-        return Some("expected a number".to_owned());
-    }
-    let text = reason.to_string();
-    let (lowest, highest) = text.split_once(" is not in ")?.1.split_once("..=")?;
-    Some(format!("expected a whole number from {lowest} to {highest}"))
 }

@@ -32,7 +32,7 @@ struct Merge {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Command::Merge(merge) = &arguments.command;
-    files::check_outs([&merge.out], merge.results.iter().map(PathBuf::as_path))?;
+    files::check_writable(&merge.out, merge.results.iter().map(PathBuf::as_path))?;
     let mut all = results::read(&merge.results[0])?;
     for path in &merge.results[1..] {
         all.merge(results::read(path)?).map_err(|error| files::about(path, &error))?;

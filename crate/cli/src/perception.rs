@@ -1,13 +1,16 @@
 //! `vcgpdm perception`: what answers to a study say.
 
+use crate::numbers::whole;
 use crate::report::one_line;
+use crate::usage::usage;
 use crate::{files, study};
 use serde_json::json;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use vcgpdm::perception::{
-    AnalysisOptions, AnswerFile, Confusion, PaperCheck, PerceptionResults, paper_checks, read_answers,
+    AnalysisError, AnalysisOptions, AnswerFile, Confusion, PaperCheck, PerceptionResults, paper_checks,
+    read_answers,
 };
 
 /// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what predicts it.
@@ -32,13 +35,13 @@ pub struct Arguments {
     #[arg(long, value_name = "C", default_value_t = AnalysisOptions::default().ceiling)]
     ceiling: f64,
     /// Blocks of the cross-validation.
-    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().folds)]
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().folds, value_parser = whole(2..=1000_usize))]
     folds: usize,
     /// Draws from the posteriors for the order of the models.
-    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().draws)]
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().draws, value_parser = whole(1..=10_000_000_usize))]
     draws: usize,
     /// The seed of blocks and draws.
-    #[arg(long, value_name = "S", default_value_t = AnalysisOptions::default().seed)]
+    #[arg(long, value_name = "S", default_value_t = AnalysisOptions::default().seed, value_parser = whole(0..=u32::MAX))]
     seed: u32,
     /// Leave out who sees through less than this share of the attention checks.
     #[arg(long, value_name = "SHARE", default_value_t = AnalysisOptions::default().attention)]
@@ -50,7 +53,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Some(place) = &arguments.study else {
-        return files::print(&paper(&paper_checks(arguments.draws.clamp(1, 10_000_000), arguments.seed))?);
+        return files::print(&paper(&paper_checks(arguments.draws, arguments.seed))?);
     };
     let read = || [place].into_iter().chain(&arguments.answers).map(PathBuf::as_path);
     if let Some(out) = &arguments.out {
@@ -69,7 +72,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         seed: arguments.seed,
         attention: arguments.attention,
     };
-    let results = PerceptionResults::of(&study, &answers, options)?;
+    let results = PerceptionResults::of(&study, &answers, options).map_err(|error| match error {
+        // The ceiling, or the attention.
+        AnalysisError::Option { .. } => usage(error.to_string().replacen("the ", "--", 1)),
+        error => error.into(),
+    })?;
     if let Some(folder) = &arguments.figures {
         write_figures(&results, folder)?;
     }

@@ -1,6 +1,7 @@
 //! `vcgpdm primitives`: what a library holds, and primitives on their way from one library to another.
 
 use crate::files;
+use crate::numbers::whole;
 use crate::train::train_steps;
 use crate::usage::usage;
 use serde_json::{Value, json};
@@ -9,7 +10,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{
-    ImportFrames, ImportRequest, ImportTrainer, LearnedMovement, Origin, TakeInError, TrainedLibrary,
+    ImportFrames, ImportRequest, ImportTrainer, LearnedMovement, MOST_ITERATIONS, Origin, TakeInError,
+    TrainedLibrary,
 };
 
 /// Print the primitives of a library with where each comes from, save some as a file, or add those of a file.
@@ -44,10 +46,10 @@ pub struct Arguments {
     #[arg(long, value_name = "PART=PRIMITIVE,...", requires = "relearn")]
     with: Option<String>,
     /// Most iterations of learning again.
-    #[arg(long, value_name = "N", default_value_t = 200)]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = whole(1..=MOST_ITERATIONS))]
     max_iterations: usize,
     /// Seed of everything random in it.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=u32::MAX))]
     seed: u32,
     /// Write the saved primitives, or the library with the added ones, to this file.
     #[arg(long, value_name = "LIBRARY.json")]
@@ -61,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     };
     let read_places = [Some(&arguments.library), arguments.add.as_ref()].into_iter().flatten();
     let read_places = read_places.map(PathBuf::as_path).chain(arguments.clips.iter().map(Path::new));
-    files::check_outs([out], read_places)?;
+    files::check_writable(out, read_places)?;
     let (written, summary) = match (&arguments.save, &arguments.add) {
         (Some(save), _) => {
             let chosen = library.chosen(save).map_err(|error| usage(format!("--save: {error}")))?;

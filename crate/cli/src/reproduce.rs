@@ -1,5 +1,6 @@
 //! `vcgpdm reproduce`: trains a model again from what its file says, and compares.
 
+use crate::numbers::whole;
 use crate::usage::usage;
 use crate::{files, interrupt};
 use serde_json::{Value, json};
@@ -27,7 +28,7 @@ pub struct Arguments {
     #[arg(long, value_name = "T", default_value_t = 1e-8)]
     tolerance: f64,
     /// Threads that compute the bound (vcgpdm, vgpdm), as for `vcgpdm train`; the bits are the same.
-    #[arg(long, value_name = "T", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "T", default_value_t = 1, value_parser = whole(1..=u16::MAX))]
     threads: u16,
     /// Write the model that was trained again to this file.
     #[arg(long, value_name = "MODEL.json")]

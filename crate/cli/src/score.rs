@@ -1,6 +1,7 @@
 //! `vcgpdm score`: how far a rollout is from a whole trial.
 
 use crate::files;
+use crate::numbers::whole;
 use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::evaluation::dtw_mse;
@@ -15,7 +16,7 @@ pub struct Arguments {
     #[arg(value_name = "CLIP")]
     clip: String,
     /// Start where this training sequence starts, counted from 0 in the order given to training.
-    #[arg(long, value_name = "SEQUENCE", default_value_t = 0)]
+    #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
 }
 

@@ -1,6 +1,7 @@
 //! `vcgpdm study`: a study of perceived naturalness, from an evaluation and its clips.
 
 use crate::evaluate::models;
+use crate::numbers::{check_within, whole};
 use crate::progress::Progress;
 use crate::usage::{first_given, usage};
 use crate::{files, interrupt, results};
@@ -55,10 +56,10 @@ pub struct Arguments {
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
     /// The seed of everything random in the design.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", value_parser = whole(0..=u32::MAX))]
     seed: Option<u32>,
     /// Trainings at a time; absent: as many as there are cores.
-    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "T", value_parser = whole(1..=u16::MAX))]
     threads: Option<u16>,
     /// Write the study to this file.
     #[arg(long, value_name = "STUDY.json")]
@@ -84,6 +85,9 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let clips = arguments.clips.iter().chain(&arguments.unseen).map(Path::new);
     files::check_writable(&arguments.out, clips.chain([arguments.source.as_path()]))?;
+    if let Some(seconds) = arguments.seconds {
+        check_within("--seconds", "seconds", Study::SECONDS, seconds)?;
+    }
     let preset = arguments.preset.as_deref().map(preset).transpose()?;
     let look = arguments.look.as_deref().map(look).transpose()?;
     let mut made = if arguments.clips.is_empty() {

@@ -272,6 +272,7 @@ impl LibraryError for ImportError {
             ImportError::Clips(reason) => reason.code(),
             ImportError::Rollout(reason) => reason.code(),
             ImportError::Training(reason) => reason.code(),
+            ImportError::Dataset(reason) => reason.code(),
             ImportError::Pose(_) | ImportError::Numerics(_) => ErrorCode::Numerics,
             _ => ErrorCode::Model,
         }

@@ -4,6 +4,7 @@ mod latents;
 mod words;
 
 use crate::files;
+use crate::numbers::whole;
 use crate::usage::{Usage, first_given, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
@@ -11,7 +12,9 @@ use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Body, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel};
+use vcgpdm::models::{
+    Body, MOST_FRAMES, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel,
+};
 use vcgpdm::motion::bvh;
 use vcgpdm::series;
 
@@ -22,13 +25,13 @@ pub struct Arguments {
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
     /// Frames in all, the start included.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_FRAMES))]
     frames: usize,
     /// Start where this training sequence starts, counted from 0 in the order given to training.
-    #[arg(long, value_name = "SEQUENCE", default_value_t = 0)]
+    #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
     /// Start at this frame of it, counted from 0. Models that were trained by an older version keep the first frames only.
-    #[arg(long, value_name = "FRAME", default_value_t = 0)]
+    #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
     frame: usize,
     /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or number, from 0.
     #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
@@ -44,10 +47,10 @@ pub struct Arguments {
     #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     push: Vec<String>,
     /// Write so many sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
-    #[arg(long, value_name = "N", requires = "seed", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)))]
+    #[arg(long, value_name = "N", requires = "seed", value_parser = whole(1..=MOST_SAMPLES))]
     samples: Option<u32>,
     /// The seed of the first sampled rollout; the next ones count on from it.
-    #[arg(long, value_name = "S", requires = "samples")]
+    #[arg(long, value_name = "S", requires = "samples", value_parser = whole(0..=u32::MAX))]
     seed: Option<u32>,
     /// Write means and variances of the latents in every frame, by moment matching, to this file.
     #[arg(long, value_name = "OUT.csv")]
@@ -144,14 +147,15 @@ impl Arguments {
         first_given(options)
     }
 
-    /// All files that it writes, those of the samples too.
-    fn outs(&self) -> impl Iterator<Item = PathBuf> {
+    /// All files that it writes, those of the samples too, each with its option.
+    fn outs(&self) -> impl Iterator<Item = (&'static str, PathBuf)> {
         let samples = 1..=self.samples.unwrap_or(0) as usize;
-        let each = [&self.out, &self.columns, &self.latents].into_iter().flatten();
-        let each = each.flat_map(move |out| {
-            once(None).chain(samples.clone().map(Some)).map(move |number| numbered(out, number))
+        let each = [("--out", &self.out), ("--columns", &self.columns), ("--latents", &self.latents)];
+        let each = each.into_iter().filter_map(|(option, out)| Some((option, out.as_ref()?)));
+        let each = each.flat_map(move |(option, out)| {
+            once(None).chain(samples.clone().map(Some)).map(move |number| (option, numbered(out, number)))
         });
-        each.chain(self.variance.clone())
+        each.chain(self.variance.clone().map(|out| ("--variance", out)))
     }
 
     /// Writes what was rolled out, as motion and as columns, as far as they are asked for.

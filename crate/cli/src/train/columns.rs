@@ -1,6 +1,7 @@
 //! What `vcgpdm train --columns` trains on: CSV files.
 
 use crate::files;
+use crate::numbers::check_within;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::Path;
@@ -10,11 +11,9 @@ use vcgpdm::series::{Columns, SeriesError, Table, parts_from_json, parts_from_wo
 
 /// The tables as a data set, and its parts. `split` is what `--parts` says; `rate` are the rows a second of files without times.
 pub fn dataset(places: &[String], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
+    check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
     let tables = places.iter().map(|place| table(place)).collect::<Result<Vec<_>, _>>()?;
     let parts = parts(split, &tables[0].columns)?;
-    if !(1e-5..=10.0).contains(&(1.0 / rate)) {
-        return Err(usage(format!("--fps: expected rows a second from 0.1 to 100000, found {rate}")));
-    }
     Ok(Dataset::of_tables(&tables, &parts, rate)?)
 }
 

@@ -1,11 +1,15 @@
 //! Which kind of model `vcgpdm train` makes, and the options that only some kinds have.
 
+use crate::numbers::whole;
 use crate::usage::usage;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command, FromArgMatches};
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+use vcgpdm::models::{
+    DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelKind,
+    ModelSettings, TmpSettings, VariationalSettings,
+};
 
 /// The options that only some kinds have. What they hold counts where the kind has them.
 #[derive(clap::Args)]
@@ -14,22 +18,22 @@ pub struct Options {
     #[command(flatten)]
     given: Given,
     /// The seed of everything random (GPDMs).
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", default_value_t = 0, value_parser = whole(0..=u32::MAX))]
     pub seed: u32,
     /// Latent dimensions of every part (GPDMs).
-    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent)]
+    #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent, value_parser = whole(1..=MOST_DIMENSIONS))]
     latent: usize,
     /// Inducing points of every dynamics map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "K", default_value_t = VariationalSettings::default().dynamics_ips)]
+    #[arg(long, value_name = "K", default_value_t = VariationalSettings::default().dynamics_ips, value_parser = whole(1..=MOST_INDUCING))]
     dynamics_ips: usize,
     /// Inducing points of every pose map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "L", default_value_t = VariationalSettings::default().pose_ips)]
+    #[arg(long, value_name = "L", default_value_t = VariationalSettings::default().pose_ips, value_parser = whole(1..=MOST_INDUCING))]
     pose_ips: usize,
     /// Frames of history that the dynamics see (GPDMs).
-    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order)]
+    #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order, value_parser = whole(1..=MOST_DIMENSIONS))]
     order: usize,
     /// Most iterations of the optimiser (GPDMs).
-    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations)]
+    #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations, value_parser = whole::<usize>(0..))]
     max_iterations: usize,
     /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
     #[arg(long)]
@@ -41,14 +45,14 @@ pub struct Options {
     #[arg(long)]
     normalised_time: bool,
     /// How many primitives (tmp); absent: chosen by the bound.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_PRIMITIVES))]
     primitives: Option<usize>,
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
-    #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases)]
+    #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases, value_parser = whole(1..=MOST_BASES))]
     bases: usize,
     /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work, and over many frames the next step; the model
     /// is the same, but takes more memory.
-    #[arg(long, value_name = "T", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "T", default_value_t = 1, value_parser = whole(1..=u16::MAX))]
     pub threads: u16,
     /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).
     #[arg(long, value_name = "CASE.json")]

@@ -1,6 +1,7 @@
 //! `vcgpdm train --movement`: clips of several movements to a library of primitives.
 
 use crate::files;
+use crate::numbers::check_within;
 use crate::primitives::by_part;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
@@ -41,6 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !matches!(arguments.model, None | Some(ModelKind::Vcgpdm)) {
         return Err(usage("--movement: expected no other model than vcgpdm, which alone has primitives"));
     }
+    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
     let mut clips: Vec<Clip> = Vec::new();
     for place in asked.iter().flat_map(|movement| &movement.clips) {
         clips.push(files::read_clip(place)?);
@@ -76,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
     let read = asked.iter().flat_map(|movement| &movement.clips).map(Path::new);
-    files::check_outs([&arguments.out], read)?;
+    files::check_writable(&arguments.out, read)?;
     let begin = Instant::now();
     warn_of_training(&model_settings, &dataset);
     let seed = arguments.options.seed;

@@ -13,6 +13,7 @@ use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
 use crate::files;
+use crate::numbers::check_within;
 use crate::usage::usage;
 use body::with_hint;
 use serde_json::json;
@@ -42,6 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let rate = 1.0 / dataset.frame_time;
         return learn(arguments, split, &dataset, rate, |model| model.to_json());
     }
+    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
     let mut clips = Vec::new();
     for place in &arguments.clips {
         clips.push((files::read_clip(place)?, None));
@@ -88,8 +90,8 @@ fn learn<S: Observed>(
     let seed_frames =
         arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
     let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
-    let outs = [Some(&arguments.out), arguments.options.write_start.as_ref()];
-    files::check_outs(outs.into_iter().flatten(), read)?;
+    let start = arguments.options.write_start.as_deref().map(|path| ("--write-start", path));
+    files::check_outs([Some(("--out", arguments.out.as_path())), start].into_iter().flatten(), read)?;
     warn_of_training(&settings, dataset);
     let begin = Instant::now();
     let seed = arguments.options.seed;

@@ -78,3 +78,14 @@ pub fn taller_walk(folder: &Path) -> PathBuf {
     fs::write(&taller, written.lines().map(longer).collect::<String>()).unwrap();
     taller
 }
+
+/// The first frame of the first made walk.
+pub fn one_frame(folder: &Path) -> PathBuf {
+    let (short, walk) = (folder.join("short.bvh"), folder.join("walk.bvh"));
+    prints(&["clip", "sample:walk-1", "--out", text(&walk)]);
+    let walk = fs::read_to_string(&walk).unwrap().replacen("Frames: 252", "Frames: 1", 1);
+    let header = walk.lines().position(|line| line.starts_with("Frame Time")).unwrap();
+    fs::write(&short, walk.lines().take(header + 2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    short
+}

@@ -1,6 +1,6 @@
 //! The terminal program as a user meets it: what it prints, what it writes, how it fails.
 
-use crate::call::{fails, folder, json, run, taller_walk, text};
+use crate::call::{fails, folder, json, one_frame, run, taller_walk, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,41 +26,78 @@ fn a_wrong_command_line_gets_one_line() {
     assert!(fails(&["bound", "case.json", "--repeat", "0"]).contains("--repeat"));
 }
 
+/// Once a number below zero was told another range than zero, and with another exit status.
 #[test]
-fn a_number_that_an_option_cannot_have_is_refused_as_a_number() {
+fn a_number_that_an_option_cannot_have_is_refused_with_the_range_that_it_may_have() {
+    let seed = "from 0 to 4294967295";
+    for (line, option, wrong, range) in [
+        ("train c.bvh --out m --latent", "--latent <Q>", "-1 0 1.5 101", "from 1 to 100"),
+        ("train c.bvh --out m --order", "--order <P>", "-1 0 1.5 101", "from 1 to 100"),
+        ("train c.bvh --out m --dynamics-ips", "--dynamics-ips <K>", "-1 0 1001", "from 1 to 1000"),
+        ("train c.bvh --out m --pose-ips", "--pose-ips <L>", "-1 0 1001", "from 1 to 1000"),
+        ("train c.bvh --out m --max-iterations", "--max-iterations <N>", "-1 few", "from 0"),
+        ("train c.bvh --out m --primitives", "--primitives <N>", "-2 0 41", "from 1 to 40"),
+        ("train c.bvh --out m --bases", "--bases <B>", "-2 0 201", "from 1 to 200"),
+        ("train c.bvh --out m --seed", "--seed <S>", "-1 0.5 4294967296", seed),
+        ("train c.bvh --out m --threads", "--threads <T>", "-1 0 65536", "from 1 to 65535"),
+        ("evaluate c.bvh --parts p --out r --ips", "--ips <K,K>", "-1 0 12,0 1001", "from 1 to 1000"),
+        ("evaluate c.bvh --parts p --out r --pose-ips", "--pose-ips <L,L>", "-1 0", "from 1 to 1000"),
+        ("evaluate c.bvh --parts p --out r --bases", "--bases <B,B>", "-1 0", "from 1 to 200"),
+        ("evaluate c.bvh --parts p --out r --latent", "--latent <Q>", "-1 0", "from 1 to 100"),
+        ("evaluate c.bvh --parts p --out r --order", "--order <P>", "-1 0", "from 1 to 100"),
+        ("evaluate c.bvh --parts p --out r --seeds", "--seeds <S,S>", "-1 0,0.5", seed),
+        ("evaluate c.bvh --parts p --out r --training-trials", "--training-trials <N,N>", "-1 0", "from 1"),
+        ("evaluate c.bvh --parts p --out r --threads", "--threads <T>", "-1 0", "from 1 to 65535"),
+        (
+            "couple l --use u --out m --max-iterations",
+            "--max-iterations <N>",
+            "-1 0 10001",
+            "from 1 to 10000",
+        ),
+        ("primitives l --max-iterations", "--max-iterations <N>", "-1 0 10001", "from 1 to 10000"),
+        ("rollout m --out o --frames", "--frames <N>", "-1 0 99999999999999999999", "from 1 to 1000000"),
+        ("rollout m --out o --frames 9 --from", "--from <SEQUENCE>", "-1", "from 0"),
+        ("rollout m --out o --frames 9 --seed 1 --samples", "--samples <N>", "-1 0 1001", "from 1 to 1000"),
+        ("score m c.bvh --from", "--from <SEQUENCE>", "-1", "from 0"),
+        ("bound c.json --repeat", "--repeat <N>", "-1 0", "from 1 to 4294967295"),
+        ("perception s a --folds", "--folds <N>", "-1 0 1 1001", "from 2 to 1000"),
+        ("perception s a --draws", "--draws <N>", "-1 0", "from 1 to 10000000"),
+    ] {
+        for wrong in wrong.split(' ') {
+            let error = fails(&line.split(' ').chain([wrong]).collect::<Vec<_>>());
+            let one = wrong.rsplit(',').next().unwrap();
+            let said = format!("'{one}' for '{option}': expected a whole number {range} (try --help)");
+            assert!(error.contains(&said), "{line} {wrong}: {error}");
+        }
+    }
     for (line, said) in [
-        (
-            "train c.bvh --parts whole --out m --latent -1",
-            "'-1' for '--latent <Q>': expected a whole number from 0",
-        ),
-        (
-            "train c.bvh --parts whole --out m --order 1.5",
-            "'1.5' for '--order <P>': expected a whole number from 0",
-        ),
-        ("train c.bvh --parts whole --out m --seed -1", "expected a whole number from 0 to 4294967295"),
-        (
-            "train c.bvh --out m --primitives -2",
-            "'-2' for '--primitives <N>': expected a whole number from 0",
-        ),
-        ("rollout m --out o --frames -1", "'-1' for '--frames <N>': expected a whole number from 0"),
-        ("rollout m --out o --frames 99999999999999999999", "expected a smaller number"),
-        (
-            "rollout m --out o --frames 9 --from -1",
-            "'-1' for '--from <SEQUENCE>': expected a whole number from 0",
-        ),
-        ("score m c.bvh --from -1", "'-1' for '--from <SEQUENCE>': expected a whole number from 0"),
-        ("bound c.json --repeat -1", "'-1' for '--repeat <N>': expected a whole number from 1 to 4294967295"),
-        ("evaluate c.bvh --parts whole --out r --threads -1", "expected a whole number from 1 to 65535"),
-        (
-            "evaluate c.bvh --parts whole --out r --ips -1",
-            "'-1' for '--ips <K,K>': expected a whole number from 0",
-        ),
+        ("score m c.bvh --from 99999999999999999999", "expected a smaller number (try --help)"),
         ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
         // No option: it is still taken for one.
         ("clip -1", "unexpected argument '-1'"),
     ] {
         let error = fails(&line.split(' ').collect::<Vec<_>>());
         assert!(error.contains(said), "{line}: {error}");
+    }
+}
+
+/// Once the clip's file was blamed for it.
+#[test]
+fn a_rate_that_cannot_be_is_the_options_fault() {
+    for (line, expected) in [
+        ("clip sample:walk-1", "frames a second from 0.1 to 10000"),
+        ("train sample:walk-1 --parts whole --out m", "frames a second from 0.1 to 10000"),
+        ("train --movement a=sample:walk-1 --parts lower,upper --out m", "frames a second from 0.1 to 10000"),
+        ("train no-such-table.csv --columns --parts whole --out m", "rows a second from 0.1 to 100000"),
+        (
+            "evaluate sample:walk-1 sample:walk-2 --parts whole --whole-cycles --out r",
+            "frames a second from 0.1 to 10000",
+        ),
+    ] {
+        for rate in ["0", "-1", "NaN", "inf", "100001"] {
+            let error = fails(&line.split(' ').chain(["--fps", rate]).collect::<Vec<_>>());
+            assert_eq!(error, format!("vcgpdm: --fps: expected {expected}, found {rate}\n"), "{line}");
+        }
     }
 }
 
@@ -87,6 +124,10 @@ fn cases_that_are_none_are_refused_with_file_and_field() {
     fs::write(&case, r#"{"input": {"params": {"parts": 3}}}"#).unwrap();
     let error = fails(&["bound", text(&case)]);
     assert!(error.contains("case.json: ") && error.contains("input.params.parts"), "{error}");
+    // The place of the root was once a dot.
+    fs::write(&case, "{}").unwrap();
+    let error = fails(&["bound", text(&case)]);
+    assert!(error.contains("case.json: at the top of the document: missing field `input`"), "{error}");
     fs::write(&case, b"\xff\xfe").unwrap();
     assert!(fails(&["bound", text(&case)]).contains("case.json: "));
     assert!(fails(&["bound", "no-such-case.json"]).contains("no-such-case.json: "));
@@ -265,27 +306,18 @@ fn training_that_cannot_begin_says_why() {
         fails(&arguments)
     };
     assert!(refuse(&[text(&other)]).contains("other.bvh"));
-    assert!(refuse(&["--latent", "0"]).contains("latent"));
-    let short = folder.join("short.bvh");
-    let walk = folder.join("walk.bvh");
-    json(&["clip", "sample:walk-1", "--out", text(&walk)]);
-    let walk = fs::read_to_string(&walk).unwrap().replacen("Frames: 252", "Frames: 1", 1);
-    let header = walk.lines().position(|line| line.starts_with("Frame Time")).unwrap();
-    fs::write(&short, walk.lines().take(header + 2).map(|line| format!("{line}\n")).collect::<String>())
-        .unwrap();
-    let told = "short.bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    assert!(refuse(&["--order", "100", "--fps", "20"]).contains("order 100 need"));
+    let short = one_frame(&folder);
+    let told = "vcgpdm: short.bvh has 1 frame; dynamics of order 2 need at least 3";
     assert!(refuse(&[text(&short)]).contains(told), "the clip's name says more than its number");
-    let told = "short.bvh: sequence 1 has 1 frame; expected at least 4";
+    let told = "vcgpdm: short.bvh has 1 frame; expected at least 4";
     assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
-    let told =
-        "walk-2 (made by this project).bvh: sequence 1 has 1 frame; dynamics of order 2 need at least 3";
+    let told = "vcgpdm: walk-2 (made by this project).bvh has 1 frame; dynamics of order 2 need at least 3";
     assert!(refuse(&["--seed-frames", "sample:walk-2:1"]).contains(told));
-    let rate = refuse(&["--fps", "-1"]);
-    assert!(rate.contains("frames a second, found -1") && rate.matches("walk-1").count() == 1, "{rate}");
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
     assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));
     // Found before the training, which here could not begin either.
-    assert!(refuse(&["--write-start", text(&folder), "--latent", "0"]).contains("bad-training"));
+    assert!(refuse(&["--write-start", text(&folder), text(&short)]).contains("bad-training"));
     assert!(
         fails(&["train", "sample:walk-1", "--parts", "whole", "--out", text(&folder)])
             .contains("bad-training")

@@ -106,15 +106,23 @@ fn each_output_has_a_file_of_its_own() {
     fs::rename(&other, &model).unwrap();
     let (out, other, same) = (text(&out), text(&other), text(&same));
     let rollout = ["rollout", text(&model), "--frames", "9", "--out", out];
-    for arguments in [
-        &["train", "sample:walk-1", "--parts", "whole", "--out", out, "--write-start", same][..],
-        &[&rollout[..], &["--latents", same]].concat(),
-        &[&rollout[..], &["--columns", same]].concat(),
-        &[&rollout[..], &["--variance", same]].concat(),
-        &[&rollout[..], &["--variance", other, "--samples", "2", "--seed", "1"]].concat(),
+    for (option, place, arguments) in [
+        (
+            "--write-start",
+            same,
+            &["train", "sample:walk-1", "--parts", "whole", "--out", out, "--write-start", same][..],
+        ),
+        ("--latents", same, &[&rollout[..], &["--latents", same]].concat()),
+        ("--columns", same, &[&rollout[..], &["--columns", same]].concat()),
+        ("--variance", same, &[&rollout[..], &["--variance", same]].concat()),
+        (
+            "--variance",
+            other,
+            &[&rollout[..], &["--variance", other, "--samples", "2", "--seed", "1"]].concat(),
+        ),
     ] {
-        let said = fails(arguments);
-        assert!(said.contains("expected a file of its own for each output, found it twice"), "{said}");
+        let begin = format!("vcgpdm: {option} {place}: expected a file of its own, found that of --out: ");
+        assert!(fails(arguments).starts_with(&begin), "{arguments:?}");
     }
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is written");
     // What cannot be lost there can be thrown away together.
@@ -143,7 +151,7 @@ fn clips_that_cannot_be_read_or_written_say_why_and_where() {
     assert!(fails(&["clip", "no-such-file.bvh"]).contains("no-such-file.bvh: "));
     assert!(fails(&["clip", text(&folder)]).contains("bad-clips: "));
     assert!(fails(&["clip", "sample:run-1"]).contains("walk-wave-1"));
-    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("frames a second, found -3"));
+    assert!(fails(&["clip", "sample:walk-1", "--fps", "-3"]).contains("--fps: expected frames a second"));
     let nowhere = folder.join("no-such-folder").join("out.bvh");
     assert!(fails(&["clip", "sample:walk-1", "--out", text(&nowhere)]).contains("no-such-folder"));
 }

@@ -1,6 +1,6 @@
 //! Libraries of primitives from the terminal: trained, combined anew, and coupled to a clip.
 
-use crate::call::{fails, folder, prints, text};
+use crate::call::{fails, folder, one_frame, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -68,7 +68,16 @@ fn primitives_of_a_library_are_coupled_anew() {
         "{words}"
     );
     let words = fails(&[&more[..], &[text(&out), "--name", "other"]].concat());
-    assert!(words.contains("expected a file of its own for each output"), "{words}");
+    assert!(
+        words.contains("--library-out ") && words.contains("expected a file of its own, found that of --out"),
+        "{words}"
+    );
+    // The clip is named that is too short, not the number of its sequence.
+    let short = one_frame(library.parent().unwrap());
+    let words = fails(
+        &[&uses[..], &["--out", text(&out), "--clip", "sample:walk-1", "--clip", text(&short)]].concat(),
+    );
+    assert_eq!(words, "vcgpdm: short.bvh has 1 frame; dynamics of order 2 need at least 3\n");
     let alpha: Vec<Vec<f64>> = serde_json::from_value(printed["alpha"].clone()).unwrap();
     assert_eq!(movement.alpha[(0, 1)], alpha[0][1]);
 }
@@ -157,6 +166,12 @@ fn primitives_are_saved_and_added_to_other_libraries() {
             if more[0] == "--with" { "wave" } else { "walk" }
         );
     }
+    let short = one_frame(library.parent().unwrap());
+    let few = ["--only", "lower=stroll", "--relearn", "--clip", text(&short)];
+    assert!(
+        fails(&[&adding[..], &few].concat())
+            .starts_with("vcgpdm: short.bvh has 1 frame; dynamics of order 2")
+    );
     let words = fails(&[&adding[..], &["--only", "lower=stroll", "--relearn", "--generated"]].concat());
     assert!(words.contains("keeps no movement to learn its primitives again from"), "{words}");
     let save = ["primitives", text(&library), "--out", text(&out), "--save", "lower=run"];

@@ -176,7 +176,7 @@ fn options_of_other_kinds_are_refused_in_words() {
             "--model tmp --write-start s.json",
             "--write-start: expected a model that has it (vcgpdm, vgpdm), found ",
         ),
-        ("--model tmp --primitives 0", "the number of primitives must be from 1 to 40, found 0"),
+        ("--model tmp --primitives 0", "'0' for '--primitives <N>': expected a whole number from 1 to 40"),
         ("", "--parts: expected how to split the body of a coupled model, such as lower,upper"),
         ("--model map-cgpdm", "--parts: expected how to split the body of a coupled model"),
         (

@@ -73,6 +73,10 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
     assert!(preset.contains("--preset p9: expected one of class, p3-part-1, p3-part-2, p2"), "{preset}");
     let long = refused(&["sample:walk-1", "sample:walk-2", "--models", "tmp", "--seconds", "9"]);
     assert!(long.contains("trial-1: expected a movement of at least 9.00 seconds, found 4.20"), "{long}");
+    for seconds in ["0", "-1", "61", "NaN"] {
+        let said = refused(&["sample:walk-1", "sample:walk-2", "--seconds", seconds]);
+        assert_eq!(said, format!("vcgpdm: --seconds: expected seconds from 0.1 to 60, found {seconds}\n"));
+    }
     let no_study = refused(&[]);
     assert!(no_study.contains("expected a study with \"format\": \"vcgpdm study\", found"), "{no_study}");
     let id = fails(&["study", text(&made), "--failed", "trial-1", "--out", text(&other)]);
@@ -155,7 +159,7 @@ fn answers_say_what_they_say_from_node_too() {
     let twice = fails(&["perception", text(&study), text(&p1), text(&p1)]);
     assert!(twice.contains("expected every trial of a participant once"), "{twice}");
     let option = fails(&["perception", text(&study), text(&p1), "--ceiling", "2"]);
-    assert!(option.contains("the ceiling: expected a number above 0, up to 1, found 2"), "{option}");
+    assert!(option.contains("vcgpdm: --ceiling: expected a number above 0, up to 1, found 2"), "{option}");
 }
 
 #[test]

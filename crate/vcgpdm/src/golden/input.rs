@@ -3,7 +3,7 @@
 use crate::golden::error::CaseError;
 use crate::golden::shapes::{ExpertJson, PartJson, RolloutJson, matrices, shape};
 use crate::golden::stored::StoredJson;
-use crate::json::rows;
+use crate::json::{place, rows};
 use crate::models::Sequences;
 use crate::models::variational::{Objective, Params, Repertoire};
 use nalgebra::DMatrix;
@@ -101,7 +101,7 @@ pub(super) struct Input {
 fn parse<I: DeserializeOwned>(text: &str) -> Result<Document<I>, CaseError> {
     let mut deserializer = serde_json::Deserializer::from_str(text);
     serde_path_to_error::deserialize(&mut deserializer)
-        .map_err(|e| CaseError::Form { path: e.path().to_string(), message: e.inner().to_string() })
+        .map_err(|e| CaseError::Form { path: place(e.path()), message: e.inner().to_string() })
 }
 
 impl Input {

@@ -9,7 +9,7 @@ pub mod rows;
 mod value;
 mod write;
 
-pub use field::{Field, FieldError, Object};
+pub use field::{Field, FieldError, Object, place};
 pub use heading::{HeadingError, check_heading};
 pub use parse::{JsonError, parse};
 pub use value::Value;

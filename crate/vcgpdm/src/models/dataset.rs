@@ -81,7 +81,7 @@ pub enum DatasetError {
     #[error(transparent)]
     Parts(#[from] PartsError),
     /// A clip cannot be trained on as asked.
-    #[error("{clip}: {reason}")]
+    #[error("{}", in_clip(clip, reason))]
     Sequence {
         /// The clip.
         clip: String,
@@ -91,6 +91,16 @@ pub enum DatasetError {
     /// Training cannot start, for a reason that is not in a single clip.
     #[error(transparent)]
     Training(TrainingError),
+}
+
+/// The reason with the name of the clip, in the place of the number of its sequence where the reason begins with that.
+fn in_clip(clip: &str, reason: &TrainingError) -> String {
+    let words = reason.to_string();
+    let numbered = reason.sequence().map(|sequence| format!("sequence {sequence} "));
+    match numbered.and_then(|numbered| words.strip_prefix(&numbered)) {
+        Some(rest) => format!("{clip} {rest}"),
+        None => format!("{clip}: {words}"),
+    }
 }
 
 impl DatasetError {

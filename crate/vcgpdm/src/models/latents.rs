@@ -2,13 +2,12 @@
 
 use crate::gp::Kernel;
 use crate::models::sequences::Sequences;
+use crate::models::settings::MOST_DIMENSIONS;
 use crate::models::training_error::{TrainingError, in_range};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// More would not fit a browser's memory, or anybody's patience.
-const MOST_DIMENSIONS: usize = 100;
 /// Noise variance as a part of the data's mean variance.
 const NOISE_SHARE: f64 = 0.1;
 /// Standard deviation of the noise that stands in for what the data do not have.

@@ -60,7 +60,10 @@ pub use progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
 pub use provenance::{ENGINE, Provenance};
 pub use rollout::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
-pub use sequences::{Sequences, SequencesError};
-pub use settings::{DmpSettings, MapSettings, ModelSettings, TmpSettings, VariationalSettings};
+pub use sequences::{MOST_FRAMES, Sequences, SequencesError};
+pub use settings::{
+    DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelSettings,
+    TmpSettings, VariationalSettings,
+};
 pub use trained::{Fitted, SeriesModel, TrainedModel};
 pub use training_error::TrainingError;

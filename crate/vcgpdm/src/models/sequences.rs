@@ -7,7 +7,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 /// More frames than this would not be a motion but an accident; sums of frames never wrap.
-pub(crate) const MOST_FRAMES: usize = 1_000_000;
+pub const MOST_FRAMES: usize = 1_000_000;
 
 /// Lengths that cannot be trained on.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

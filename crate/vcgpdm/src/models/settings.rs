@@ -3,6 +3,15 @@
 use crate::models::kind::ModelKind;
 use serde::{Deserialize, Serialize};
 
+/// The most latent dimensions of a part, and the highest order of the dynamics: more would not fit a browser's memory, or anybody's patience.
+pub const MOST_DIMENSIONS: usize = 100;
+/// The most inducing points of a map.
+pub const MOST_INDUCING: usize = 1000;
+/// The most primitives that a TMP is asked for: more would only be slow.
+pub const MOST_PRIMITIVES: usize = 40;
+/// The most basis functions that a DMP is asked for.
+pub const MOST_BASES: usize = 200;
+
 /// Settings of the variational models, vCGPDM and vGPDM.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

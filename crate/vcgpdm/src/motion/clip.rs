@@ -4,6 +4,7 @@ use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton, WorldPose};
 use nalgebra::DMatrix;
 use sha2::{Digest, Sha256};
+use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// A motion: recorded, made by the project, or rolled out from a model.
@@ -77,6 +78,9 @@ pub enum ClipError {
 const RATE_TOLERANCE: f64 = 0.02;
 
 impl Clip {
+    /// Frames a second that a clip can be brought to.
+    pub const RATES: RangeInclusive<f64> = 0.1..=10_000.0;
+
     /// The number of frames.
     pub fn frames(&self) -> usize {
         self.values.nrows()
@@ -145,7 +149,7 @@ impl Clip {
     ///
     /// [`ClipError::Rate`] for a rate outside 0.1 to 10000, [`ClipError::TooLong`] when the result would be too large.
     pub fn resample(&self, fps: f64) -> Result<Clip, ClipError> {
-        if !(0.1..=10_000.0).contains(&fps) {
+        if !Self::RATES.contains(&fps) {
             return Err(ClipError::Rate { name: self.name.clone(), found: fps });
         }
         let rate = 1.0 / self.frame_time;

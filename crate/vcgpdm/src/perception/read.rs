@@ -31,7 +31,7 @@ pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
     let look = document.get("look")?;
     let look = Look::from_id(look.text()?).ok_or_else(|| look.error("expected figure or points"))?;
     let seconds_field = document.get("seconds")?;
-    let seconds = within(seconds_field.clone(), 0.1..=60.0, "seconds from 0.1 to 60")?;
+    let seconds = within(seconds_field.clone(), Study::SECONDS, "seconds from 0.1 to 60")?;
     let cross_seconds = within(document.get("cross_seconds")?, 0.0..=60.0, "seconds from 0 to 60")?;
     let texts = texts(document.get("texts")?)?;
     let design = design(document.get("design")?)?;

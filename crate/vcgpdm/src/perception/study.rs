@@ -4,6 +4,7 @@ use crate::motion::landmarks::Landmarks;
 use crate::perception::design::{Design, Preset};
 use crate::perception::error::StudyError;
 use crate::perception::stimulus::Stimulus;
+use std::ops::RangeInclusive;
 
 /// How a figure is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,6 +109,9 @@ pub struct Study {
 }
 
 impl Study {
+    /// Seconds that movements can be shown.
+    pub const SECONDS: RangeInclusive<f64> = 0.1..=60.0;
+
     /// Frames that are shown of each movement.
     pub fn frames(&self) -> usize {
         (self.seconds * self.frames_per_second as f64).round() as usize

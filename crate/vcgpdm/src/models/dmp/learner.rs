@@ -9,12 +9,10 @@ use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::Trial;
 use crate::models::progress::{EndReason, LearningProgress, Setbacks};
-use crate::models::settings::DmpSettings;
+use crate::models::settings::{DmpSettings, MOST_BASES};
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::split_trials;
 use nalgebra::DMatrix;
-
-const MOST_BASES: usize = 200;
 
 /// A training of dynamic movement primitives: a single step does it all.
 pub struct DmpLearner {

@@ -8,8 +8,8 @@ use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::{Objective, Params, Trainer, TrainingProgress};
 use nalgebra::DMatrix;
 
-/// More iterations than any fit needs.
-const MOST_ITERATIONS: usize = 10_000;
+/// More iterations than any fit of couplings needs, or learning primitives again.
+pub const MOST_ITERATIONS: usize = 10_000;
 /// Iterations in which the latents come near the new frames, before the couplings are free too, as a part of all.
 const LATENTS_FIRST: usize = 4;
 

@@ -33,7 +33,7 @@ use crate::models::variational::{
 use nalgebra::DMatrix;
 
 pub use combination_error::CombinationError;
-pub use coupling::CouplingTrainer;
+pub use coupling::{CouplingTrainer, MOST_ITERATIONS};
 pub use figure_walk::{LibraryWalk, REWINDS, WalkFrames};
 pub use import::{ImportError, ImportFrames, ImportRequest, ImportTrainer};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};

@@ -3,14 +3,13 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::stacked;
 use crate::models::body::Body;
-use crate::models::dataset::{Dataset, SequenceInfo};
+use crate::models::dataset::{Dataset, DatasetError, SequenceInfo};
 use crate::models::library::{
     CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library, LibraryTrainer,
 };
 use crate::models::provenance::Provenance;
 use crate::models::settings::VariationalSettings;
 use crate::models::trained::TrainedModel;
-use crate::models::training_error::TrainingError;
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};
@@ -74,7 +73,7 @@ pub enum LibraryError {
     Combination(#[from] CombinationError),
     /// The couplings cannot be learned.
     #[error(transparent)]
-    Training(#[from] TrainingError),
+    Training(#[from] DatasetError),
 }
 
 /// A clip as a library sees it.
@@ -259,7 +258,10 @@ impl TrainedLibrary {
         let lengths = clips.iter().map(|clip| clip.info.frames).collect();
         let parts = 0..self.library.part_count();
         let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
-        Ok(CouplingTrainer::new(&self.library, uses, y, lengths, max_iterations)?)
+        let trainer = CouplingTrainer::new(&self.library, uses, y, lengths, max_iterations);
+        // Its name says more than its number.
+        let infos = || clips.iter().map(|clip| clip.info.clone()).collect::<Vec<_>>();
+        Ok(trainer.map_err(|reason| DatasetError::about(reason, &infos()))?)
     }
 
     /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where the nearest movements do; a

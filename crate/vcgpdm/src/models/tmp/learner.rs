@@ -7,15 +7,13 @@ use crate::models::model::Model;
 use crate::models::movements::Movements;
 use crate::models::phase::{Alignment, PhaseMap, Trial};
 use crate::models::progress::{EndReason, LearningProgress, Setbacks};
-use crate::models::settings::TmpSettings;
+use crate::models::settings::{MOST_PRIMITIVES, TmpSettings};
 use crate::models::tmp::Tmp;
 use crate::models::tmp::beginning::Beginning;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::trials::split_trials;
 
-/// More would only be slow.
-const MOST_PRIMITIVES: usize = 40;
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;
 /// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the bound.

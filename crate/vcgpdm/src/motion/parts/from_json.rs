@@ -1,5 +1,6 @@
 //! A split made by hand, read from JSON.
 
+use crate::json::place;
 use crate::motion::parts::spec::{PartSpec, PartsError, check};
 use crate::motion::skeleton::Skeleton;
 use serde::Deserialize;
@@ -22,7 +23,7 @@ pub fn from_json(text: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Parts
     let entries: Result<Vec<Entry>, _> = serde_path_to_error::deserialize(&mut reader);
     let problem =
         |path: String, error: &serde_json::Error| PartsError::Json { path, problem: error.to_string() };
-    let entries = entries.map_err(|error| problem(error.path().to_string(), error.inner()))?;
+    let entries = entries.map_err(|error| problem(place(error.path()), error.inner()))?;
     reader.end().map_err(|error| problem("the end".to_owned(), &error))?;
     let mut parts = Vec::with_capacity(entries.len());
     for (part, entry) in entries.into_iter().enumerate() {

@@ -190,7 +190,8 @@ fn a_split_by_hand_names_joints_or_counts_them() {
         (r#"[{"name": "one"}]"#, "missing field `joints`"),
         (r#"[] []"#, "trailing characters"),
         ("[]", "at least one part"),
-        ("", "expected a list like"),
+        ("", "found at the top of the document: EOF"),
+        (r#"{"name": "one"}"#, "found at the top of the document: invalid type: map"),
     ] {
         let message = read(text).unwrap_err();
         assert!(message.contains(wanted), "{message}");

@@ -1,6 +1,7 @@
 //! What an import is asked for, and why it cannot be made.
 
 use crate::gp::NumericsError;
+use crate::models::dataset::DatasetError;
 use crate::models::library::{
     CombinationError, FramesFrom, LibraryError, Misfit, ObservedClip, TrainedLibrary,
 };
@@ -52,6 +53,9 @@ pub enum ImportError {
     /// Training cannot start.
     #[error(transparent)]
     Training(#[from] TrainingError),
+    /// The frames cannot be learned from, as they are in a clip.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
     /// What stays cannot be solved for.
     #[error(transparent)]
     Numerics(#[from] NumericsError),

@@ -2,7 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, stacked, symmetric};
-use crate::models::dataset::SequenceInfo;
+use crate::models::dataset::{DatasetError, SequenceInfo};
+use crate::models::library::coupling::MOST_ITERATIONS;
 use crate::models::library::import::frames::{of_clips, shown};
 use crate::models::library::import::request::{ImportError, ImportFrames, ImportRequest, Planned};
 use crate::models::library::import::start::trainer;
@@ -15,9 +16,6 @@ use crate::models::provenance::Provenance;
 use crate::models::training_error::in_range;
 use crate::models::variational::{FittedExpert, Trainer, TrainingProgress, expert_offsets, stack_offsets};
 use nalgebra::DMatrix;
-
-/// More iterations than any import needs.
-const MOST_ITERATIONS: usize = 10_000;
 
 /// A primitive that is learned again.
 struct Arriving {
@@ -93,7 +91,11 @@ impl ImportTrainer {
             .collect();
         let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
         let lengths = sequences.iter().map(|info| info.frames).collect();
-        let trainer = trainer(host, donor, &companions, &movements, y, lengths, request)?;
+        let trainer = trainer(host, donor, &companions, &movements, y, lengths, request);
+        let trainer = trainer.map_err(|error| match error {
+            ImportError::Training(reason) => DatasetError::about(reason, &sequences).into(),
+            error => error,
+        })?;
         let primitives = donor.library.primitives.iter().enumerate();
         let arriving = primitives.map(|(a, primitive)| Arriving {
             name: primitive.name.clone(),

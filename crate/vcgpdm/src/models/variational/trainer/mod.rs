@@ -8,7 +8,7 @@ use crate::models::latents::{check_dimensions, check_training};
 use crate::models::progress::{Setbacks, TrainingPhase};
 use crate::models::provenance::{ENGINE, Provenance};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
-use crate::models::settings::VariationalSettings;
+use crate::models::settings::{MOST_INDUCING, VariationalSettings};
 use crate::models::training_error::{TrainingError, in_range};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::model::Vcgpdm;
@@ -23,8 +23,6 @@ use serde::Serialize;
 const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 25;
-/// More would not fit a browser's memory, or anybody's patience.
-const LARGEST: usize = 1000;
 
 /// How far training is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -275,8 +273,8 @@ fn training_phase(phase: &Phase) -> TrainingPhase {
 
 fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     check_dimensions(settings.latent, settings.order)?;
-    in_range("the number of dynamics inducing points", settings.dynamics_ips, LARGEST)?;
-    in_range("the number of pose inducing points", settings.pose_ips, LARGEST)
+    in_range("the number of dynamics inducing points", settings.dynamics_ips, MOST_INDUCING)?;
+    in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)
 }
 
 /// First what the latents are explained with, while they stay at their principal components; then everything together.

@@ -1,0 +1,63 @@
+//! Numbers of the command line, each with the range that it may be of: whatever is wrong with one, the same range is said.
+
+use crate::usage::usage;
+use std::error::Error;
+use std::fmt::Display;
+use std::num::{IntErrorKind, ParseIntError};
+use std::ops::{Bound, RangeBounds, RangeInclusive};
+use std::str::FromStr;
+
+/// Reads a whole number of this range, which has a lowest one and includes its ends.
+pub fn whole<T>(
+    range: impl RangeBounds<T> + Clone + Send + Sync + 'static,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static
+where
+    T: FromStr<Err = ParseIntError> + PartialOrd + Display,
+{
+    move |text| match text.trim().parse::<T>() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        found => Err(match (range.start_bound(), range.end_bound(), found) {
+            (Bound::Included(lowest), Bound::Included(highest), _) => {
+                format!("expected a whole number from {lowest} to {highest}")
+            }
+            (_, _, Err(reason)) if *reason.kind() == IntErrorKind::PosOverflow => {
+                "expected a smaller number".to_owned()
+            }
+            (Bound::Included(lowest), ..) => format!("expected a whole number from {lowest}"),
+            _ => "expected a whole number".to_owned(),
+        }),
+    }
+}
+
+/// Refuses a value of this option outside of its range; `what` are the numbers, such as seconds.
+pub fn check_within(
+    option: &str,
+    what: &str,
+    range: RangeInclusive<f64>,
+    found: f64,
+) -> Result<(), Box<dyn Error>> {
+    if range.contains(&found) {
+        return Ok(());
+    }
+    let (lowest, highest) = range.into_inner();
+    Err(usage(format!("{option}: expected {what} from {lowest} to {highest}, found {found}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_is_said_whatever_is_wrong() {
+        for wrong in ["0", "101", "-1", "1.5", "many", "", "99999999999999999999"] {
+            assert_eq!(
+                whole(1..=100_usize)(wrong),
+                Err("expected a whole number from 1 to 100".to_owned()),
+                "{wrong}"
+            );
+        }
+        assert_eq!(whole(1..=100_usize)("100"), Ok(100));
+        assert_eq!(whole(3_u32..)("2"), Err("expected a whole number from 3".to_owned()));
+        assert_eq!(whole(3_u32..)("4294967296"), Err("expected a smaller number".to_owned()));
+    }
+}
