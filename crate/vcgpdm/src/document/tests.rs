@@ -218,14 +218,16 @@ fn a_broken_body_is_refused_with_the_path_of_the_field() {
 
 #[test]
 fn unknown_and_doubled_fields_are_refused() {
-    assert!(refused(|v| v["colour"] = json!("red")).starts_with("at the document: expected no field"));
+    assert!(
+        refused(|v| v["colour"] = json!("red")).starts_with("at the top of the document: expected no field")
+    );
     assert!(
         refused(|v| v["parts"][1]["gamma"] = json!(1))
             .starts_with("at parts[1]: expected no field \"gamma\"")
     );
     let twice = trained().to_json().unwrap().replacen("\"order\":2", "\"order\":2,\"order\":2", 1);
     let message = TrainedModel::<Vcgpdm>::from_json(&twice).unwrap_err().to_string();
-    assert_eq!(message, "at the document: expected no field \"order\", or only one");
+    assert_eq!(message, "at the top of the document: expected no field \"order\", or only one");
 }
 
 #[test]

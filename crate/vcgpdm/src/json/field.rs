@@ -190,11 +190,10 @@ impl<'a> Object<'a> {
 /// Where serde found what is wrong, in an error's words.
 pub fn place(path: &serde_path_to_error::Path) -> String {
     // Of the root it says a dot.
-    let root = path.iter().next().is_none();
-    if root { "the top of the document".to_owned() } else { path.to_string() }
+    if path.iter().next().is_none() { named("") } else { path.to_string() }
 }
 
 /// The path in an error's words.
 fn named(path: &str) -> String {
-    if path.is_empty() { "the document".to_owned() } else { path.to_owned() }
+    if path.is_empty() { "the top of the document".to_owned() } else { path.to_owned() }
 }

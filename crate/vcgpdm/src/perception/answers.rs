@@ -395,7 +395,7 @@ mod tests {
         assert!(side.contains("natural_side: expected ") && side.ends_with("found \"none\""), "{side}");
         assert!(refused("\"0.3\"", "\"0.3").contains("line 3: expected a comma or the end of the line"));
         let error = read_text("{\"answers\": 3}").unwrap_err().to_string();
-        assert_eq!(error, "a.csv: at the document: expected a list, found 3");
+        assert_eq!(error, "a.csv: at the top of the document: expected a list, found 3");
         assert!(read_text("[1]").unwrap_err().to_string().contains("at [0]: expected an object, found 1"));
         assert!(read_text("[}").unwrap_err().to_string().starts_with("a.csv: line 1, column 2"));
         assert_eq!(
