@@ -8,23 +8,19 @@
 //! as the recording does; how each seed ends is on stderr. Bounds are smallest / middle / largest of the seeds.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-#[path = "shared/clips.rs"]
-mod clips;
+#[path = "shared/alone.rs"]
+mod alone;
 #[path = "shared/seeds.rs"]
 mod seeds;
 
+use alone::{Alone, FRAMES_PER_SECOND, alone};
 use clap::Parser;
-use clips::read_clips;
 use seeds::{each_seed, near, range};
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{
-    Dataset, Health, RolloutRequest, Source, TrainedModel, VariationalSettings, best_to_show,
-};
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm::models::{Dataset, Health, RolloutRequest, TrainedModel, VariationalSettings, best_to_show};
 
-const FRAMES_PER_SECOND: f64 = 30.0;
 /// So many seeds are trained from together where nobody asks for another number.
 const GROUP: usize = 4;
 
@@ -100,53 +96,43 @@ fn word(health: &Health) -> String {
 
 fn main() {
     let arguments = Arguments::parse();
-    let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
-    if clips.is_empty() {
-        clips.push(samples::clip("walk-1").unwrap());
-    }
     println!(
         "| clip | parts | points | p | iterations | seeds that keep moving | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|");
-    for clip in &clips {
-        for preset in &arguments.parts {
-            let presets = parts::presets(&clip.skeleton);
-            let Some(chosen) = presets.iter().find(|p| p.id == *preset) else { continue };
-            let sources = [Source { clip, first_frames: None }];
-            let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
-            eprintln!("{} rests from {:?} s", clip.name, dataset.sequences[0].rests_from);
-            for (points, order, iterations) in arguments.settings() {
-                let settings = VariationalSettings {
-                    latent: 3,
-                    order,
-                    dynamics_ips: points,
-                    pose_ips: points,
-                    max_iterations: iterations,
-                };
-                let train = |seed| run(&dataset, &settings, seed, arguments.frames);
-                let runs = each_seed(arguments.seeds, arguments.threads, train);
-                let moves = |run: &Run| run.health.rank() == Health::MovesOn.rank();
-                let moving = runs.iter().filter(|run| moves(run)).count();
-                let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
-                let chosen = groups.iter().filter(|group| {
-                    let best = best_to_show(group.iter().map(|run| (run.health.rank(), run.bound)));
-                    best.is_some_and(|place| moves(&group[place]))
-                });
-                let chosen = chosen.count();
-                let each: Vec<String> =
-                    runs.iter().map(|run| format!("{} ({:.0})", word(&run.health), run.bound)).collect();
-                let bounds = || runs.iter().map(|run| run.bound);
-                let near = near(bounds(), bounds().fold(f64::NEG_INFINITY, f64::max));
-                let bounds = range(bounds(), 0);
-                let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
-                eprintln!("{} {preset} {points}: {}", clip.name, each.join(", "));
-                println!(
-                    "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {bounds} | {near} | {seconds:.1} |",
-                    clip.name,
-                    runs.len(),
-                    groups.len()
-                );
-            }
+    for Alone { clip, preset, dataset } in alone(&arguments.clips, &arguments.parts) {
+        eprintln!("{} rests from {:?} s", clip, dataset.sequences[0].rests_from);
+        for (points, order, iterations) in arguments.settings() {
+            let settings = VariationalSettings {
+                latent: 3,
+                order,
+                dynamics_ips: points,
+                pose_ips: points,
+                max_iterations: iterations,
+            };
+            let train = |seed| run(&dataset, &settings, seed, arguments.frames);
+            let runs = each_seed(arguments.seeds, arguments.threads, train);
+            let moves = |run: &Run| run.health.rank() == Health::MovesOn.rank();
+            let moving = runs.iter().filter(|run| moves(run)).count();
+            let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
+            let chosen = groups.iter().filter(|group| {
+                let best = best_to_show(group.iter().map(|run| (run.health.rank(), run.bound)));
+                best.is_some_and(|place| moves(&group[place]))
+            });
+            let chosen = chosen.count();
+            let each: Vec<String> =
+                runs.iter().map(|run| format!("{} ({:.0})", word(&run.health), run.bound)).collect();
+            let bounds = || runs.iter().map(|run| run.bound);
+            let near = near(bounds(), bounds().fold(f64::NEG_INFINITY, f64::max));
+            let bounds = range(bounds(), 0);
+            let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
+            eprintln!("{} {preset} {points}: {}", clip, each.join(", "));
+            println!(
+                "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {bounds} | {near} | {seconds:.1} |",
+                clip,
+                runs.len(),
+                groups.len()
+            );
         }
     }
 }

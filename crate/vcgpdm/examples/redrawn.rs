@@ -9,24 +9,21 @@
 //! is used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-#[path = "shared/clips.rs"]
-mod clips;
+#[path = "shared/alone.rs"]
+mod alone;
 #[path = "shared/seeds.rs"]
 mod seeds;
 
+use alone::{Alone, alone};
 use clap::Parser;
-use clips::read_clips;
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardUniform};
 use seeds::{each_seed, near, range};
 use std::path::PathBuf;
+use vcgpdm::models::VariationalSettings;
 use vcgpdm::models::variational::{Objective, Params, Trainer, schedule, starting_point};
-use vcgpdm::models::{Dataset, Source, VariationalSettings};
-use vcgpdm::motion::{Clip, parts, samples};
-
-const FRAMES_PER_SECOND: f64 = 30.0;
 
 #[derive(Parser)]
 struct Arguments {
@@ -97,10 +94,6 @@ fn draw(x: &DMatrix<f64>, z: &mut DMatrix<f64>, rng: &mut ChaCha8Rng) {
 
 fn main() {
     let arguments = Arguments::parse();
-    let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
-    if clips.is_empty() {
-        clips.push(samples::clip("walk-1").unwrap());
-    }
     println!(
         "Bounds; numbers with slashes are smallest / middle / largest. As high: within 0.5 % of the highest, or above.\n"
     );
@@ -108,46 +101,39 @@ fn main() {
         "| clip | parts | of the seeds | ended at | other inducing points | as high | nothing kept but the latents | as high |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    for clip in &clips {
-        for preset in &arguments.parts {
-            let presets = parts::presets(&clip.skeleton);
-            let Some(chosen) = presets.iter().find(|p| p.id == *preset) else { continue };
-            let sources = [Source { clip, first_frames: None }];
-            let dataset = Dataset::new(&sources, &chosen.parts, FRAMES_PER_SECOND).unwrap();
-            let settings = VariationalSettings {
-                dynamics_ips: arguments.points,
-                pose_ips: arguments.points,
-                ..VariationalSettings::default()
+    for Alone { clip, preset, dataset } in alone(&arguments.clips, &arguments.parts) {
+        let settings = VariationalSettings {
+            dynamics_ips: arguments.points,
+            pose_ips: arguments.points,
+            ..VariationalSettings::default()
+        };
+        let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
+        let problem = Problem { objective: trainer.objective(), settings };
+        let each =
+            |run: &(dyn Fn(u32) -> (f64, Params) + Sync)| each_seed(arguments.seeds, arguments.threads, run);
+        let mut first = each(&|seed| problem.trained(problem.start(seed), seed));
+        first.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (name, place) in
+            [("lowest", 0), ("middle", first.len() / 2), ("highest", first.len().saturating_sub(1))]
+        {
+            let Some((bound, from)) = first.get(place) else { continue };
+            let highest = first.last().map_or(f64::NAN, |run| run.0);
+            let again = |begin: &(dyn Fn(u32) -> Params + Sync)| {
+                let bounds: Vec<f64> =
+                    each(&|seed| problem.trained(begin(seed), seed)).iter().map(|run| run.0).collect();
+                format!(
+                    "{} | {} of {}",
+                    range(bounds.iter().copied(), 0),
+                    near(bounds.iter().copied(), highest),
+                    bounds.len()
+                )
             };
-            let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
-            let problem = Problem { objective: trainer.objective(), settings };
-            let each = |run: &(dyn Fn(u32) -> (f64, Params) + Sync)| {
-                each_seed(arguments.seeds, arguments.threads, run)
-            };
-            let mut first = each(&|seed| problem.trained(problem.start(seed), seed));
-            first.sort_by(|a, b| a.0.total_cmp(&b.0));
-            for (name, place) in
-                [("lowest", 0), ("middle", first.len() / 2), ("highest", first.len().saturating_sub(1))]
-            {
-                let Some((bound, from)) = first.get(place) else { continue };
-                let highest = first.last().map_or(f64::NAN, |run| run.0);
-                let again = |begin: &(dyn Fn(u32) -> Params + Sync)| {
-                    let bounds: Vec<f64> =
-                        each(&|seed| problem.trained(begin(seed), seed)).iter().map(|run| run.0).collect();
-                    format!(
-                        "{} | {} of {}",
-                        range(bounds.iter().copied(), 0),
-                        near(bounds.iter().copied(), highest),
-                        bounds.len()
-                    )
-                };
-                println!(
-                    "| {} | {preset} | {name} | {bound:.0} | {} | {} |",
-                    clip.name,
-                    again(&|seed| problem.redrawn(from.clone(), seed)),
-                    again(&|seed| problem.with_latents_of(from, seed)),
-                );
-            }
+            println!(
+                "| {} | {preset} | {name} | {bound:.0} | {} | {} |",
+                clip,
+                again(&|seed| problem.redrawn(from.clone(), seed)),
+                again(&|seed| problem.with_latents_of(from, seed)),
+            );
         }
     }
 }
