@@ -308,11 +308,12 @@ fn training_that_cannot_begin_says_why() {
     assert!(refuse(&[text(&other)]).contains("other.bvh"));
     assert!(refuse(&["--order", "100", "--fps", "20"]).contains("order 100 need"));
     let short = one_frame(&folder);
-    let told = "vcgpdm: short.bvh has 1 frame; dynamics of order 2 need at least 3";
+    let told = "vcgpdm: the clip short.bvh has 1 frame; dynamics of order 2 need at least 3";
     assert!(refuse(&[text(&short)]).contains(told), "the clip's name says more than its number");
-    let told = "vcgpdm: short.bvh has 1 frame; expected at least 4";
+    let told = "vcgpdm: the clip short.bvh has 1 frame; expected at least 4";
     assert!(refuse(&[text(&short), "--model", "tmp"]).contains(told));
-    let told = "vcgpdm: walk-2 (made by this project).bvh has 1 frame; dynamics of order 2 need at least 3";
+    let told =
+        "vcgpdm: the clip walk-2 (made by this project).bvh has 1 frame; dynamics of order 2 need at least 3";
     assert!(refuse(&["--seed-frames", "sample:walk-2:1"]).contains(told));
     assert!(refuse(&["--seed-frames", "sample:walk-2"]).contains("CLIP:COUNT"));
     assert!(refuse(&["--seed-frames", "sample:walk-2:9999"]).contains("9999"));

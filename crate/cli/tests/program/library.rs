@@ -77,7 +77,7 @@ fn primitives_of_a_library_are_coupled_anew() {
     let words = fails(
         &[&uses[..], &["--out", text(&out), "--clip", "sample:walk-1", "--clip", text(&short)]].concat(),
     );
-    assert_eq!(words, "vcgpdm: short.bvh has 1 frame; dynamics of order 2 need at least 3\n");
+    assert_eq!(words, "vcgpdm: the clip short.bvh has 1 frame; dynamics of order 2 need at least 3\n");
     let alpha: Vec<Vec<f64>> = serde_json::from_value(printed["alpha"].clone()).unwrap();
     assert_eq!(movement.alpha[(0, 1)], alpha[0][1]);
 }
@@ -170,7 +170,7 @@ fn primitives_are_saved_and_added_to_other_libraries() {
     let few = ["--only", "lower=stroll", "--relearn", "--clip", text(&short)];
     assert!(
         fails(&[&adding[..], &few].concat())
-            .starts_with("vcgpdm: short.bvh has 1 frame; dynamics of order 2")
+            .starts_with("vcgpdm: the clip short.bvh has 1 frame; dynamics of order 2")
     );
     let words = fails(&[&adding[..], &["--only", "lower=stroll", "--relearn", "--generated"]].concat());
     assert!(words.contains("keeps no movement to learn its primitives again from"), "{words}");

@@ -98,7 +98,7 @@ fn in_clip(clip: &str, reason: &TrainingError) -> String {
     let words = reason.to_string();
     let numbered = reason.sequence().map(|sequence| format!("sequence {sequence} "));
     match numbered.and_then(|numbered| words.strip_prefix(&numbered)) {
-        Some(rest) => format!("{clip} {rest}"),
+        Some(rest) => format!("the clip {clip} {rest}"),
         None => format!("{clip}: {words}"),
     }
 }
