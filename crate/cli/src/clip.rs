@@ -1,11 +1,11 @@
 //! `vcgpdm clip`: what a clip is, and the clip written back.
 
 use crate::files;
-use crate::numbers::check_within;
+use crate::numbers::{check_fps, check_within};
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::{Clip, asf, bvh};
+use vcgpdm::motion::{asf, bvh};
 
 /// Print what a clip holds as one JSON object, and write it back.
 #[derive(clap::Args)]
@@ -29,7 +29,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(fps) = arguments.fps {
-        check_within("--fps", "frames a second", Clip::RATES, fps)?;
+        check_fps(fps)?;
     }
     let skeleton = Path::new(&arguments.clip);
     let mut clip = match &arguments.motion {

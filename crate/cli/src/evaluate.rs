@@ -1,6 +1,6 @@
 //! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
 
-use crate::numbers::{check_within, whole};
+use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
 use crate::results::Store;
 use crate::train::{parts, warn_of_cost};
@@ -95,7 +95,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
+    check_fps(arguments.fps)?;
     let mut clips: Vec<Clip> =
         arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
     if arguments.whole_cycles {

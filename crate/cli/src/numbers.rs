@@ -6,6 +6,7 @@ use std::fmt::Display;
 use std::num::{IntErrorKind, ParseIntError};
 use std::ops::{Bound, RangeBounds, RangeInclusive};
 use std::str::FromStr;
+use vcgpdm::motion::Clip;
 
 /// Reads a whole number of this range, which has a lowest one and includes its ends.
 pub fn whole<T>(
@@ -41,6 +42,11 @@ pub fn check_within(
     }
     let (lowest, highest) = range.into_inner();
     Err(usage(format!("{option}: expected {what} from {lowest} to {highest}, found {found}")))
+}
+
+/// Refuses frames a second, given by `--fps`, that no clip can be brought to.
+pub fn check_fps(found: f64) -> Result<(), Box<dyn Error>> {
+    check_within("--fps", "frames a second", Clip::RATES, found)
 }
 
 #[cfg(test)]

@@ -35,10 +35,10 @@ pub struct Arguments {
     #[arg(long, value_name = "C", default_value_t = AnalysisOptions::default().ceiling)]
     ceiling: f64,
     /// Blocks of the cross-validation.
-    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().folds, value_parser = whole(2..=1000_usize))]
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().folds, value_parser = whole(AnalysisOptions::FOLDS))]
     folds: usize,
     /// Draws from the posteriors for the order of the models.
-    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().draws, value_parser = whole(1..=10_000_000_usize))]
+    #[arg(long, value_name = "N", default_value_t = AnalysisOptions::default().draws, value_parser = whole(AnalysisOptions::DRAWS))]
     draws: usize,
     /// The seed of blocks and draws.
     #[arg(long, value_name = "S", default_value_t = AnalysisOptions::default().seed, value_parser = whole(0..=u32::MAX))]
@@ -73,8 +73,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         attention: arguments.attention,
     };
     let results = PerceptionResults::of(&study, &answers, options).map_err(|error| match error {
-        // The ceiling, or the attention.
-        AnalysisError::Option { .. } => usage(error.to_string().replacen("the ", "--", 1)),
+        AnalysisError::Option { what, expected, found } => {
+            usage(format!("--{what}: expected {expected}, found {found}"))
+        }
         error => error.into(),
     })?;
     if let Some(folder) = &arguments.figures {

@@ -101,7 +101,7 @@ fn main() {
     );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     for Alone { clip, preset, dataset } in alone(&arguments.clips, &arguments.parts) {
-        eprintln!("{} rests from {:?} s", clip, dataset.sequences[0].rests_from);
+        eprintln!("{clip} rests from {:?} s", dataset.sequences[0].rests_from);
         for (points, order, iterations) in arguments.settings() {
             let settings = VariationalSettings {
                 latent: 3,
@@ -126,10 +126,9 @@ fn main() {
             let near = near(bounds(), bounds().fold(f64::NEG_INFINITY, f64::max));
             let bounds = range(bounds(), 0);
             let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len().max(1) as f64;
-            eprintln!("{} {preset} {points}: {}", clip, each.join(", "));
+            eprintln!("{clip} {preset} {points}: {}", each.join(", "));
             println!(
-                "| {} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {bounds} | {near} | {seconds:.1} |",
-                clip,
+                "| {clip} | {preset} | {points} | {order} | {iterations} | {moving} of {} | {chosen} of {} | {bounds} | {near} | {seconds:.1} |",
                 runs.len(),
                 groups.len()
             );

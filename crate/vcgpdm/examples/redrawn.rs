@@ -113,11 +113,11 @@ fn main() {
             |run: &(dyn Fn(u32) -> (f64, Params) + Sync)| each_seed(arguments.seeds, arguments.threads, run);
         let mut first = each(&|seed| problem.trained(problem.start(seed), seed));
         first.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let highest = first.last().map_or(f64::NAN, |run| run.0);
         for (name, place) in
             [("lowest", 0), ("middle", first.len() / 2), ("highest", first.len().saturating_sub(1))]
         {
             let Some((bound, from)) = first.get(place) else { continue };
-            let highest = first.last().map_or(f64::NAN, |run| run.0);
             let again = |begin: &(dyn Fn(u32) -> Params + Sync)| {
                 let bounds: Vec<f64> =
                     each(&|seed| problem.trained(begin(seed), seed)).iter().map(|run| run.0).collect();
@@ -129,8 +129,7 @@ fn main() {
                 )
             };
             println!(
-                "| {} | {preset} | {name} | {bound:.0} | {} | {} |",
-                clip,
+                "| {clip} | {preset} | {name} | {bound:.0} | {} | {} |",
                 again(&|seed| problem.redrawn(from.clone(), seed)),
                 again(&|seed| problem.with_latents_of(from, seed)),
             );

@@ -1,7 +1,7 @@
 //! `vcgpdm train --movement`: clips of several movements to a library of primitives.
 
 use crate::files;
-use crate::numbers::check_within;
+use crate::numbers::check_fps;
 use crate::primitives::by_part;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !matches!(arguments.model, None | Some(ModelKind::Vcgpdm)) {
         return Err(usage("--movement: expected no other model than vcgpdm, which alone has primitives"));
     }
-    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
+    check_fps(arguments.fps)?;
     let mut clips: Vec<Clip> = Vec::new();
     for place in asked.iter().flat_map(|movement| &movement.clips) {
         clips.push(files::read_clip(place)?);

@@ -13,7 +13,7 @@ use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
 use crate::files;
-use crate::numbers::check_within;
+use crate::numbers::check_fps;
 use crate::usage::usage;
 use body::with_hint;
 use serde_json::json;
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let rate = 1.0 / dataset.frame_time;
         return learn(arguments, split, &dataset, rate, |model| model.to_json());
     }
-    check_within("--fps", "frames a second", Clip::RATES, arguments.fps)?;
+    check_fps(arguments.fps)?;
     let mut clips = Vec::new();
     for place in &arguments.clips {
         clips.push((files::read_clip(place)?, None));

@@ -93,13 +93,11 @@ pub enum DatasetError {
     Training(TrainingError),
 }
 
-/// The reason with the name of the clip, in the place of the number of its sequence where the reason begins with that.
+/// The reason with the name of the clip in the place of the number of its sequence.
 fn in_clip(clip: &str, reason: &TrainingError) -> String {
-    let words = reason.to_string();
-    let numbered = reason.sequence().map(|sequence| format!("sequence {sequence} "));
-    match numbered.and_then(|numbered| words.strip_prefix(&numbered)) {
-        Some(rest) => format!("the clip {clip} {rest}"),
-        None => format!("{clip}: {words}"),
+    match reason.of_sequence() {
+        Some((_, words)) => format!("the clip {clip} {words}"),
+        None => format!("{clip}: {reason}"),
     }
 }
 

@@ -26,7 +26,7 @@ pub enum SequencesError {
         most: usize,
     },
     /// A sequence is shorter than the history of a frame, or none is longer: there is no transition to learn from.
-    #[error("sequence {index} has {}; dynamics of order {order} need at least {}", counted(*frames, "frame"), order + 1)]
+    #[error("sequence {index} {}", too_short(*frames, *order))]
     TooShort {
         /// Which sequence, counted from 0.
         index: usize,
@@ -35,6 +35,11 @@ pub enum SequencesError {
         /// Order of the dynamics.
         order: usize,
     },
+}
+
+/// What is wrong with a sequence of so few frames, in words that follow its name.
+pub(crate) fn too_short(frames: usize, order: usize) -> String {
+    format!("has {}; dynamics of order {order} need at least {}", counted(frames, "frame"), order + 1)
 }
 
 /// The lengths T_s of the sequences, stacked to N frames, and the order p of the dynamics.

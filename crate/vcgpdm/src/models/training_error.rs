@@ -2,7 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::models::library::{CombinationError, PlanError};
-use crate::models::sequences::SequencesError;
+use crate::models::sequences::{SequencesError, too_short};
 use crate::models::variational::RepertoireError;
 use crate::words::counted;
 use thiserror::Error;
@@ -64,7 +64,7 @@ pub enum TrainingError {
     #[error("expected at least one whole movement to learn from, found none")]
     NoWhole,
     /// A sequence holds too little to learn from.
-    #[error("sequence {sequence} has {}; expected at least {expected}", counted(*found, "frame"))]
+    #[error("sequence {sequence} {}", too_few(*found, *expected))]
     Short {
         /// Counted from 0.
         sequence: usize,
@@ -90,12 +90,25 @@ pub enum TrainingError {
 impl TrainingError {
     /// The sequence that the error is about, counted from 0; `None` when it is about all of them.
     pub fn sequence(&self) -> Option<usize> {
+        self.of_sequence().map(|(sequence, _)| sequence)
+    }
+
+    /// The sequence that the error is about, and what is wrong with it, in words that follow its name.
+    pub(crate) fn of_sequence(&self) -> Option<(usize, String)> {
         match self {
-            TrainingError::Short { sequence: found, .. }
-            | TrainingError::Sequences(SequencesError::TooShort { index: found, .. }) => Some(*found),
+            TrainingError::Short { sequence, expected, found } => {
+                Some((*sequence, too_few(*found, *expected)))
+            }
+            TrainingError::Sequences(SequencesError::TooShort { index, frames, order }) => {
+                Some((*index, too_short(*frames, *order)))
+            }
             _ => None,
         }
     }
+}
+
+fn too_few(found: usize, expected: usize) -> String {
+    format!("has {}; expected at least {expected}", counted(found, "frame"))
 }
 
 /// Checks that a setting of the given name is from 1 to `highest`.

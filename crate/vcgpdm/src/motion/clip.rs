@@ -52,8 +52,8 @@ pub enum ClipError {
         /// One after the last frame asked for.
         end: usize,
     },
-    /// A rate outside 0.1 to 10000 frames a second.
-    #[error("{name}: expected 0.1 to 10000 frames a second, found {found}")]
+    /// A rate outside [`Clip::RATES`].
+    #[error("{name}: expected {} to {} frames a second, found {found}", Clip::RATES.start(), Clip::RATES.end())]
     Rate {
         /// The name of the clip.
         name: String,
@@ -147,7 +147,7 @@ impl Clip {
     ///
     /// # Errors
     ///
-    /// [`ClipError::Rate`] for a rate outside 0.1 to 10000, [`ClipError::TooLong`] when the result would be too large.
+    /// [`ClipError::Rate`] for a rate outside [`Clip::RATES`], [`ClipError::TooLong`] when the result would be too large.
     pub fn resample(&self, fps: f64) -> Result<Clip, ClipError> {
         if !Self::RATES.contains(&fps) {
             return Err(ClipError::Rate { name: self.name.clone(), found: fps });

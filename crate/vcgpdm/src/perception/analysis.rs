@@ -30,7 +30,7 @@ const UNLIKELY: f64 = 1e-3;
 #[non_exhaustive]
 pub enum AnalysisError {
     /// An option out of its range.
-    #[error("{what}: expected {expected}, found {found}")]
+    #[error("the {what}: expected {expected}, found {found}")]
     Option {
         /// Which one.
         what: &'static str,
@@ -97,10 +97,10 @@ impl PerceptionResults {
 fn check(options: &AnalysisOptions) -> Result<(), AnalysisError> {
     let AnalysisOptions { ceiling, folds, draws, attention, .. } = *options;
     for (fits, what, expected, found) in [
-        (ceiling > 0.0 && ceiling <= 1.0, "the ceiling", "a number above 0, up to 1", ceiling),
-        ((2..=1000).contains(&folds), "the blocks", "from 2 to 1000", folds as f64),
-        ((1..=10_000_000).contains(&draws), "the draws", "from 1 to 10000000", draws as f64),
-        ((0.0..=1.0).contains(&attention), "the attention", "a share from 0 to 1", attention),
+        (ceiling > 0.0 && ceiling <= 1.0, "ceiling", "a number above 0, up to 1", ceiling),
+        (AnalysisOptions::FOLDS.contains(&folds), "blocks", "from 2 to 1000", folds as f64),
+        (AnalysisOptions::DRAWS.contains(&draws), "draws", "from 1 to 10000000", draws as f64),
+        ((0.0..=1.0).contains(&attention), "attention", "a share from 0 to 1", attention),
     ] {
         if !fits {
             return Err(AnalysisError::Option { what, expected, found });

@@ -3,6 +3,7 @@
 use crate::models::{ENGINE, ModelKind, ModelSettings};
 use crate::perception::beta::Rate;
 use serde::Serialize;
+use std::ops::RangeInclusive;
 
 /// How answers are analysed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -17,6 +18,13 @@ pub struct AnalysisOptions {
     pub seed: u32,
     /// Participants below this share of attention checks are left out.
     pub attention: f64,
+}
+
+impl AnalysisOptions {
+    /// Blocks that there can be.
+    pub const FOLDS: RangeInclusive<usize> = 2..=1000;
+    /// Draws that there can be.
+    pub const DRAWS: RangeInclusive<usize> = 1..=10_000_000;
 }
 
 impl Default for AnalysisOptions {
