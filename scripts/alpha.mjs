@@ -1,7 +1,8 @@
-// `npm run alpha -- [SITE_FOLDER] [--learned]`: how long a coupling's slider waits for its motion, in headless Chromium; the experts
-// re-inferred, or as learned. Of each event two times are taken: in the page, from the event until the new positions are there, and
-// inside the worker, from the message that asks for a rollout until the message that answers it. Then the same for a live motion:
-// what the worker takes for the next frames (a few at once), while it plays.
+// `npm run alpha -- [SITE_FOLDER] [--learned]`: how long a coupling's slider waits for its motion, in
+// headless Chromium; the experts re-inferred, or as learned. Of each event two times are taken: in the page,
+// from the event until the new positions are there, and inside the worker, from the message that asks for a
+// rollout until the message that answers it. Then the same for a live motion: what the worker takes for the
+// next frames (a few at once), while it plays.
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
@@ -21,7 +22,8 @@ function noteAnswers() {
   const notes = new Map();
   const note = (/** @type {string} */ id, /** @type {{ asked?: number, answered?: number }} */ when) =>
     notes.set(id, { ...notes.get(id), ...when });
-  // The worker's own listener is older: its answer may have left when this one is called. Therefore the time of the event.
+  // The worker's own listener is older: its answer may have left when this one is called. Therefore the time
+  // of the event.
   scope.addEventListener("message", (/** @type {MessageEvent} */ { data, timeStamp }) => {
     if (data?.id) note(data.id, { asked: timeStamp });
   });
@@ -63,7 +65,8 @@ async function slide({ slider, events }) {
 
   const times = [];
   for (let i = 0; i < events; i++) {
-    // Multiples of the golden ratio, without their whole part: spread over the slider, and never one value twice in a row.
+    // Multiples of the golden ratio, without their whole part: spread over the slider, and never one value
+    // twice in a row.
     input.value = String(min + (max - min) * ((i * 0.618) % 1));
     const motion = redrawn();
     const start = performance.now();
@@ -80,7 +83,9 @@ const quantile = (/** @type {number[]} */ values, /** @type {number} */ share) =
 
 function print(/** @type {string} */ name, /** @type {number[]} */ times) {
   const ms = (/** @type {number} */ share) => `${quantile(times, share).toFixed(2).padStart(7)} ms`;
-  console.log(`${name.padEnd(20)} 10 % ${ms(0.1)}   median ${ms(0.5)}   95 % ${ms(0.95)}   (${times.length} events)`);
+  console.log(
+    `${name.padEnd(20)} 10 % ${ms(0.1)}   median ${ms(0.5)}   95 % ${ms(0.95)}   (${times.length} events)`,
+  );
 }
 
 await main(async () => {
@@ -112,7 +117,8 @@ await main(async () => {
     }
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
-    for (const worker of workers) await worker.evaluate(() => /** @type {any} */ (globalThis).forgetAnswers());
+    for (const worker of workers)
+      await worker.evaluate(() => /** @type {any} */ (globalThis).forgetAnswers());
     await page.waitForTimeout(LIVE_SECONDS * 1000);
     for (const worker of workers) {
       const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());

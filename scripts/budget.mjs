@@ -1,7 +1,7 @@
-// What a first visit may cost, and what may be loaded after it: what a visitor of the first view may ask for; what compares models; what the
-// graphics Turing test needs besides, with jsPsych; the movements of the study that comes with the page; the library of primitives with its
-// view; the view of time series; and what
-// writes a motion as GLB. In gzipped bytes. The build, and the page's test in a browser, hold these.
+// What a first visit may cost, and what may be loaded after it: what a visitor of the first view may ask for;
+// what compares models; what the graphics Turing test needs besides, with jsPsych; the movements of the study
+// that comes with the page; the library of primitives with its view; the view of time series; and what writes
+// a motion as GLB. In gzipped bytes. The build, and the page's test in a browser, hold these.
 export const budget = {
   firstVisit: 450_000,
   wasm: 210_000,

@@ -1,4 +1,5 @@
-// `npm run build`: from a clean clone to a static site in www/dist. With --wasm-only it stops at the npm package crate/wasm/pkg.
+// `npm run build`: from a clean clone to a static site in www/dist. With --wasm-only it stops at the npm
+// package crate/wasm/pkg.
 import { fileURLToPath } from "node:url";
 import { writeFirst } from "./first.mjs";
 import { main, step } from "./run.mjs";

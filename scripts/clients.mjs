@@ -1,5 +1,6 @@
-// `npm run test:clients`: programs of others that use ours: workflows, bundlers, runtimes. What they need is installed into .tools and into
-// fresh folders; what the registries do not give says that it skipped. `npm run test:clients -- NAME` runs one file of tests/clients.
+// `npm run test:clients`: programs of others that use ours: workflows, bundlers, runtimes. What they need is
+// installed into .tools and into fresh folders; what the registries do not give says that it skipped. `npm
+// run test:clients -- NAME` runs one file of tests/clients.
 import { compileTests } from "./cargo.mjs";
 import { buildWasm } from "./wasm.mjs";
 import { at, Failure, filesUnder, main, run, step } from "./run.mjs";

@@ -1,8 +1,9 @@
-// `npm run comparison -- FOLDER ...`: all models on several subjects, each trial held out in turn, and what the papers say about them.
-// Each folder holds the clips (.bvh) of one person or movement; the trials that the program makes itself come after them. The tables
-// go into docs/comparison.md, the results of the first folder to where the page finds them. Finished trainings are kept in
-// docs/comparison, with which the tables can be made again: stop and go on at will, and empty the folder to begin anew. With --quick few
-// settings and iterations, to see that it works; nothing is written then.
+// `npm run comparison -- FOLDER ...`: all models on several subjects, each trial held out in turn, and what
+// the papers say about them. Each folder holds the clips (.bvh) of one person or movement; the trials that
+// the program makes itself come after them. The tables go into docs/comparison.md, the results of the first
+// folder to where the page finds them. Finished trainings are kept in docs/comparison, with which the tables
+// can be made again: stop and go on at will, and empty the folder to begin anew. With --quick few settings
+// and iterations, to see that it works; nothing is written then.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { at, Failure, main, output, run } from "./run.mjs";
@@ -19,7 +20,14 @@ const THREE_PARTS = "body-arms";
 const MADE = [
   {
     name: "walk-made",
-    clips: ["sample:walk-1", "sample:walk-2", "sample:walk-3", "sample:walk-4", "sample:walk-5", "sample:walk-6"],
+    clips: [
+      "sample:walk-1",
+      "sample:walk-2",
+      "sample:walk-3",
+      "sample:walk-4",
+      "sample:walk-5",
+      "sample:walk-6",
+    ],
   },
   {
     name: "walk-and-wave-made",
@@ -29,8 +37,10 @@ const MADE = [
 
 /** @typedef {{ name: string, clips: string[] }} Subject */
 /**
- * The MAP models have a limit of their own: they do not converge (docs/comparison.md), and each of their iterations takes long.
- * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, iterations: string, mapIterations: string, times: string }} Extent
+ * The MAP models have a limit of their own: they do not converge (docs/comparison.md), and each of their
+ * iterations takes long.
+ * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, iterations: string,
+ * mapIterations: string, times: string }} Extent
  */
 
 /** @type {Extent} */
@@ -56,11 +66,23 @@ const QUICK = {
 
 /** Who is compared on what, and in which file the results are kept: of one setting each. */
 const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterations, mapIterations }) => [
-  { file: "", options: ["--models", "tmp,dmp-discrete,dmp-rhythmic", "--bases", bases, "--primitives", primitives] },
+  {
+    file: "",
+    options: ["--models", "tmp,dmp-discrete,dmp-rhythmic", "--bases", bases, "--primitives", primitives],
+  },
   { file: "", options: ["--models", "tmp", "--normalised-time"] },
   {
     file: "",
-    options: ["--models", "vcgpdm,vgpdm", "--ips", ips, "--pose-ips", poseIps, "--max-iterations", iterations],
+    options: [
+      "--models",
+      "vcgpdm,vgpdm",
+      "--ips",
+      ips,
+      "--pose-ips",
+      poseIps,
+      "--max-iterations",
+      iterations,
+    ],
   },
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--max-iterations", mapIterations] },
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--balanced", "--max-iterations", mapIterations] },
@@ -80,13 +102,18 @@ const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterati
 ];
 
 /**
- * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none waits for another. Three seeds
- * are repeats. Of the same parts as all else, with which they stand, and of three parts, as in the supplement of Velychko et al. (2017).
+ * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none
+ * waits for another. Three seeds are repeats. Of the same parts as all else, with which they stand, and of
+ * three parts, as in the supplement of Velychko et al. (2017).
  */
 const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
   // Fewer than the trials that all else is trained on: these are no results of a trial held out.
   const counts = extent.times.split(",").filter((count) => Number(count) < trials - 1);
-  const options = (/** @type {string} */ models, /** @type {string} */ ips, /** @type {string} */ iterations) => [
+  const options = (
+    /** @type {string} */ models,
+    /** @type {string} */ ips,
+    /** @type {string} */ iterations,
+  ) => [
     ...["--models", models, "--folds", "1", "--seeds", "0,1,2", "--training-trials", counts.join(",")],
     ...["--ips", ips, "--max-iterations", iterations, "--threads", "1"],
   ];
@@ -103,7 +130,8 @@ const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
 /** The folder's clips as one subject. */
 function subject(/** @type {string} */ folder) {
   const files = readdirSync(folder).filter((file) => file.toLowerCase().endsWith(".bvh"));
-  if (files.length < 3) throw new Failure(`expected at least three clips (.bvh) in ${folder}, found ${files.length}`);
+  if (files.length < 3)
+    throw new Failure(`expected at least three clips (.bvh) in ${folder}, found ${files.length}`);
   return { name: basename(resolve(folder)), clips: files.sort().map((file) => join(folder, file)) };
 }
 
@@ -161,6 +189,9 @@ await main(async () => {
   if (tables === null) throw new Failure("the report could not be made");
   if (quick) return console.log(tables);
   mkdirSync(dirname(shown), { recursive: true });
-  writeFileSync(shown, together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]));
+  writeFileSync(
+    shown,
+    together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
+  );
   putTables(page, tables);
 });

@@ -1,6 +1,6 @@
-// What the page opens with, made from the model that is kept with the sources, www/first/model.json: the same model with
-// fewer digits, and the first seconds of its rollout, which walk before the wasm has loaded; and the library of primitives,
-// www/first/library.json, with fewer digits.
+// What the page opens with, made from the model that is kept with the sources, www/first/model.json: the same
+// model with fewer digits, and the first seconds of its rollout, which walk before the wasm has loaded; and
+// the library of primitives, www/first/library.json, with fewer digits.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { at, filesUnder, whenChanged } from "./run.mjs";
@@ -8,9 +8,15 @@ import { at, filesUnder, whenChanged } from "./run.mjs";
 /** A little more than one step of each foot: it plays again and again. */
 const SECONDS = 1.5;
 
-/** Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth of a millimetre in ten seconds. */
+/**
+ * Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth
+ * of a millimetre in ten seconds.
+ */
 const DIGITS = 7;
-/** Fewer digits for the covariances of the inducing outputs. All rounding together moves the deviations of predictions by less than 6 %, which tests/node/uncertainty.test.mjs holds. */
+/**
+ * Fewer digits for the covariances of the inducing outputs. All rounding together moves the deviations of
+ * predictions by less than 6 %, which tests/node/uncertainty.test.mjs holds.
+ */
 const COVARIANCE_DIGITS = 2;
 
 const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
@@ -22,7 +28,10 @@ const short = (/** @type {string} */ name, /** @type {unknown} */ value) =>
     ? value.map((row) => row.map((/** @type {unknown} */ entry) => rounded(entry, COVARIANCE_DIGITS)))
     : rounded(value, DIGITS);
 
-/** The library of the view Primitives. Its covariances keep all digits that the rest keeps: couplings are fitted with them. */
+/**
+ * The library of the view Primitives. Its covariances keep all digits that the rest keeps: couplings are
+ * fitted with them.
+ */
 function writeLibrary() {
   const [library, sent] = [at("www/first/library.json"), at("www/public/primitives/library.json")];
   return whenChanged("library", { inputs: [library, at("scripts/first.mjs")], outputs: [sent] }, async () => {

@@ -1,5 +1,6 @@
-// `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds the library's readers with what no program has written, guided by what they do with it
-// (libFuzzer; needs a nightly Rust). What breaks them is left in fuzz/artifacts.
+// `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds the library's readers with what no
+// program has written, guided by what they do with it (libFuzzer; needs a nightly Rust). What breaks them is
+// left in fuzz/artifacts.
 import { createRequire } from "node:module";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { at, env, Failure, main, output, run } from "./run.mjs";
@@ -16,17 +17,24 @@ const COVERAGE = [
   ),
 ].join(" ");
 
-/** Small inputs to begin with: a made clip, a model, results of nothing, a study of a node that moves, a participant's answers. */
+/**
+ * Small inputs to begin with: a made clip, a model, results of nothing, a study of a node that moves, a
+ * participant's answers.
+ */
 function seeds(/** @type {string} */ target) {
   if (target === "answers")
     return ["p1.csv", "p2.csv"].map((file) => readFileSync(at("tests/perception", file), "utf8"));
   if (target === "study") return [smallStudy()];
-  const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
+  const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)(
+    "../crate/wasm/pkg/node/vcgpdm.js",
+  );
   const set = new TrainingSet();
   const clips = ["walk-1", "walk-2"].map((id) => Clip.sample(id).cut(0, 20));
   for (const clip of clips) set.add(clip);
   if (target === "bvh") return [clips[0].cut(0, 3).toBvh()];
-  const { parts } = clips[0].info().presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
+  const { parts } = clips[0]
+    .info()
+    .presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
   const common = { parts, framesPerSecond: 10 };
   if (target === "results") return [Results.empty(set, common).toJson()];
   const few = { latent: 1, order: 1, dynamicsIps: 2, poseIps: 2, maxIterations: 2, seed: 1 };
@@ -36,7 +44,11 @@ function seeds(/** @type {string} */ target) {
 /** The page's study, of which only a node and three movements are left. */
 function smallStudy() {
   const study = JSON.parse(readFileSync(at("www/public/study/walks.study.json"), "utf8"));
-  const still = (/** @type {{ kind: string }} */ stimulus) => ({ ...stimulus, frames: 6, places: "A".repeat(18) });
+  const still = (/** @type {{ kind: string }} */ stimulus) => ({
+    ...stimulus,
+    frames: 6,
+    places: "A".repeat(18),
+  });
   study.seconds = 0.2;
   study.figure = { ...study.figure, names: ["Hips"], parents: [null], joints: 1, dots: [0] };
   for (const name of ["head", "feet"]) delete study.figure[name];
@@ -46,7 +58,8 @@ function smallStudy() {
 
 await main(async () => {
   const [target = "", minutes = "5"] = process.argv.slice(2);
-  if (!TARGETS.includes(target)) throw new Failure(`expected one of ${TARGETS.join(", ")}, found "${target}"`);
+  if (!TARGETS.includes(target))
+    throw new Failure(`expected one of ${TARGETS.join(", ")}, found "${target}"`);
   if (!(Number(minutes) > 0)) throw new Failure(`expected minutes above 0, found "${minutes}"`);
   const host = /host: (\S+)/.exec(output("rustc", "+nightly", "-vV") ?? "")?.[1];
   if (!host) throw new Failure("a nightly Rust is needed: rustup toolchain install nightly");
@@ -59,7 +72,12 @@ await main(async () => {
   const place = ["--manifest-path", at("fuzz/Cargo.toml"), "--target", host];
   await run("cargo", "+nightly", "build", "--release", ...place, "--bin", target);
   const dictionary = at("fuzz", `${target === "bvh" ? DICTIONARIES[0] : DICTIONARIES[1]}.dict`);
-  const limits = ["-timeout=10", "-rss_limit_mb=2048", "-max_len=200000", `-max_total_time=${60 * Number(minutes)}`];
+  const limits = [
+    "-timeout=10",
+    "-rss_limit_mb=2048",
+    "-max_len=200000",
+    `-max_total_time=${60 * Number(minutes)}`,
+  ];
   const found = `-artifact_prefix=${at("fuzz/artifacts")}/${target}-`;
   await run(at("fuzz/target", host, "release", target), corpus, `-dict=${dictionary}`, found, ...limits);
 });

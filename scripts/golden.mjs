@@ -1,6 +1,7 @@
-// `npm run golden`: computes the golden cases again with the independent implementation in tests/golden/generator (Python with
-// JAX, installed into .tools/golden) and compares. `npm run golden -- CASE.json ...` checks other cases;
-// `npm run golden -- --out FOLDER [--case K ...] [--seed S] [--movements | --beside]` makes new ones.
+// `npm run golden`: computes the golden cases again with the independent implementation in
+// tests/golden/generator (Python with JAX, installed into .tools/golden) and compares. `npm run golden --
+// CASE.json ...` checks other cases; `npm run golden -- --out FOLDER [--case K ...] [--seed S] [--movements |
+// --beside]` makes new ones.
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -11,16 +12,21 @@ const generator = at("tests/golden/generator");
 const requirements = join(generator, "requirements.txt");
 const { folder, python, has } = environment("golden");
 
-/** Runs one of the generator's programs. JAX keeps what it has compiled, which takes longer than computing. */
+/**
+ * Runs one of the generator's programs. JAX keeps what it has compiled, which takes longer than computing.
+ */
 function runGenerator(/** @type {string} */ program, /** @type {string[]} */ ...args) {
   env.JAX_COMPILATION_CACHE_DIR = join(folder, "compiled");
   env.PYTHONDONTWRITEBYTECODE = "1";
   return run(python, join(generator, program), ...args);
 }
 
-/** Checks the golden cases where the Python packages are installed already; returns a note of what was done. */
+/**
+ * Checks the golden cases where the Python packages are installed already; returns a note of what was done.
+ */
 export async function checkGolden() {
-  if (!has("jax")) return "skipped: Python with JAX is not installed in .tools/golden (npm run golden does it)";
+  if (!has("jax"))
+    return "skipped: Python with JAX is not installed in .tools/golden (npm run golden does it)";
   await runGenerator("check.py");
   return "the independent implementation agrees";
 }
@@ -40,7 +46,9 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     const { out, case: cases = [], seed, movements, beside } = values;
     if (movements && beside) throw new Failure("either --movements or --beside");
     if (out === undefined && (cases.length > 0 || seed !== undefined || movements || beside))
-      throw new Failure("--case, --seed, --movements and --beside belong to --out FOLDER, which makes new cases");
+      throw new Failure(
+        "--case, --seed, --movements and --beside belong to --out FOLDER, which makes new cases",
+      );
     if (out !== undefined && positionals.length > 0)
       throw new Failure("either --out FOLDER makes new cases, or files are checked");
     await step("Python packages in .tools/golden", () => install("golden", requirements));

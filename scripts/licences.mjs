@@ -1,5 +1,5 @@
-// The licences of what others wrote and the site and the npm package contain: crates that are compiled into the wasm, npm packages that are
-// bundled into the page. Texts that are the same stand once.
+// The licences of what others wrote and the site and the npm package contain: crates that are compiled into
+// the wasm, npm packages that are bundled into the page. Texts that are the same stand once.
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
@@ -11,7 +11,14 @@ const IS_LICENCE = /^(licen[cs]e|copying|notice|unlicense)([-._].*)?$/i;
 
 /** The crates in the wasm, without our own. @returns {Part[]} */
 function crates() {
-  const text = output("cargo", "metadata", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown");
+  const text = output(
+    "cargo",
+    "metadata",
+    "--format-version",
+    "1",
+    "--filter-platform",
+    "wasm32-unknown-unknown",
+  );
   const { packages, resolve } = JSON.parse(text ?? "null") ?? {};
   if (!packages) throw new Failure("cargo metadata says nothing");
   const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
@@ -25,7 +32,10 @@ function crates() {
   };
   visit(packages.find((/** @type {{ name: string }} */ { name }) => name === "vcgpdm-wasm").id);
   return packages
-    .filter((/** @type {{ id: string, source: string | null }} */ { id, source }) => inside.has(id) && source !== null)
+    .filter(
+      (/** @type {{ id: string, source: string | null }} */ { id, source }) =>
+        inside.has(id) && source !== null,
+    )
     .map((/** @type {any} */ { name, version, license, manifest_path }) => ({
       ...{ name, version, licence: license ?? "see below", folder: dirname(manifest_path) },
     }));

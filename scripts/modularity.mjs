@@ -1,7 +1,7 @@
-// `npm run modularity`: a library that shares its walking primitive beside a model of each movement, and primitives learned again under
-// the pose maps of another library, on the sample trials, into docs/modularity.md and docs/modularity.svg, which the page shows too,
-// and the page's own copy of the tables.
-// `npm run modularity -- imports` makes only the second table again.
+// `npm run modularity`: a library that shares its walking primitive beside a model of each movement, and
+// primitives learned again under the pose maps of another library, on the sample trials, into
+// docs/modularity.md and docs/modularity.svg, which the page shows too, and the page's own copy of the
+// tables. `npm run modularity -- imports` makes only the second table again.
 import { readFileSync, writeFileSync } from "node:fs";
 import { at, Failure, main } from "./run.mjs";
 import { measured, putTables } from "./tables.mjs";
@@ -27,8 +27,12 @@ function cells(/** @type {string} */ name) {
 
 await main(async () => {
   const only = process.argv[2];
-  if (only !== undefined && only !== "imports") throw new Failure(`expected imports, or nothing, found ${only}`);
+  if (only !== undefined && only !== "imports")
+    throw new Failure(`expected imports, or nothing, found ${only}`);
   if (only === undefined) putTables(PAGE, measured("modularity", "modular", PICTURE));
   putTables(PAGE, measured("modularity", "imports"), "imports");
-  writeFileSync(STORED, `${JSON.stringify({ modular: cells("tables"), imports: cells("imports") }, null, 2)}\n`);
+  writeFileSync(
+    STORED,
+    `${JSON.stringify({ modular: cells("tables"), imports: cells("imports") }, null, 2)}\n`,
+  );
 });

@@ -1,5 +1,5 @@
-// What an npm package needs beside what wasm-bindgen makes: entries for every kind of importer, the wasm once, errors with a name, types
-// that compile without the newest libraries.
+// What an npm package needs beside what wasm-bindgen makes: entries for every kind of importer, the wasm
+// once, errors with a name, types that compile without the newest libraries.
 import { readFileSync, renameSync, rmSync, writeFileSync, mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -8,7 +8,8 @@ import { Failure } from "./run.mjs";
 /** A file with one place changed, which has to be there. */
 function change(/** @type {string} */ file, /** @type {string} */ from, /** @type {string} */ to) {
   const text = readFileSync(file, "utf8");
-  if (!text.includes(from)) throw new Failure(`${file}: expected ${from}, found none: has wasm-bindgen changed?`);
+  if (!text.includes(from))
+    throw new Failure(`${file}: expected ${from}, found none: has wasm-bindgen changed?`);
   writeFileSync(
     file,
     text.replace(from, () => to),
@@ -35,7 +36,11 @@ const DISPOSE = `declare global {
 /** What holds for the files of each target. */
 function mend(/** @type {string} */ folder) {
   const script = join(folder, "vcgpdm.js");
-  change(script, "throw new Error(getStringFromWasm0(arg0, arg1));", "throw __thrown(getStringFromWasm0(arg0, arg1));");
+  change(
+    script,
+    "throw new Error(getStringFromWasm0(arg0, arg1));",
+    "throw __thrown(getStringFromWasm0(arg0, arg1));",
+  );
   writeFileSync(script, readFileSync(script, "utf8") + THROWN);
   const types = join(folder, "vcgpdm.d.ts");
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
@@ -55,7 +60,8 @@ export default function init(wasm) {
 `;
 
 const WEB_TYPES = `/**
- * Loads the wasm, once, before anything else is called: the file beside this one, or what is given (an address, bytes, a response).
+ * Loads the wasm, once, before anything else is called: the file beside this one, or what is given (an
+ * address, bytes, a response).
  */
 export default function init(wasm?: { module_or_path: InitInput | Promise<InitInput> } | InitInput | Promise<InitInput>): Promise<InitOutput>;
 `;
@@ -95,11 +101,14 @@ export default function init(wasm?: unknown): Promise<void>;
 
 /** The package in \`place\`, of the targets' folders web, node and player. */
 export function completePackage(/** @type {string} */ place) {
-  const [web, node, player, inline] = ["web", "node", "player", "inline"].map((folder) => join(place, folder));
+  const [web, node, player, inline] = ["web", "node", "player", "inline"].map((folder) =>
+    join(place, folder),
+  );
   if (!web || !node || !player || !inline) return;
   for (const folder of [web, node, player]) mend(folder);
 
-  // An entry that names the wasm by its address, and what it loads, which does not: bundlers would look for the file.
+  // An entry that names the wasm by its address, and what it loads, which does not: bundlers would look for
+  // the file.
   renameSync(join(web, "vcgpdm.js"), join(web, "glue.js"));
   const address = "module_or_path = new URL('vcgpdm_bg.wasm', import.meta.url);";
   change(join(web, "glue.js"), address, 'throw new Error("expected the wasm");');
@@ -130,7 +139,10 @@ export function completePackage(/** @type {string} */ place) {
   change(join(node, "vcgpdm.js"), "/vcgpdm_bg.wasm`", "/../web/vcgpdm_bg.wasm`");
   writeFileSync(join(node, "vcgpdm.js"), readFileSync(join(node, "vcgpdm.js"), "utf8") + NODE);
   const plain = readFileSync(join(node, "vcgpdm.d.ts"), "utf8");
-  writeFileSync(join(node, "vcgpdm.d.ts"), `${plain}${INIT_TYPES}export function initSync(wasm?: unknown): void;\n`);
+  writeFileSync(
+    join(node, "vcgpdm.d.ts"),
+    `${plain}${INIT_TYPES}export function initSync(wasm?: unknown): void;\n`,
+  );
   writeFileSync(join(node, "index.mjs"), NODE_MODULE);
   writeFileSync(join(node, "index.d.mts"), `export * from "./vcgpdm.js";\n${INIT_TYPES}`);
 

@@ -1,6 +1,7 @@
-// `npm run picture`: docs/playground.webp, the moving picture of the README: the walker, its latents, and what a slider does. The built page is
-// stepped frame by frame in a headless Chromium, so that the picture is as smooth on a slow machine. sharp puts the pictures together; it is
-// installed into .tools when it is first asked for.
+// `npm run picture`: docs/playground.webp, the moving picture of the README: the walker, its latents, and
+// what a slider does. The built page is stepped frame by frame in a headless Chromium, so that the picture is
+// as smooth on a slow machine. sharp puts the pictures together; it is installed into .tools when it is first
+// asked for.
 import { mkdirSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { build } from "./build.mjs";
@@ -47,7 +48,14 @@ async function loadSharp() {
 /** A pointer, where no window has one. */
 function pointer() {
   const dot = document.createElement("div");
-  const look = { position: "fixed", width: "18px", height: "18px", left: "-99px", top: "0", "border-radius": "50%" };
+  const look = {
+    position: "fixed",
+    width: "18px",
+    height: "18px",
+    left: "-99px",
+    top: "0",
+    "border-radius": "50%",
+  };
   const more = {
     background: "rgb(30 30 30 / 45%)",
     border: "2px solid white",

@@ -1,4 +1,5 @@
-// Python environments of the project in .tools, each with the packages that its list names, at their exact versions.
+// Python environments of the project in .tools, each with the packages that its list names, at their exact
+// versions.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { at, Failure, output, run, whenChanged } from "./run.mjs";
@@ -22,7 +23,8 @@ export function environment(/** @type {string} */ name) {
   const bin = process.platform === "win32" ? join(folder, "Scripts") : join(folder, "bin");
   const python = join(bin, process.platform === "win32" ? "python.exe" : "python");
   /** Whether a module can be loaded in it. */
-  const has = (/** @type {string} */ module) => existsSync(python) && output(python, "-c", `import ${module}`) !== null;
+  const has = (/** @type {string} */ module) =>
+    existsSync(python) && output(python, "-c", `import ${module}`) !== null;
   return { folder, bin, python, has };
 }
 
@@ -42,7 +44,15 @@ export async function install(name, requirements) {
         `Python ${version} could not make a virtual environment in .tools/${name}; on Debian and Ubuntu the package python3-venv may be missing`,
       );
     }
-    const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", requirements];
+    const pip = [
+      "-m",
+      "pip",
+      "install",
+      "--quiet",
+      "--disable-pip-version-check",
+      "--requirement",
+      requirements,
+    ];
     try {
       await run(python, ...pip);
     } catch {

@@ -14,7 +14,8 @@ export class Failure extends Error {}
 
 const exe = process.platform === "win32" ? ".exe" : "";
 
-// Tools of this project first, then cargo's own folder: a fresh rustup is not yet on the PATH of an open shell.
+// Tools of this project first, then cargo's own folder: a fresh rustup is not yet on the PATH of an open
+// shell.
 const path = [
   at(".tools", "bin"),
   process.env.PATH ?? "",

@@ -1,4 +1,5 @@
-// `npm run screenshot -- OUT.png [--size 1440x900] [--dark]`: a picture of the built page, some seconds into the walk.
+// `npm run screenshot -- OUT.png [--size 1440x900] [--dark]`: a picture of the built page, some seconds into
+// the walk.
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
 import { Failure, main } from "./run.mjs";
@@ -12,7 +13,8 @@ await main(async () => {
   });
   const [out] = positionals;
   const [, width, height] = values.size.match(/^(\d+)x(\d+)$/) ?? [];
-  if (!out || !width || !height) throw new Failure("usage: npm run screenshot -- OUT.png [--size 1440x900] [--dark]");
+  if (!out || !width || !height)
+    throw new Failure("usage: npm run screenshot -- OUT.png [--size 1440x900] [--dark]");
   const { address, close } = await serve(dist);
   const browser = await launchChromium();
   try {

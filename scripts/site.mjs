@@ -32,7 +32,10 @@ const kilobytes = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1).
 export function weigh() {
   const files = filesUnder([dist])
     .filter((file) => !file.endsWith(".map"))
-    .map((file) => ({ name: relative(dist, file).split(sep).join("/"), size: gzipSync(readFileSync(file)).length }))
+    .map((file) => ({
+      name: relative(dist, file).split(sep).join("/"),
+      size: gzipSync(readFileSync(file)).length,
+    }))
     .sort((a, b) => b.size - a.size);
   const sum = (/** @type {typeof files} */ some) => some.reduce((total, { size }) => total + size, 0);
   const inFolders = (/** @type {string[]} */ ...folders) =>
@@ -70,7 +73,8 @@ export function weigh() {
     );
   }
   for (const [name, size, limit] of sums) {
-    if (size > limit) throw new Failure(`${name}: ${size} bytes, over the budget of ${limit} (scripts/budget.mjs)`);
+    if (size > limit)
+      throw new Failure(`${name}: ${size} bytes, over the budget of ${limit} (scripts/budget.mjs)`);
     if (size === 0) throw new Failure(`${name}: nothing was found to weigh`);
   }
 }

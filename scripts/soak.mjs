@@ -1,14 +1,24 @@
-// `npm run soak -- [MINUTES]`: one visitor does everything again and again, and what the page holds is measured after each round. It must not
-// grow: after the warm-up neither heap nor nodes nor listeners by more than a tenth; and the figure walks on with as many pictures a second.
+// `npm run soak -- [MINUTES]`: one visitor does everything again and again, and what the page holds is
+// measured after each round. It must not grow: after the warm-up neither heap nor nodes nor listeners by more
+// than a tenth; and the figure walks on with as many pictures a second.
 import { drop, openSite, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
-/** Rounds after which all that is loaded on demand is there, and as many comparisons are kept as the page keeps. */
+/**
+ * Rounds after which all that is loaded on demand is there, and as many comparisons are kept as the page
+ * keeps.
+ */
 const WARM_UP = 12;
-/** Machine code of the page's scripts is no part of what the page holds: it grows for as long as another function comes to be used much. */
+/**
+ * Machine code of the page's scripts is no part of what the page holds: it grows for as long as another
+ * function comes to be used much.
+ */
 const NO_CODE = "--js-flags=--no-sparkplug --no-maglev --no-opt";
-/** The middle of so many rounds is compared: one alone has up to a tenth more or less, by what is being drawn as it is measured. */
+/**
+ * The middle of so many rounds is compared: one alone has up to a tenth more or less, by what is being drawn
+ * as it is measured.
+ */
 const SOME = 10;
 const MOST = 1.1;
 /** Ours: a tenth fewer pictures a second at the end than at the beginning, at most. */
@@ -24,7 +34,8 @@ async function held(
 ) {
   for (let k = 0; k < 3; k++) await cdp.send("HeapProfiler.collectGarbage");
   const { metrics } = await cdp.send("Performance.getMetrics");
-  const value = (/** @type {string} */ name) => metrics.find((metric) => metric.name === name)?.value ?? Number.NaN;
+  const value = (/** @type {string} */ name) =>
+    metrics.find((metric) => metric.name === name)?.value ?? Number.NaN;
   return {
     heap: value("JSHeapUsedSize"),
     nodes: value("Nodes"),
@@ -42,10 +53,14 @@ async function picturesPerSecond(/** @type {import("playwright-core").Page} */ p
   return (1000 * ((await drawn()) - before)) / (performance.now() - start);
 }
 
-const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
+const median = (/** @type {number[]} */ values) =>
+  values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
 
 /** Everything that a visitor does. */
-async function round(/** @type {import("playwright-core").Page} */ page, /** @type {Record<string, string>} */ clips) {
+async function round(
+  /** @type {import("playwright-core").Page} */ page,
+  /** @type {Record<string, string>} */ clips,
+) {
   const trainingIsOver = () => page.getByTestId("train").waitFor({ timeout: 120_000 });
   await drop(page, Object.fromEntries(Object.entries(clips).map(([title, text]) => [`${title}.bvh`, text])));
   for (const title of Object.keys(clips)) await page.getByTestId("own-clips").getByText(title).waitFor();
@@ -84,7 +99,9 @@ await main(async () => {
     const { page, problems, leave } = await site.visit({ settings, moving: true });
     await ready(page);
     // Results of the round before are on no disk.
-    await page.addLocatorHandler(page.getByTestId("unsaved"), () => page.getByTestId("unsaved-discard").click());
+    await page.addLocatorHandler(page.getByTestId("unsaved"), () =>
+      page.getByTestId("unsaved-discard").click(),
+    );
     const cdp = await page.context().newCDPSession(page);
     await cdp.send("Performance.enable");
     const clips = { mine: bvh(0), other: bvh(1) };

@@ -1,5 +1,6 @@
-// `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: one bound with its gradient, a training and a rollout,
-// side by side: native, wasm in Node, wasm in Chromium, and another program that prints {"median_ms": ...}. One thread each.
+// `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: one bound with its gradient, a training
+// and a rollout, side by side: native, wasm in Node, wasm in Chromium, and another program that prints
+// {"median_ms": ...}. One thread each.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
@@ -68,10 +69,23 @@ async function inChromium(/** @type {string} */ text, /** @type {[string, string
 const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[values.length >> 1] ?? NaN;
 
 await main(async () => {
-  const { values, positionals } = parseArgs({ allowPositionals: true, options: { peer: { type: "string" } } });
+  const { values, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { peer: { type: "string" } },
+  });
   await installTools();
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
-  await run("cargo", "build", "--release", "--package", "vcgpdm", "--features", "speed", "--example", "speed");
+  await run(
+    "cargo",
+    "build",
+    "--release",
+    "--package",
+    "vcgpdm",
+    "--features",
+    "speed",
+    "--example",
+    "speed",
+  );
   await buildPackage(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
@@ -80,7 +94,9 @@ await main(async () => {
   const [given, ...clips] = positionals;
   const file = given ?? (await ownCase());
   const text = readFileSync(file, "utf8");
-  const files = clips.map((clip) => /** @type {[string, string]} */ ([basename(clip), readFileSync(clip, "utf8")]));
+  const files = clips.map(
+    (clip) => /** @type {[string, string]} */ ([basename(clip), readFileSync(clip, "utf8")]),
+  );
 
   /** @type {Record<string, Side[]>} */
   const sides = {};
@@ -100,7 +116,8 @@ await main(async () => {
   const of = (/** @type {string} */ name, /** @type {(side: Side) => number | undefined} */ value) =>
     median((sides[name] ?? []).map(value).filter((v) => v !== undefined));
   const bound = (/** @type {string} */ name) => of(name, (side) => side.evaluation.median_ms);
-  const show = (/** @type {number} */ value, digits = 2) => (Number.isNaN(value) ? "" : value.toFixed(digits));
+  const show = (/** @type {number} */ value, digits = 2) =>
+    Number.isNaN(value) ? "" : value.toFixed(digits);
   console.log(`\nMedians of ${ROUNDS} rounds, one after the other.\n`);
   console.log(
     "| | bound with gradient, ms | faster than the peer | time of native | training, s | to 99.9 % of its bound, s | rollout of 300 frames with positions, ms |",

@@ -1,5 +1,6 @@
-// `npm run study`: the study that comes with the page, from the walks that the program makes itself, and the check of the analysis against
-// the numbers of the paper in docs/perception.md. Finished trainings are kept in target/study.
+// `npm run study`: the study that comes with the page, from the walks that the program makes itself, and the
+// check of the analysis against the numbers of the paper in docs/perception.md. Finished trainings are kept
+// in target/study.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { at, Failure, main, output, run } from "./run.mjs";
@@ -15,13 +16,19 @@ const walks = (/** @type {number[]} */ ...numbers) => numbers.map((number) => `s
 const trials = walks(1, 2, 3, 4);
 const unseen = walks(5, 6);
 
-/** All models, each with several sizes where it has one; 400 iterations are enough for short walks that are all alike. */
+/**
+ * All models, each with several sizes where it has one; 400 iterations are enough for short walks that are
+ * all alike.
+ */
 const SWEEPS = [
   ["--models", "tmp,dmp-discrete", "--primitives", "1,2,4,8", "--bases", "3,10,25,80"],
   ["--models", "vcgpdm,vgpdm", "--ips", "3,12", "--pose-ips", "4,12", "--max-iterations", "400"],
   ["--models", "map-gpdm,map-cgpdm", "--max-iterations", "400"],
 ];
-/** Movements that anybody sees to be wrong, marked by hand: with three basis functions the figure glides with hardly a step. */
+/**
+ * Movements that anybody sees to be wrong, marked by hand: with three basis functions the figure glides with
+ * hardly a step.
+ */
 const FAILED = ["dmp-discrete-3-trial-1", "dmp-discrete-3-trial-2"];
 
 const INSTRUCTIONS = `In every trial a cross appears first: please look at it. Then two figures move side by side. One is the walker of this project, a \
@@ -35,7 +42,18 @@ await main(async () => {
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   for (const path of [results, shown]) mkdirSync(dirname(path), { recursive: true });
   for (const options of SWEEPS)
-    await run(program, "evaluate", ...trials, "--parts", "lower,upper", "--folds", "1,2", ...options, "--out", results);
+    await run(
+      program,
+      "evaluate",
+      ...trials,
+      "--parts",
+      "lower,upper",
+      "--folds",
+      "1,2",
+      ...options,
+      "--out",
+      results,
+    );
   const title = "Walks made by this project: which is more natural?";
   const made = ["--unseen", ...unseen, "--title", title, "--failed", FAILED.join(","), "--out", shown];
   await run(program, "study", results, ...trials, ...made);

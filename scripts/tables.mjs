@@ -24,7 +24,8 @@ export function putTables(/** @type {string} */ page, /** @type {string} */ tabl
   const [BEGIN, END] = [`<!-- ${name}: begin -->`, `<!-- ${name}: end -->`];
   const text = readFileSync(page, "utf8");
   const [begin, end] = [text.indexOf(BEGIN), text.indexOf(END)];
-  if (begin < 0 || end < begin) throw new Failure(`${page} has no place for tables, between ${BEGIN} and ${END}`);
+  if (begin < 0 || end < begin)
+    throw new Failure(`${page} has no place for tables, between ${BEGIN} and ${END}`);
   writeFileSync(page, `${text.slice(0, begin + BEGIN.length)}\n\n${tables.trim()}\n\n${text.slice(end)}`);
   console.log(`the tables are in ${page}`);
 }

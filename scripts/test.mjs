@@ -29,12 +29,20 @@ const STEPS = [
   { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
   { name: "house", what: "the order of the rooms", work: () => nodeTests("house") },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
-  { name: "clippy", what: "clippy, native", work: () => clippy(...NATIVE, "--all-targets", "--all-features") },
+  {
+    name: "clippy",
+    what: "clippy, native",
+    work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
+  },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
   { name: "features", what: "each feature alone", work: features },
   { name: "docs", what: "the documentation", work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
-  { name: "rust", what: "Rust tests and doctests", work: () => run("cargo", "test", ...NATIVE, "--all-features") },
+  {
+    name: "rust",
+    what: "Rust tests and doctests",
+    work: () => run("cargo", "test", ...NATIVE, "--all-features"),
+  },
   { name: "files", what: "model files read with numpy", work: files },
   { name: "golden", what: "golden numbers, made again", work: checkGolden },
   {
@@ -60,7 +68,8 @@ async function format() {
 async function features() {
   await clippy(...NATIVE, "--all-targets");
   await clippy(...WASM, "--no-default-features");
-  for (const feature of ["training", "speed"]) await clippy(...WASM, "--no-default-features", "--features", feature);
+  for (const feature of ["training", "speed"])
+    await clippy(...WASM, "--no-default-features", "--features", feature);
 }
 
 /** With the examples, because the packages then are those of clippy, compiled already. */
@@ -91,7 +100,8 @@ async function files() {
 }
 
 async function types() {
-  for (const project of ["www", "tests"]) await runModule("typescript/bin/tsc", "--noEmit", "-p", at(project));
+  for (const project of ["www", "tests"])
+    await runModule("typescript/bin/tsc", "--noEmit", "-p", at(project));
 }
 
 function chosen() {
@@ -100,7 +110,9 @@ function chosen() {
   const name = process.argv[i + 1];
   const step = STEPS.find((step) => step.name === name);
   if (!step)
-    throw new Failure(`--only needs one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`);
+    throw new Failure(
+      `--only needs one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`,
+    );
   const before = STEPS.filter(({ name }) => name === step.needs);
   return [...before, step];
 }

@@ -7,7 +7,9 @@ const NODE = [20, 19];
 
 /** The version of a crate that Cargo.lock holds. */
 function locked(/** @type {string} */ crate) {
-  const found = readFileSync(at("Cargo.lock"), "utf8").match(new RegExp(`name = "${crate}"\\r?\\nversion = "([^"]+)"`));
+  const found = readFileSync(at("Cargo.lock"), "utf8").match(
+    new RegExp(`name = "${crate}"\\r?\\nversion = "([^"]+)"`),
+  );
   if (!found?.[1]) throw new Failure(`Cargo.lock does not name ${crate}`);
   return found[1];
 }
@@ -17,7 +19,8 @@ const older = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
   const i = b.findIndex((n, k) => (a[k] ?? 0) !== n);
   return i >= 0 && (a[i] ?? 0) < (b[i] ?? 0);
 };
-const numbers = (/** @type {string} */ text) => (text.match(/\d+(\.\d+)*/)?.[0] ?? "0").split(".").map(Number);
+const numbers = (/** @type {string} */ text) =>
+  (text.match(/\d+(\.\d+)*/)?.[0] ?? "0").split(".").map(Number);
 
 /** The oldest Rust that the packages promise to compile with. */
 export function oldestRust() {
@@ -28,7 +31,9 @@ export function oldestRust() {
 
 async function rust() {
   if (older(numbers(process.version), NODE))
-    throw new Failure(`Node ${NODE.join(".")} or later is needed, this is ${process.version}: https://nodejs.org`);
+    throw new Failure(
+      `Node ${NODE.join(".")} or later is needed, this is ${process.version}: https://nodejs.org`,
+    );
   if (output("rustup", "--version") === null)
     throw new Failure("rustup is needed and was not found: https://rustup.rs");
   if (output("rustc", "--version") === null) await run("rustup", "default", "stable");
@@ -55,7 +60,11 @@ const QUICKLY = ["opt-level=1", 'lto="off"', "codegen-units=16"].flatMap((how) =
 ]);
 
 /** A program of exactly this version: the one on the PATH, else built into .tools/. */
-async function cargoTool(/** @type {string} */ crate, /** @type {string} */ program, /** @type {string} */ version) {
+async function cargoTool(
+  /** @type {string} */ crate,
+  /** @type {string} */ program,
+  /** @type {string} */ version,
+) {
   if (output(program, "--version")?.split(/\s+/).includes(version)) return "there";
   const install = (/** @type {string[]} */ ...more) =>
     run("cargo", "install", crate, "--version", `=${version}`, "--root", at(".tools"), ...QUICKLY, ...more);
@@ -69,7 +78,9 @@ async function cargoTool(/** @type {string} */ crate, /** @type {string} */ prog
 }
 
 async function npmPackages() {
-  const inputs = filesUnder(["package.json", "package-lock.json", "www/package.json"].map((file) => at(file)));
+  const inputs = filesUnder(
+    ["package.json", "package-lock.json", "www/package.json"].map((file) => at(file)),
+  );
   return whenChanged("npm", { inputs, outputs: [at("node_modules", ".package-lock.json")] }, async () => {
     // npm is a script on Windows and a program elsewhere; npm itself says where it is when it runs us.
     const npm = process.env.npm_execpath;

@@ -1,5 +1,5 @@
-// `npm run uncertainty`: how far moment matching says what many sampled futures say, measured on the model that the page opens with and
-// on models of the sample walks, into docs/uncertainty.md.
+// `npm run uncertainty`: how far moment matching says what many sampled futures say, measured on the model
+// that the page opens with and on models of the sample walks, into docs/uncertainty.md.
 import { at, main } from "./run.mjs";
 import { measured, putTables } from "./tables.mjs";
 

@@ -1,5 +1,5 @@
-// The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and a smaller one for a
-// first visit to the page (player/), which shows clips and models and trains none.
+// The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and
+// a smaller one for a first visit to the page (player/), which shows clips and models and trains none.
 import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { noticeOfWasm } from "./licences.mjs";
@@ -15,7 +15,8 @@ const TARGETS = [
   { folder: "player", target: "web", type: "module", features: [] },
 ];
 
-// The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses others.
+// The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses
+// others.
 const FEATURES = [
   "simd",
   "bulk-memory",
@@ -42,11 +43,15 @@ export async function buildWasm() {
     ["pkg", "target", "tests", "benches", "examples"],
   );
   const outputs = TARGETS.map(({ folder }) => at("crate/wasm/pkg", folder, "vcgpdm.js"));
-  const note = await whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, async () => {
-    rmSync(at("crate/wasm/pkg"), { recursive: true, force: true });
-    await buildPackage(at("crate/wasm/pkg"));
-    completePackage(at("crate/wasm/pkg"));
-  });
+  const note = await whenChanged(
+    "wasm",
+    { inputs, outputs, salt: output("rustc", "--version") ?? "" },
+    async () => {
+      rmSync(at("crate/wasm/pkg"), { recursive: true, force: true });
+      await buildPackage(at("crate/wasm/pkg"));
+      completePackage(at("crate/wasm/pkg"));
+    },
+  );
   describe();
   return note;
 }
@@ -77,7 +82,10 @@ export async function buildPackage(/** @type {string} */ place, /** @type {strin
 // Who made the file and what it needs of an engine is for tools alone.
 const STRIP = ["--strip-producers", "--strip-target-features"];
 
-/** Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them differs. */
+/**
+ * Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them
+ * differs.
+ */
 async function optimise(/** @type {string} */ place) {
   /** @type {{ before: Buffer, file: string }[]} */
   const done = [];

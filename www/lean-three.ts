@@ -1,13 +1,17 @@
 // three.js without what the page cannot use: a tenth less to download.
 //
-// three's renderer names all it can do, so that a bundler must keep it: headsets, environment maps, the shaders of materials that
-// nobody makes here. Built from three's sources, these files are replaced, and the comments in the shaders are left out. A stub that
-// meets no file any more, because three has moved it, ends the build.
+// three's renderer names all it can do, so that a bundler must keep it: headsets, environment maps, the
+// shaders of materials that nobody makes here. Built from three's sources, these files are replaced, and the
+// comments in the shaders are left out. A stub that meets no file any more, because three has moved it, ends
+// the build.
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import type { Plugin } from "vite";
 
-/** The materials of the page, and the shadows: MeshStandardMaterial, ShadowMaterial and ShaderMaterials of its own. */
+/**
+ * The materials of the page, and the shadows: MeshStandardMaterial, ShadowMaterial and ShaderMaterials of its
+ * own.
+ */
 const SHADERS_USED = /\/ShaderLib\/(meshphysical|shadow|depth)\.glsl\.js$/;
 
 const STUBS: [file: RegExp, code: string][] = [

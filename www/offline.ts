@@ -6,7 +6,10 @@ import { build, type Plugin } from "vite";
 
 const SERVICE = "service.js";
 
-/** Files that the service worker keeps, with what tells their versions apart; the name of what stands in assets does that itself. */
+/**
+ * Files that the service worker keeps, with what tells their versions apart; the name of what stands in
+ * assets does that itself.
+ */
 function kept(folder: string) {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map") && entry.name !== SERVICE)
@@ -15,7 +18,10 @@ function kept(folder: string) {
   return files.map((file) => {
     const url = relative(folder, file).split(sep).join("/");
     const named = url.startsWith("assets/");
-    return { url, revision: named ? null : createHash("sha256").update(readFileSync(file)).digest("hex").slice(0, 16) };
+    return {
+      url,
+      revision: named ? null : createHash("sha256").update(readFileSync(file)).digest("hex").slice(0, 16),
+    };
   });
 }
 

@@ -41,7 +41,9 @@ const WHEN_ASKED = [
 ];
 const isAsked = (file: string) =>
   file.includes("/uplot/") ||
-  WHEN_ASKED.some((name) => (name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`)));
+  WHEN_ASKED.some((name) =>
+    name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
+  );
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
   /\/src\/(comparison|experiment|figures)\/|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
@@ -50,7 +52,9 @@ const isOnDemand = (file: string) =>
 /** The graphics Turing test, with jsPsych. */
 const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(file);
 
-/** What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that. */
+/**
+ * What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that.
+ */
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/perception", isPerception],
   ["assets/primitives", (file) => /\/src\/primitives\/|\/docs\/modularity\.svg$/.test(file)],
@@ -76,7 +80,11 @@ const heldToPolicy: Plugin = {
   name: "content-security-policy",
   apply: "build",
   transformIndexHtml: () => [
-    { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: policy }, injectTo: "head-prepend" },
+    {
+      tag: "meta",
+      attrs: { "http-equiv": "Content-Security-Policy", content: policy },
+      injectTo: "head-prepend",
+    },
   ],
 };
 

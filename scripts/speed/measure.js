@@ -32,10 +32,13 @@ export function training(wasm, files) {
     Clip.samples()
       .slice(0, 6)
       .map((/** @type {{ id: string }} */ { id }) => Clip.sample(id));
-  const clips = files.length > 0 ? files.map(([name, text]) => Clip.read(name, bytes.encode(text))) : samples();
+  const clips =
+    files.length > 0 ? files.map(([name, text]) => Clip.read(name, bytes.encode(text))) : samples();
   const set = new TrainingSet();
   for (const clip of clips) set.add(clip);
-  const { parts } = clips[0].info().presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
+  const { parts } = clips[0]
+    .info()
+    .presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
   const start = performance.now();
   const trainer = new Trainer(set, {
     parts,

@@ -91,7 +91,9 @@ describe("Blender", { skip }, () => {
       const before = Clip.read("walk.bvh", readFileSync(file("walk.bvh")));
       const after = Clip.read("after.bvh", readFileSync(file(`${format}.bvh`)));
       const [was, is] = [before.info(), after.info()];
-      const names = was.joints.map(({ name }) => name).filter((name) => is.joints.some((joint) => joint.name === name));
+      const names = was.joints
+        .map(({ name }) => name)
+        .filter((name) => is.joints.some((joint) => joint.name === name));
       assert.ok(names.length >= was.joints.length - 1, `${names.length} of ${was.joints.length} joints`);
       assert.ok(Math.abs(is.frames * is.frameTime - was.frames * was.frameTime) < 0.1, "as long as it was");
       const [ours, theirs] = [placesOf(before, names), placesOf(after, names)];

@@ -1,4 +1,5 @@
-// Fresh folders in which the packed package and a tool are installed, and how their tests run programs and open pages there.
+// Fresh folders in which the packed package and a tool are installed, and how their tests run programs and
+// open pages there.
 import { execFile, execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -14,7 +15,11 @@ const place = mkdtempSync(join(tmpdir(), "vcgpdm-clients-"));
 const npm = (/** @type {string} */ folder, /** @type {string[]} */ ...args) => {
   const cli = process.env.npm_execpath;
   const options = { cwd: folder, encoding: /** @type {const} */ ("utf8"), maxBuffer: 1 << 26 };
-  return execute(cli ? process.execPath : "npm", [...(cli ? [cli] : []), ...args, "--loglevel=error"], options);
+  return execute(
+    cli ? process.execPath : "npm",
+    [...(cli ? [cli] : []), ...args, "--loglevel=error"],
+    options,
+  );
 };
 
 /** @type {string | undefined} */
@@ -35,11 +40,15 @@ function tarball() {
 /** @type {{ files: Record<string, string>, tools: string[], done: (folder: Installed) => void }[]} */
 const asked = [];
 let busy = 0;
-/** So many installations at a time: they mostly wait for the registry, and the tests of what is there go on meanwhile. */
+/**
+ * So many installations at a time: they mostly wait for the registry, and the tests of what is there go on
+ * meanwhile.
+ */
 const SIDE_BY_SIDE = 3;
 
 /**
- * Asks for a folder with these files, the package and the tools; nothing is installed before the first of those asked for is waited for.
+ * Asks for a folder with these files, the package and the tools; nothing is installed before the first of
+ * those asked for is waited for.
  * @param {Record<string, string>} files
  * @param {string[]} tools as npm names them, such as vite@8
  * @returns {() => Installed}
@@ -102,8 +111,11 @@ export async function run(
 }
 
 /** A JavaScript program of an installed package, as npm has linked it. */
-export const tool = (/** @type {string} */ folder, /** @type {string} */ name, /** @type {string[]} */ ...args) =>
-  run(folder, join(folder, "node_modules", ".bin", name), ...args);
+export const tool = (
+  /** @type {string} */ folder,
+  /** @type {string} */ name,
+  /** @type {string[]} */ ...args
+) => run(folder, join(folder, "node_modules", ".bin", name), ...args);
 
 /** @type {Awaited<ReturnType<typeof launchChromium>> | undefined} */
 let browser;

@@ -19,7 +19,8 @@ document.title = "done: " + Clip.sample("walk-1").info().frames + " frames";
 /** The same by a worker: what stands in the README, told to train shortly. */
 const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
 const worker = readme.match(/```js\n(\/\/ worker\.js[\s\S]*?)```/)?.[1] ?? "";
-const settings = "{ latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, seed: 1, maxIterations: 2 }";
+const settings =
+  "{ latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, seed: 1, maxIterations: 2 }";
 const withWorker = `const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
 worker.onmessage = ({ data }) => { document.title = "done: " + JSON.parse(data).format; };
 worker.postMessage(${settings});
@@ -53,15 +54,20 @@ describe("Vite", () => {
       "worker/worker.js": worker,
       "vite.config.js": `export default { ${excluded} worker: { format: "es" }, build: { target: "es2022", rollupOptions: { input: ["index.html", "worker/index.html"] } } };\n`,
     };
-    client(`${version}: build and development server, page and worker`, [`vite@${version}`], files, async (folder) => {
-      await tool(folder, "vite", "build");
-      assert.match(await titleIn(join(folder, "dist")), DONE);
-      await withServer(folder, "vite", ["--host", "127.0.0.1", "--port", "0"], async (address) => {
-        assert.match(await titleOf(address), DONE);
-        assert.equal(await titleOf(`${address}worker/`), "done: vcgpdm model");
-        return "";
-      });
-    });
+    client(
+      `${version}: build and development server, page and worker`,
+      [`vite@${version}`],
+      files,
+      async (folder) => {
+        await tool(folder, "vite", "build");
+        assert.match(await titleIn(join(folder, "dist")), DONE);
+        await withServer(folder, "vite", ["--host", "127.0.0.1", "--port", "0"], async (address) => {
+          assert.match(await titleOf(address), DONE);
+          assert.equal(await titleOf(`${address}worker/`), "done: vcgpdm model");
+          return "";
+        });
+      },
+    );
   }
 });
 
@@ -77,14 +83,24 @@ describe("other bundlers", () => {
     },
     async (folder) => {
       await tool(folder, "webpack");
-      await run(folder, process.execPath, "-e", 'require("fs").copyFileSync("index.html", "dist/index.html")');
+      await run(
+        folder,
+        process.execPath,
+        "-e",
+        'require("fs").copyFileSync("index.html", "dist/index.html")',
+      );
       assert.match(await titleIn(join(folder, "dist")), DONE);
     },
   );
-  client("esbuild, by the inlined entry", ["esbuild"], { ...page, "app.js": app("vcgpdm/inline") }, async (folder) => {
-    await tool(folder, "esbuild", "app.js", "--bundle", "--format=esm", "--outfile=main.js");
-    assert.match(await titleIn(folder), DONE);
-  });
+  client(
+    "esbuild, by the inlined entry",
+    ["esbuild"],
+    { ...page, "app.js": app("vcgpdm/inline") },
+    async (folder) => {
+      await tool(folder, "esbuild", "app.js", "--bundle", "--format=esm", "--outfile=main.js");
+      assert.match(await titleIn(folder), DONE);
+    },
+  );
   const byUrl = app().replace("init()", "init(new URL(wasm, import.meta.url))");
   const byFile = `import wasm from "vcgpdm/vcgpdm_bg.wasm";\n${byUrl}`;
   client("esbuild, by the exported file", ["esbuild"], { ...page, "app.js": byFile }, async (folder) => {
@@ -143,7 +159,8 @@ describe("runtimes", () => {
   for (const version of ["20", "22", "24"]) {
     client(`Node ${version}, as module and by require`, [`node@${version}`], files, async (folder) => {
       assert.match(await tool(folder, "node", "--version"), new RegExp(`^v${version}\\.`));
-      for (const program of ["app.mjs", "app.cjs"]) assert.equal(await tool(folder, "node", program), "252\n");
+      for (const program of ["app.mjs", "app.cjs"])
+        assert.equal(await tool(folder, "node", program), "252\n");
     });
   }
   client("Bun", ["bun"], files, async (folder) => {
@@ -171,7 +188,10 @@ describe("compilers and checkers", () => {
       ["--module", "esnext", "--moduleResolution", "bundler"],
     ])
       for (const lib of ["es2022,dom", "esnext,dom"])
-        assert.equal(await tool(folder, "tsc", ...strict, ...how, "--lib", lib, "use.mts", "use-web.mts"), "");
+        assert.equal(
+          await tool(folder, "tsc", ...strict, ...how, "--lib", lib, "use.mts", "use-web.mts"),
+          "",
+        );
   });
   client("publint", ["publint"], {}, async (folder) => {
     assert.match(await tool(folder, "publint", "node_modules/vcgpdm", "--strict"), /All good/);
@@ -194,7 +214,13 @@ describe("compilers and checkers", () => {
     assert.match(printed, /No problems found/);
   });
   client("npm publish, in a trial", [], {}, async (folder) => {
-    const printed = await run(join(folder, "node_modules/vcgpdm"), "npm", "publish", "--dry-run", "--loglevel=warn");
+    const printed = await run(
+      join(folder, "node_modules/vcgpdm"),
+      "npm",
+      "publish",
+      "--dry-run",
+      "--loglevel=warn",
+    );
     const warnings = printed.split("\n").filter((line) => /^npm warn/i.test(line));
     // Of this machine's settings, and of nobody being logged in.
     assert.deepEqual(

@@ -19,7 +19,12 @@ function call(
   /** @type {string[]} */ ...args
 ) {
   const PATH = [at("target/debug"), env.PATH].join(delimiter);
-  return execFileSync(program, args, { cwd: folder, env: { ...env, PATH, ...more }, encoding: "utf8", stdio: "pipe" });
+  return execFileSync(program, args, {
+    cwd: folder,
+    env: { ...env, PATH, ...more },
+    encoding: "utf8",
+    stdio: "pipe",
+  });
 }
 
 function freshFolder() {
@@ -32,10 +37,20 @@ describe("the Snakefile", () => {
   const { bin, has } = environment("clients");
   const skip = has("snakemake") ? false : "Snakemake could not be installed";
 
-  it("shares an evaluation out, merges and reports it, and has nothing to do the second time", { skip }, () => {
+  it("shares an evaluation out, merges and reports it, and has nothing to do the second time", {
+    skip,
+  }, () => {
     const folder = freshFolder();
     const options = "options=--models dmp-discrete,dmp-rhythmic --folds 1 --fps 15";
-    const arguments_ = ["--snakefile", at("docs/examples/Snakefile"), "--cores", "2", "--config", "shares=3", options];
+    const arguments_ = [
+      "--snakefile",
+      at("docs/examples/Snakefile"),
+      "--cores",
+      "2",
+      "--config",
+      "shares=3",
+      options,
+    ];
     call(folder, {}, join(bin, "snakemake"), ...arguments_);
     const report = readFileSync(join(folder, "evaluation/report.md"), "utf8");
     assert.match(report, /\| dmp-discrete \|/);
@@ -44,12 +59,17 @@ describe("the Snakefile", () => {
     // Two jobs in three shares: one of them is empty, and is waited for all the same.
     const shares = readdirSync(join(folder, "evaluation")).filter((name) => /^share-\d\.json$/.test(name));
     assert.equal(shares.length, 3);
-    const again = execFileSync(join(bin, "snakemake"), ["--dry-run", ...arguments_], { cwd: folder, stdio: "pipe" });
+    const again = execFileSync(join(bin, "snakemake"), ["--dry-run", ...arguments_], {
+      cwd: folder,
+      stdio: "pipe",
+    });
     assert.match(again.toString(), /Nothing to be done/);
   });
 });
 
-it("the Slurm script computes the share of its place in the array", { skip: process.platform === "win32" }, () => {
+it("the Slurm script computes the share of its place in the array", {
+  skip: process.platform === "win32",
+}, () => {
   const folder = freshFolder();
   const place = { SLURM_ARRAY_TASK_ID: "7", SLURM_ARRAY_TASK_COUNT: "7", SLURM_CPUS_PER_TASK: "1" };
   const clips = ["sample:walk-1", "sample:walk-2", "--folds", "1", "--fps", "15"];

@@ -34,7 +34,8 @@ describe("accessibility", () => {
         await page.keyboard.press("Tab");
         if (
           await page.evaluate(
-            (id) => document.activeElement instanceof HTMLElement && document.activeElement.dataset.testid === id,
+            (id) =>
+              document.activeElement instanceof HTMLElement && document.activeElement.dataset.testid === id,
             id,
           )
         )
@@ -81,7 +82,8 @@ const coloursNow = (/** @type {Page} */ page) =>
   page.evaluate(() => {
     const inColour = [...document.querySelectorAll("*")].filter(
       (element) =>
-        (element instanceof HTMLElement || element instanceof SVGElement) && element.style.getPropertyValue("--part"),
+        (element instanceof HTMLElement || element instanceof SVGElement) &&
+        element.style.getPropertyValue("--part"),
     );
     return inColour
       .flatMap((element) => [element, ...element.querySelectorAll("*")])
@@ -139,7 +141,10 @@ describe("a phone", () => {
       assert.ok((wide ?? Infinity) <= 390 && high === 390, `${await tab.textContent()}: ${wide} pixels wide`);
     }
     const stage = await page.getByTestId("stage").boundingBox();
-    assert.ok(stage && stage.y < 300 && stage.width >= 360 && stage.height >= 200, `stage ${JSON.stringify(stage)}`);
+    assert.ok(
+      stage && stage.y < 300 && stage.width >= 360 && stage.height >= 200,
+      `stage ${JSON.stringify(stage)}`,
+    );
     const length = page.getByTestId("length");
     assert.equal(await length.inputValue(), "10", "it says how long the motion is");
     const box = await length.boundingBox();

@@ -81,7 +81,9 @@ describe("a comparison of models", () => {
     const results = JSON.parse(text);
     assert.equal(results.finished.length, 12);
     assert.ok(
-      results.finished.every((/** @type {any} */ f) => f.outcome.score.dtw_mse > 0 && f.outcome.score.dtw_mse < 1),
+      results.finished.every(
+        (/** @type {any} */ f) => f.outcome.score.dtw_mse > 0 && f.outcome.score.dtw_mse < 1,
+      ),
     );
     assert.equal(new Set(results.finished.map((/** @type {any} */ f) => f.job.held_out)).size, 3);
 
@@ -95,7 +97,10 @@ describe("a comparison of models", () => {
     await other.page
       .getByTestId("open-results")
       .setInputFiles({ name: "r.json", mimeType: "application/json", buffer: Buffer.from(text) });
-    await other.page.getByTestId("compare-progress").getByText("12 results opened").waitFor({ timeout: 30_000 });
+    await other.page
+      .getByTestId("compare-progress")
+      .getByText("12 results opened")
+      .waitFor({ timeout: 30_000 });
     const there = other.page.locator("comparison-figures table").first();
     await there.waitFor();
     assert.equal(await there.innerText(), await table.innerText());
@@ -104,7 +109,8 @@ describe("a comparison of models", () => {
       .setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
     await other.page.getByText("expected the results of an evaluation").waitFor();
     assert.equal(await there.innerText(), await table.innerText(), "what was open stays");
-    // With the same trials and settings it goes on: only the first trial's models are trained, for their motions.
+    // With the same trials and settings it goes on: only the first trial's models are trained, for their
+    // motions.
     await other.page.evaluate((hash) => {
       location.hash = hash;
     }, SMALL);
@@ -124,7 +130,15 @@ describe("a comparison of models", () => {
     await page.getByTestId("given").getByText("ten recorded walks").waitFor({ timeout: 30_000 });
     const table = page.locator("comparison-figures table").first();
     await table.waitFor({ timeout: 30_000 });
-    for (const name of ["vCGPDM", "vGPDM", "MAP GPDM", "MAP CGPDM", "TMP", "DMP (discrete)", "DMP (rhythmic)"]) {
+    for (const name of [
+      "vCGPDM",
+      "vGPDM",
+      "MAP GPDM",
+      "MAP CGPDM",
+      "TMP",
+      "DMP (discrete)",
+      "DMP (rhythmic)",
+    ]) {
       await table.getByText(name, { exact: true }).first().waitFor();
     }
     await page.getByText("rank correlation −").first().waitFor();
@@ -155,8 +169,14 @@ describe("a comparison of models", () => {
     assert.deepEqual(await barriers(page), [], "on a telephone");
     // The answer stands beside the claim, and neither is cut off.
     const claim = page.locator("comparison-claims tbody tr").first();
-    const [said, holds] = [await claim.locator("th").boundingBox(), await claim.locator(".holds").boundingBox()];
-    assert.ok(said && holds && Math.abs(said.y - holds.y) < 10 && holds.x + holds.width <= 390, "claim and answer");
+    const [said, holds] = [
+      await claim.locator("th").boundingBox(),
+      await claim.locator(".holds").boundingBox(),
+    ];
+    assert.ok(
+      said && holds && Math.abs(said.y - holds.y) < 10 && holds.x + holds.width <= 390,
+      "claim and answer",
+    );
     await page.setViewportSize({ width: 1440, height: 900 });
     await says(page, /^1 training\.$/);
     await page.getByTestId("compare").click();
@@ -232,7 +252,8 @@ describe("a comparison of models", () => {
   });
 
   it("saves every figure as numbers and as a picture", async () => {
-    const settings = "view=compare&models=vcgpdm,vgpdm,map-cgpdm&ips=4,5,6&growth=1&heldout=1&steps=4&fps=10&latent=2";
+    const settings =
+      "view=compare&models=vcgpdm,vgpdm,map-cgpdm&ips=4,5,6&growth=1&heldout=1&steps=4&fps=10&latent=2";
     const { page, problems, leave } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 4);

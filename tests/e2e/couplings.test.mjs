@@ -66,7 +66,9 @@ async function alphasOf(/** @type {Page} */ page) {
   await page.waitForTimeout(600);
   const text = new URLSearchParams(new URL(page.url()).hash.slice(1)).get("alpha") ?? "";
   const entries = text.split(",").filter(Boolean);
-  return new Map(entries.map((entry) => /** @type {[string, number]} */ ([entry.slice(0, 3), Number(entry.slice(4))])));
+  return new Map(
+    entries.map((entry) => /** @type {[string, number]} */ ([entry.slice(0, 3), Number(entry.slice(4))])),
+  );
 }
 
 describe("a preset", () => {
@@ -84,7 +86,10 @@ describe("a preset", () => {
       const said = await measured(page);
       assert.ok(preset.holds.length > 0);
       for (const claim of preset.holds)
-        assert.ok(holds(claim, said), `${preset.name}: ${JSON.stringify(claim)} against ${JSON.stringify(said)}`);
+        assert.ok(
+          holds(claim, said),
+          `${preset.name}: ${JSON.stringify(claim)} against ${JSON.stringify(said)}`,
+        );
     }
   });
 
@@ -162,7 +167,8 @@ describe("sliders and dividers", () => {
     );
     const alphas = await alphasOf(page);
     assert.deepEqual([...alphas.keys()].sort(), ["0.1", "1.1"]);
-    const combined = (/** @type {number[]} */ values) => 1 / values.reduce((sum, value) => sum + 1 / value, 0);
+    const combined = (/** @type {number[]} */ values) =>
+      1 / values.reduce((sum, value) => sum + 1 / value, 0);
     const [before, after] = [combined(learned), combined([...alphas.values()])];
     // The page writes the learned ones with two digits.
     assert.ok(Math.abs(after / before - 1) < 0.03, `${before} and ${after}`);
@@ -201,7 +207,11 @@ describe("a link to couplings", () => {
     for (const [i, source] of PARTS.entries())
       for (const [j, target] of PARTS.entries()) {
         const made = Number(values[names.indexOf(`weight_${source}_${target}`)]);
-        assert.equal(await page.getByTestId(`weight-${i}-${j}`).innerText(), made.toFixed(2), `${source} to ${target}`);
+        assert.equal(
+          await page.getByTestId(`weight-${i}-${j}`).innerText(),
+          made.toFixed(2),
+          `${source} to ${target}`,
+        );
       }
     await leave();
   });
@@ -222,7 +232,8 @@ describe("both readings", () => {
     ]);
     assert.ok(!(await page.getByTestId("stage").isVisible()));
     await page.waitForFunction(
-      () => Number(document.querySelector("[data-testid=stage-columns]")?.getAttribute("data-frames-drawn")) > 2,
+      () =>
+        Number(document.querySelector("[data-testid=stage-columns]")?.getAttribute("data-frames-drawn")) > 2,
     );
     assert.match(await page.locator(".readings").innerText(), /Left: .*Right: /s);
     await page.getByTestId("coupling-1-1").press("ArrowLeft");

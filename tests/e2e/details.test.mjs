@@ -1,4 +1,5 @@
-// A closer look: the kernels that a model has learned, and the channels of the motion on the stage, beside what the npm package says.
+// A closer look: the kernels that a model has learned, and the channels of the motion on the stage, beside
+// what the npm package says.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
@@ -53,9 +54,15 @@ describe("a closer look", () => {
     assert.equal(await page.locator("dialog.details .course").count(), 2);
     assert.deepEqual(await barriers(page), []);
     const save = async () => {
-      const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId("save-angles").click()]);
+      const [file] = await Promise.all([
+        page.waitForEvent("download"),
+        page.getByTestId("save-angles").click(),
+      ]);
       const rows = (await readFile(await file.path(), "utf8")).trim().split("\r\n");
-      return { header: rows[0]?.split(",") ?? [], rows: rows.slice(1).map((row) => row.split(",").map(Number)) };
+      return {
+        header: rows[0]?.split(",") ?? [],
+        rows: rows.slice(1).map((row) => row.split(",").map(Number)),
+      };
     };
 
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
@@ -71,7 +78,9 @@ describe("a closer look", () => {
       "the model now: LeftLeg Xrotation (°)",
       "as learned: LeftLeg Xrotation (°)",
     ]);
-    const changed = alpha.map((row, source) => row.map((value, target) => (source === 0 && target === 1 ? 8 : value)));
+    const changed = alpha.map((row, source) =>
+      row.map((value, target) => (source === 0 && target === 1 ? 8 : value)),
+    );
     const frames = overTime.rows.length;
     const bvh = model.rollout({ frames, sequence: 0, alpha: changed, reading: "re-inferred" }).toBvh();
     const written = bvh

@@ -50,11 +50,16 @@ describe("the synthetic experiment", () => {
   });
 
   it("keeps the best so far when it is cancelled, and does not count it", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=synthetic&draw=9&driving=0", cores: 1 });
+    const { page, problems, leave } = await site.visit({
+      settings: "view=synthetic&draw=9&driving=0",
+      cores: 1,
+    });
     await drawn(page);
     await page.getByTestId("experiment-ten").click();
     // The first of the ten is under way, the others wait.
-    await page.locator("[data-testid=experiment-run][data-state=running] td:nth-child(6)").waitFor({ timeout: 30_000 });
+    await page
+      .locator("[data-testid=experiment-run][data-state=running] td:nth-child(6)")
+      .waitFor({ timeout: 30_000 });
     await page.getByTestId("experiment-cancel").click();
     await over(page);
     const rows = page.getByTestId("experiment-run");
@@ -72,7 +77,9 @@ describe("the synthetic experiment", () => {
   });
 
   it("takes a seed only within its limits, and goes by keyboard alone", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=synthetic&draw=99999999999&driving=perhaps" });
+    const { page, problems, leave } = await site.visit({
+      settings: "view=synthetic&draw=99999999999&driving=perhaps",
+    });
     await drawn(page);
     const seed = page.getByTestId("experiment-seed");
     assert.equal(await seed.inputValue(), "4294967295");

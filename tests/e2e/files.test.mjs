@@ -12,8 +12,15 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** How far, in metres, joints that three's loader shows are at most from where the table has them, in some frames. */
-async function farthest(/** @type {Buffer} */ glb, /** @type {string[]} */ header, /** @type {string[]} */ rows) {
+/**
+ * How far, in metres, joints that three's loader shows are at most from where the table has them, in some
+ * frames.
+ */
+async function farthest(
+  /** @type {Buffer} */ glb,
+  /** @type {string[]} */ header,
+  /** @type {string[]} */ rows,
+) {
   const { scene, animations } = await new GLTFLoader().parseAsync(new Uint8Array(glb).buffer, "");
   const mixer = new AnimationMixer(scene);
   for (const clip of animations) mixer.clipAction(clip).play();
@@ -25,7 +32,9 @@ async function farthest(/** @type {Buffer} */ glb, /** @type {string[]} */ heade
     mixer.setTime(values[1] ?? 0);
     scene.updateMatrixWorld(true);
     for (const { name, at } of joints) {
-      const found = scene.getObjectByName(PropertyBinding.sanitizeNodeName(name))?.getWorldPosition(new Vector3());
+      const found = scene
+        .getObjectByName(PropertyBinding.sanitizeNodeName(name))
+        ?.getWorldPosition(new Vector3());
       assert.ok(found, `${name} is there`);
       most = Math.max(most, found.distanceTo(new Vector3().fromArray(values, at)));
     }

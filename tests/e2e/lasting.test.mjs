@@ -43,7 +43,10 @@ describe("the worker that shows the model", () => {
 
 describe("a worker that trains", () => {
   it("is missed when it ends without a word, and the other trainings end as they should", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=2&iterations=400&fps=60", cores: 2 });
+    const { page, problems, leave } = await site.visit({
+      settings: "trainings=2&iterations=400&fps=60",
+      cores: 2,
+    });
     await ready(page);
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];

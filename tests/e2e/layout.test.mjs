@@ -90,7 +90,10 @@ describe("a window of 1440x900", () => {
     const stage = await page.getByTestId("stage").boundingBox();
     assert.deepEqual(stage, before);
     // The figure stands in the middle, and is no wider than a fifth of the picture.
-    assert.ok(card && stage && card.x + card.width <= stage.x + 0.4 * stage.width, `${card?.width} of ${stage?.width}`);
+    assert.ok(
+      card && stage && card.x + card.width <= stage.x + 0.4 * stage.width,
+      `${card?.width} of ${stage?.width}`,
+    );
     await page.getByTestId("preset-as-learned").click();
     await page.getByTestId("health").waitFor({ state: "detached" });
   });
@@ -115,7 +118,10 @@ describe("a window of 1440x900", () => {
     assert.deepEqual(await overprints(page), []);
     // The figure is for the last row too, and the couplings are whole.
     const stage = await page.getByTestId("stage").boundingBox();
-    assert.ok(before && stage && stage.height > 0.85 * before.height, `${stage?.height}, ${before?.height} before`);
+    assert.ok(
+      before && stage && stage.height > 0.85 * before.height,
+      `${stage?.height}, ${before?.height} before`,
+    );
     const [needed = Infinity, room = 0] = await page
       .locator("#panel-couplings")
       .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);

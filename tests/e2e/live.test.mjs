@@ -1,4 +1,5 @@
-// The live rollout: a coupling is cut for as long as it is held, a limb is dragged, and the figure goes on without a pause.
+// The live rollout: a coupling is cut for as long as it is held, a limb is dragged, and the figure goes on
+// without a pause.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { openSite, ready } from "./site.mjs";
@@ -12,7 +13,10 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** What the strip chart says now: the newest frame, how far the second part is ahead of the first (turns), how many cuts. */
+/**
+ * What the strip chart says now: the newest frame, how far the second part is ahead of the first (turns), how
+ * many cuts.
+ */
 async function now(/** @type {Page} */ page) {
   const {
     frame = "",
@@ -43,7 +47,9 @@ const middle = (/** @type {Page} */ page, /** @type {string} */ arrow) =>
     .getByTestId(arrow)
     .locator(".grip")
     .evaluate((/** @type {SVGPathElement} */ path) => {
-      const at = path.getPointAtLength(path.getTotalLength() / 2).matrixTransform(path.getScreenCTM() ?? undefined);
+      const at = path
+        .getPointAtLength(path.getTotalLength() / 2)
+        .matrixTransform(path.getScreenCTM() ?? undefined);
       return { x: at.x, y: at.y };
     });
 
@@ -66,7 +72,8 @@ describe("a live rollout", () => {
     );
     // In step again, and it stays so.
     const { frame } = free.at(-1) ?? { frame: 0 };
-    for (const { apart } of await until(page, (now) => now.frame > frame + 60)) assert.ok(Math.abs(apart) < 0.1);
+    for (const { apart } of await until(page, (now) => now.frame > frame + 60))
+      assert.ok(Math.abs(apart) < 0.1);
 
     await page.getByRole("button", { name: "clip", exact: true }).click();
     await page.getByTestId("live").waitFor({ state: "detached" });
@@ -93,7 +100,9 @@ describe("a live rollout", () => {
     await page.keyboard.press("0");
     await until(page, ({ apart }) => Math.abs(apart) < 0.05);
 
-    const before = await page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    const before = await page
+      .locator("pg-live")
+      .evaluate((view) => /** @type {any} */ (view).live.marks.length);
     const spot = await page.getByTestId("stage").evaluate((canvas) => {
       const { left, top, width, height } = canvas.getBoundingClientRect();
       const scene = /** @type {any} */ (canvas.closest("pg-stage")).scene;
@@ -107,7 +116,9 @@ describe("a live rollout", () => {
     await page.mouse.down();
     await page.mouse.move(spot.x + 30, spot.y - 20, { steps: 6 });
     await page.mouse.up();
-    const after = await page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    const after = await page
+      .locator("pg-live")
+      .evaluate((view) => /** @type {any} */ (view).live.marks.length);
     assert.ok(after > before, "the push is marked");
     const { frame } = await now(page);
     await until(page, (state) => state.frame > frame + 10);
@@ -120,7 +131,9 @@ describe("a live rollout", () => {
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
-    /** The newest push of a part, and how far from its cycle the part was afterwards; 0: it was not pushed. */
+    /**
+     * The newest push of a part, and how far from its cycle the part was afterwards; 0: it was not pushed.
+     */
     const farthest = (/** @type {number} */ part) =>
       page.locator("pg-live").evaluate((view, part) => {
         const { marks, trace } = /** @type {any} */ (view).live;
@@ -163,9 +176,12 @@ describe("a live rollout", () => {
     await gone(1);
 
     const cdp = await page.context().newCDPSession(page);
-    const touch = async (/** @type {string} */ type, /** @type {{ x: number, y: number }[]} */ ...touchPoints) =>
-      cdp.send("Input.dispatchTouchEvent", { type: /** @type {any} */ (type), touchPoints });
-    const pushes = () => page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
+    const touch = async (
+      /** @type {string} */ type,
+      /** @type {{ x: number, y: number }[]} */ ...touchPoints
+    ) => cdp.send("Input.dispatchTouchEvent", { type: /** @type {any} */ (type), touchPoints });
+    const pushes = () =>
+      page.locator("pg-live").evaluate((view) => /** @type {any} */ (view).live.marks.length);
     const before = await pushes();
     await play.click();
     const start = await middleOf(0);

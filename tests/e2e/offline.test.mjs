@@ -1,4 +1,5 @@
-// Without a network: what was visited once works, every view and worker of it; and a new version waits until it is asked for.
+// Without a network: what was visited once works, every view and worker of it; and a new version waits until
+// it is asked for.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -23,7 +24,9 @@ after(async () => {
 
 /** Waits until the service worker serves this page: it has kept all files by then. */
 const kept = (/** @type {import("playwright-core").Page} */ page) =>
-  page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated", null, { timeout: 60_000 });
+  page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated", null, {
+    timeout: 60_000,
+  });
 
 describe("after the first visit", () => {
   it("everything works without a network", async () => {
@@ -70,7 +73,10 @@ describe("after the first visit", () => {
     const old = readFileSync(service, "utf8");
     const text = readFileSync(index, "utf8");
     writeFileSync(index, text.replace("<title>", "<title>New: "));
-    writeFileSync(service, old.replace(/(url:`index\.html`,revision:`)\w+|("index\.html","revision":")\w+/, "$1$2new"));
+    writeFileSync(
+      service,
+      old.replace(/(url:`index\.html`,revision:`)\w+|("index\.html","revision":")\w+/, "$1$2new"),
+    );
     assert.notEqual(readFileSync(service, "utf8"), old, "the list names the page");
 
     await page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.update());

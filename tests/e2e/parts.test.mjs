@@ -18,7 +18,9 @@ const partOf = (/** @type {Page} */ page, joint = "") => page.getByLabel(`Part o
 
 /** The colour of what stands before the words of each row. */
 const colours = (/** @type {Page} */ page, rows = "") =>
-  page.locator(`${rows} .swatch`).evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+  page
+    .locator(`${rows} .swatch`)
+    .evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
 
 describe("parts by hand", () => {
   it("have names of their own: another gives way to the old one, with a word until the next change", async () => {
@@ -74,7 +76,9 @@ describe("parts by hand", () => {
     await ready(page);
     await names(page).first().waitFor();
     const row = page.locator(".part-row li");
-    const given = await names(page).evaluateAll((all) => all.map((one) => /** @type {HTMLInputElement} */ (one).value));
+    const given = await names(page).evaluateAll((all) =>
+      all.map((one) => /** @type {HTMLInputElement} */ (one).value),
+    );
     assert.equal(given.length, await row.count());
     assert.equal(new Set(given).size, given.length);
     await names(page).first().fill("body");

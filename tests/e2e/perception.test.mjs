@@ -1,4 +1,5 @@
-// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and what the answers say.
+// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and
+// what the answers say.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -43,7 +44,9 @@ async function visit(/** @type {Parameters<typeof site.visit>[0]} */ options = {
 
 async function open(/** @type {Page} */ page, /** @type {string} */ study) {
   const buffer = Buffer.from(study);
-  await page.getByTestId("open-study").setInputFiles({ name: "s.json", mimeType: "application/json", buffer });
+  await page
+    .getByTestId("open-study")
+    .setInputFiles({ name: "s.json", mimeType: "application/json", buffer });
   await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
 }
 
@@ -70,12 +73,20 @@ function rowsOf(/** @type {string} */ csv) {
   const [head = [], ...rows] = csv
     .trim()
     .split("\r\n")
-    .map((line) => [...line.matchAll(/"((?:[^"]|"")*)"/g)].map(([, field = ""]) => field.replaceAll('""', '"')));
+    .map((line) =>
+      [...line.matchAll(/"((?:[^"]|"")*)"/g)].map(([, field = ""]) => field.replaceAll('""', '"')),
+    );
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i] ?? ""])));
 }
 
-/** What a figure is saved as. Chromium drops the eleventh download of a second; no visitor asks for that many. */
-async function savedFigure(/** @type {Page} */ page, /** @type {"CSV" | "PNG"} */ kind, /** @type {string} */ heading) {
+/**
+ * What a figure is saved as. Chromium drops the eleventh download of a second; no visitor asks for that many.
+ */
+async function savedFigure(
+  /** @type {Page} */ page,
+  /** @type {"CSV" | "PNG"} */ kind,
+  /** @type {string} */ heading,
+) {
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.getByRole("button", { name: `${kind}: ${heading}` }).click(),
@@ -248,7 +259,9 @@ describe("the graphics Turing test", () => {
     const node = Study.fromJson(whole);
     const { stimuli } = node.info;
     assert.deepEqual(
-      node.trials(Number(rows[0]?.seed)).map(({ left, right, kind }) => [stimuli[left]?.id, stimuli[right]?.id, kind]),
+      node
+        .trials(Number(rows[0]?.seed))
+        .map(({ left, right, kind }) => [stimuli[left]?.id, stimuli[right]?.id, kind]),
       trials.map(({ left, right, kind }) => [left, right, kind]),
     );
     await page.getByTestId("analyse-here").click();
@@ -273,7 +286,8 @@ describe("the graphics Turing test", () => {
     assert.deepEqual(await barriers(page), []);
 
     // The same from its file, beside that of another participant, in JSON, who did not look when it mattered.
-    const wrong = (/** @type {Record<string, string>} */ row) => (row.natural_side === "left" ? "right" : "left");
+    const wrong = (/** @type {Record<string, string>} */ row) =>
+      row.natural_side === "left" ? "right" : "left";
     const careless = rows.map((row) => ({
       ...{ ...row, participant: "dreamer" },
       response: row.kind === "attention" ? wrong(row) : row.response,
@@ -285,7 +299,10 @@ describe("the graphics Turing test", () => {
     await drop(page, dropped);
     await page.getByTestId("analysed").nth(1).waitFor({ timeout: 60_000 });
     assert.match(await page.locator(".left-out").innerText(), /dreamer.*0 of 4.*left out/s);
-    assert.match(await page.getByTestId("analysis-words").innerText(), /^12 answers of 1 participant:.* 1 left out/);
+    assert.match(
+      await page.getByTestId("analysis-words").innerText(),
+      /^12 answers of 1 participant:.* 1 left out/,
+    );
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -313,7 +330,9 @@ describe("the graphics Turing test", () => {
     );
     const off = trials.map((trial) => {
       const [apart, lasted, frame] = [trial.started_apart_ms, trial.lasted_ms, trial.frame_ms].map(Number);
-      test.diagnostic(`apart ${apart} ms, lasted ${lasted} ms, a frame ${frame} ms, ${trial.frames_dropped} dropped`);
+      test.diagnostic(
+        `apart ${apart} ms, lasted ${lasted} ms, a frame ${frame} ms, ${trial.frames_dropped} dropped`,
+      );
       assert.ok(Number(trial.rt) >= Number(lasted) - 1);
       return { apart: Number(apart) / Number(frame), late: Math.abs(Number(lasted) - 3500) / Number(frame) };
     });
@@ -384,7 +403,10 @@ describe("the graphics Turing test", () => {
     await page.getByTestId("compare").click();
     await page.getByTestId("compare").waitFor({ timeout: 120_000 });
     await page.getByTestId("make-study").click();
-    await page.getByTestId("study-words").getByText("3 natural and 6 generated movements").waitFor({ timeout: 60_000 });
+    await page
+      .getByTestId("study-words")
+      .getByText("3 natural and 6 generated movements")
+      .waitFor({ timeout: 60_000 });
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     await phase(page, "movement");

@@ -116,7 +116,8 @@ describe("a coupling", () => {
     assert.ok(times.length >= 10, `${times.length} redraws`);
     const median = times.sort((a, b) => a - b)[times.length >> 1] ?? NaN;
     test.diagnostic(`median ${median.toFixed(1)} ms from slider to new motion of 300 frames`);
-    // The goal is one frame, 16 ms. It is reported, not asserted: it says as much of the machine, which may draw in software.
+    // The goal is one frame, 16 ms. It is reported, not asserted: it says as much of the machine, which may
+    // draw in software.
     assert.ok(median > 0, `median ${median} ms`);
     await leave();
   });

@@ -34,7 +34,9 @@ async function drawn(page, /** @type {number} */ part) {
   const canvas = page.locator(`[data-testid=latent-${part}] canvas`);
   await page.waitForFunction(
     ([part, frame]) => {
-      const text = document.querySelector(`[data-testid=latent-${part}] canvas`)?.getAttribute("data-predictions");
+      const text = document
+        .querySelector(`[data-testid=latent-${part}] canvas`)
+        ?.getAttribute("data-predictions");
       return text && JSON.parse(text).frame === frame;
     },
     [part, FRAME],
@@ -63,7 +65,11 @@ describe("the product of experts", () => {
         const sum = { x: 0, y: 0 };
         for (const [source, { x, y, major, minor }] of experts.entries()) {
           // Circles: a deviation is as many pixels for each of them.
-          close(major, scale * Math.sqrt(said.expertVariances(source, part)[row] ?? Number.NaN), 1e-6 * major);
+          close(
+            major,
+            scale * Math.sqrt(said.expertVariances(source, part)[row] ?? Number.NaN),
+            1e-6 * major,
+          );
           close(minor, major, 1e-6 * major);
           const weight = weights[source]?.[part] ?? Number.NaN;
           sum.x += weight * x;
@@ -74,18 +80,26 @@ describe("the product of experts", () => {
         close(product.y, sum.y, 0.01);
         close(step[1]?.[0], product.x, 0.01);
         close(step[1]?.[1], product.y, 0.01);
-        // The distance of two centres is that of the means, seen in full where a plot has as many axes as the part.
-        const [one, two] = [0, 1].map((source) => [...said.expertMeans(source, part).slice(3 * row, 3 * row + 3)]);
+        // The distance of two centres is that of the means, seen in full where a plot has as many axes as the
+        // part.
+        const [one, two] = [0, 1].map((source) => [
+          ...said.expertMeans(source, part).slice(3 * row, 3 * row + 3),
+        ]);
         const apart = Math.hypot(...(one ?? []).map((mean, q) => mean - (two?.[q] ?? Number.NaN)));
         const seen = Math.hypot(
           (experts[0]?.x ?? 0) - (experts[1]?.x ?? 0),
           (experts[0]?.y ?? 0) - (experts[1]?.y ?? 0),
         );
-        assert.ok(seen <= scale * apart * 1.000001 && seen > 0.01 * scale * apart, `${seen} of ${scale * apart}`);
+        assert.ok(
+          seen <= scale * apart * 1.000001 && seen > 0.01 * scale * apart,
+          `${seen} of ${scale * apart}`,
+        );
       }
     }
     await page.getByRole("button", { name: "predictions", exact: true }).click();
-    await page.waitForFunction(() => !document.querySelector("[data-testid=latent-0] canvas[data-predictions]"));
+    await page.waitForFunction(
+      () => !document.querySelector("[data-testid=latent-0] canvas[data-predictions]"),
+    );
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -1,4 +1,5 @@
-// A library of primitives: put together in new ways while the figure goes on, coupled anew, learned from clips, put on the stage.
+// A library of primitives: put together in new ways while the figure goes on, coupled anew, learned from
+// clips, put on the stage.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -15,8 +16,8 @@ before(async () => {
 after(() => site?.close());
 
 /**
- * No node of the figure goes farther from one frame to the next, metres. A hand that waves goes 0.3 m without any change; where arms are
- * exchanged they would go 1.1 m and more without the seam.
+ * No node of the figure goes farther from one frame to the next, metres. A hand that waves goes 0.3 m without
+ * any change; where arms are exchanged they would go 1.1 m and more without the seam.
  */
 const LARGEST_STEP = 0.4;
 
@@ -33,7 +34,10 @@ async function opened(/** @type {Page} */ page) {
   );
 }
 
-/** The number of the newest frame of the large figure, and the largest step of a node between two of the newest frames. */
+/**
+ * The number of the newest frame of the large figure, and the largest step of a node between two of the
+ * newest frames.
+ */
 const walked = (/** @type {Page} */ page, newest = 1000) =>
   page.evaluate((newest) => {
     const { track } = /** @type {any} */ (document.querySelector("pg-walk")).library.walk;
@@ -56,8 +60,9 @@ async function goOn(/** @type {Page} */ page, frames = 45) {
   );
 }
 /**
- * Gives a part another primitive by mouse or keyboard. Milliseconds from the event until the worker was asked for frames with it, answered,
- * and the first picture that is made of them was drawn; after how many display frames that was, and how many of them after the answer.
+ * Gives a part another primitive by mouse or keyboard. Milliseconds from the event until the worker was asked
+ * for frames with it, answered, and the first picture that is made of them was drawn; after how many display
+ * frames that was, and how many of them after the answer.
  */
 async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @type {boolean} */ byKey) {
   const button = page.getByTestId(id);
@@ -90,13 +95,16 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
         const newest = Math.ceil(player.frame);
         const before = known.get(newest);
         const isNew =
-          !before || track.frame(newest).some((/** @type {number} */ x, /** @type {number} */ i) => x !== before[i]);
+          !before ||
+          track.frame(newest).some((/** @type {number} */ x, /** @type {number} */ i) => x !== before[i]);
         if (found.answered > 0 && isNew) found.drawn = since();
         else requestAnimationFrame(look);
       };
       requestAnimationFrame(look);
     };
-    document.querySelector(`[data-testid=${id}]`)?.addEventListener("click", begin, { once: true, capture: true });
+    document
+      .querySelector(`[data-testid=${id}]`)
+      ?.addEventListener("click", begin, { once: true, capture: true });
     return found;
   }, id);
   if (byKey) {
@@ -106,7 +114,8 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
   await page.waitForFunction(({ drawn }) => drawn > 0, measured, { timeout: 10_000 });
   return await measured.jsonValue();
 }
-const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
+const median = (/** @type {number[]} */ values) =>
+  values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
 /** The mean lightness of what is seen of an element, 0 to 1. */
 async function lightness(/** @type {import("playwright-core").Locator} */ element) {
   const picture = (await element.screenshot()).toString("base64");
@@ -126,7 +135,11 @@ const recorded = (/** @type {Page} */ page) => page.getByTestId("recorded").inne
 
 describe("a library of primitives", () => {
   it("opens on legs and arms that were never recorded together, and goes on without a jump when one is exchanged", async (test) => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true, pictures: 60 });
+    const { page, problems, leave } = await site.visit({
+      settings: "view=primitives",
+      moving: true,
+      pictures: 60,
+    });
     await opened(page);
     assert.equal(await recorded(page), "Never recorded");
     assert.match(await page.getByTestId("library-words").innerText(), /made by a program/);
@@ -211,10 +224,14 @@ describe("a library of primitives", () => {
     await page.getByTestId("library-undo").click();
     await page.getByText("A library of made walks").waitFor();
 
-    const model = await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).app.model.id);
+    const model = await page.evaluate(
+      () => /** @type {any} */ (document.querySelector("pg-page")).app.model.id,
+    );
     await page.getByTestId("put-on-stage").click();
     await page.getByTestId("stage").waitFor();
-    const next = await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).app.model.id);
+    const next = await page.evaluate(
+      () => /** @type {any} */ (document.querySelector("pg-page")).app.model.id,
+    );
     assert.notEqual(next, model);
     assert.match(page.url(), /^[^#]*#?((?!view=).)*$/, "the view Play");
     // As it was left.
@@ -279,7 +296,11 @@ describe("a library of primitives", () => {
     await page.getByTestId("learn").click();
     await page.getByText("The library learned here").waitFor({ timeout: 120_000 });
     await opened(page);
-    assert.equal(await page.getByTestId("combination").count(), 2, "one primitive of the legs, two of the arms");
+    assert.equal(
+      await page.getByTestId("combination").count(),
+      2,
+      "one primitive of the legs, two of the arms",
+    );
     assert.match(await page.getByTestId("learn-words").innerText(), /^Learned\. /);
     await page.getByTestId("library-undo").click();
     await page.getByText("A library of made walks").waitFor();
@@ -317,7 +338,10 @@ describe("a library of primitives", () => {
     await page.getByTestId("import-cancel").click();
     await page.getByTestId("primitive-0-4").waitFor({ timeout: 60_000 });
     assert.match(await page.getByTestId("import-words").innerText(), /^Added lower: stroll\. The pose maps/);
-    assert.match((await page.getByTestId("primitive-0-4").getAttribute("title")) ?? "", /^Learned again, after stroll/);
+    assert.match(
+      (await page.getByTestId("primitive-0-4").getAttribute("title")) ?? "",
+      /^Learned again, after stroll/,
+    );
     await page.getByTestId("primitive-0-4").click();
     await goOn(page, 45);
     assert.ok((await walked(page)).last > last + 45, "the same walk");
@@ -335,7 +359,9 @@ describe("a library of primitives", () => {
     const cells = await page.getByTestId("fold-outcome").locator("td").allInnerTexts();
     assert.equal(cells.length, 4);
     const stored = JSON.parse(readFileSync(at("www/src/primitives/modularity.json"), "utf8"));
-    const [, , alone, together] = stored.modular.rows.find((/** @type {string[]} */ [movement]) => movement === "wave");
+    const [, , alone, together] = stored.modular.rows.find(
+      (/** @type {string[]} */ [movement]) => movement === "wave",
+    );
     assert.deepEqual([cells[1], cells[3]], [alone, together], "those of all trials of the movement");
     assert.ok(
       [cells[0], cells[2]].every((error) => Number(error) > 0 && Number(error) < 100),
@@ -351,7 +377,8 @@ describe("a library of primitives", () => {
     const tabTo = async (/** @type {string} */ id) => {
       for (let i = 0; i < 60; i++) {
         await page.keyboard.press("Tab");
-        if (await page.evaluate((id) => document.activeElement?.getAttribute("data-testid") === id, id)) return;
+        if (await page.evaluate((id) => document.activeElement?.getAttribute("data-testid") === id, id))
+          return;
       }
       assert.fail(`the Tab key does not reach ${id}`);
     };
@@ -374,7 +401,10 @@ describe("a library of primitives", () => {
     await page.locator(".locking [tabindex='0']").focus();
     await page.keyboard.press("ArrowUp");
     await page.keyboard.press("ArrowRight");
-    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "locking-7-7");
+    assert.equal(
+      await page.evaluate(() => document.activeElement?.getAttribute("data-testid")),
+      "locking-7-7",
+    );
     await page.keyboard.press("Enter");
     assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.05");
     assert.deepEqual(problems, []);

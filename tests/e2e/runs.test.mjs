@@ -1,4 +1,5 @@
-// Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a crash leaves.
+// Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a
+// crash leaves.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
@@ -44,12 +45,17 @@ async function table(/** @type {Page} */ page) {
       seed: Number(row.querySelector("th")?.textContent),
       chosen: row.querySelector("input")?.checked,
       best: row.querySelector(".best") !== null,
-      cells: [...row.querySelectorAll("td")].map((cell) => cell.textContent?.replace(", the best", "").trim() ?? ""),
+      cells: [...row.querySelectorAll("td")].map(
+        (cell) => cell.textContent?.replace(", the best", "").trim() ?? "",
+      ),
     })),
   );
 }
 
-/** Waits until the row of this seed is marked, and answers with the seed of the model that the page then saves. */
+/**
+ * Waits until the row of this seed is marked, and answers with the seed of the model that the page then
+ * saves.
+ */
 async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
   await page.waitForFunction(
     (seed) => document.querySelector("[data-testid=run].chosen th")?.textContent?.trim() === String(seed),
@@ -144,7 +150,10 @@ describe("several trainings", () => {
     assert.equal(chosen.length, 1);
     const moves = (/** @type {typeof rows[number] | undefined} */ row) =>
       row?.cells.some((cell) => cell === "done" || cell === "cancelled");
-    assert.ok(chosen[0]?.best || (moves(chosen[0]) && !moves(rows.find(({ best }) => best))), JSON.stringify(rows));
+    assert.ok(
+      chosen[0]?.best || (moves(chosen[0]) && !moves(rows.find(({ best }) => best))),
+      JSON.stringify(rows),
+    );
     assert.equal((await provenance(page)).settings.seed, chosen[0]?.seed);
     assert.deepEqual(problems, []);
     await leave();

@@ -28,7 +28,9 @@ const course = (/** @type {Page} */ page, /** @type {number} */ curve) =>
 
 describe("tables of columns", () => {
   it("are dropped, trained on, looked at as curves, changed and saved, and their model opens again", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "latent=2&dynamics=6&poses=6&iterations=40" });
+    const { page, problems, leave } = await site.visit({
+      settings: "latent=2&dynamics=6&poses=6&iterations=40",
+    });
     await ready(page);
     await drop(page, { "trial-1.csv": trial(0), "trial-2.csv": trial(2), "gap.csv": "x,y\n1,\n2,3\n" });
     await page.getByText("gap.csv, line 2, column 2 (y): expected a number (fill gaps before)").waitFor();
@@ -57,18 +59,22 @@ describe("tables of columns", () => {
     const before = await course(page, 2);
     await page.locator("pg-series [data-testid=coupling-0-1]").fill("-3");
     await page.waitForFunction(
-      (before) => document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") !== before,
+      (before) =>
+        document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") !== before,
       before,
     );
     assert.notEqual((await saved(page, "save-curves")).text, learned.text);
     await page.getByTestId("series-reset").click();
     await page.waitForFunction(
-      (before) => document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") === before,
+      (before) =>
+        document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") === before,
       before,
     );
 
-    // What is not saved makes no place before the visitor was asked; whoever only closes the question keeps it.
-    const leaving = () => page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
+    // What is not saved makes no place before the visitor was asked; whoever only closes the question keeps
+    // it.
+    const leaving = () =>
+      page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
     assert.ok(await leaving(), "the browser would ask");
     await page.getByTestId("series-train").focus();
     await page.keyboard.press("Enter");
@@ -78,7 +84,10 @@ describe("tables of columns", () => {
     assert.deepEqual(await barriers(page), []);
     await page.keyboard.press("Escape");
     await question.waitFor({ state: "detached" });
-    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "series-train");
+    assert.equal(
+      await page.evaluate(() => document.activeElement?.getAttribute("data-testid")),
+      "series-train",
+    );
     assert.equal(await course(page, 2), before);
     // Enough for a look on the way.
     await page.getByTestId("series-maxIterations").fill("5000");

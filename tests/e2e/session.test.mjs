@@ -1,4 +1,5 @@
-// A page that is left in the middle of something: the next visit brings back what it held, when it is asked for.
+// A page that is left in the middle of something: the next visit brings back what it held, when it is asked
+// for.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";

@@ -13,7 +13,10 @@ import { dist } from "../../scripts/site.mjs";
 /** Pictures a second of a slow display. */
 const PICTURES = 12;
 
-/** Runs in the page: a walking figure takes a core and more where no graphics card draws, unless pictures are few. */
+/**
+ * Runs in the page: a walking figure takes a core and more where no graphics card draws, unless pictures are
+ * few.
+ */
 function slowDisplay(/** @type {number} */ pictures) {
   const ask = requestAnimationFrame.bind(window);
   /** @type {Map<number, FrameRequestCallback>} */
@@ -48,10 +51,12 @@ function noDrawing() {
  * @property {string} [settings] as in the page's address
  * @property {string} [query] as well
  * @property {number} [cores] as many as the page shall believe the machine to have
- * @property {boolean} [moving] whether the figure walks from the beginning, on a slow display; a visitor who wants little motion else
+ * @property {boolean} [moving] whether the figure walks from the beginning, on a slow display; a visitor who
+ * wants little motion else
  * @property {number} [pictures] of the slow display, a second
  * @property {boolean} [seen] whether figures are drawn, which takes long without a graphics card
- * @property {boolean} [idle] whether the whole program comes when the page has nothing else to do; else when it is needed
+ * @property {boolean} [idle] whether the whole program comes when the page has nothing else to do; else when
+ * it is needed
  * @property {string} [without] files that do not come
  */
 
@@ -100,7 +105,10 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
       );
     /** @type {string[]} */
     const problems = [];
-    page.on("console", (message) => message.type() === "error" && problems.push(`console: ${message.text()}`));
+    page.on(
+      "console",
+      (message) => message.type() === "error" && problems.push(`console: ${message.text()}`),
+    );
     page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
     page.on("requestfailed", (request) => {
       const why = request.failure()?.errorText;
@@ -131,7 +139,10 @@ export const LONG = "iterations=5000&dynamics=24&poses=24";
 /** Waits until the wasm runs and the sample clips are there: nothing is dead any more. */
 export async function ready(/** @type {Page} */ page) {
   await page.waitForSelector("html[data-engine=ready], html[data-engine=failed]", { timeout: 30_000 });
-  await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached", timeout: 30_000 });
+  await page
+    .getByTestId("train")
+    .and(page.locator(":enabled"))
+    .waitFor({ state: "attached", timeout: 30_000 });
 }
 
 /** Whether what an element shows differs between two moments. */
@@ -141,7 +152,9 @@ export async function changes(/** @type {import("playwright-core").Locator} */ e
   return !before.equals(await element.screenshot());
 }
 
-/** Whether what an element shows comes to rest (the camera may still glide a little, the picture get finer). */
+/**
+ * Whether what an element shows comes to rest (the camera may still glide a little, the picture get finer).
+ */
 export async function rests(/** @type {import("playwright-core").Locator} */ element) {
   for (let i = 0; i < 10; i++) if (!(await changes(element))) return true;
   return false;
@@ -173,7 +186,8 @@ export function keepsNobodyOut(visit, look) {
 }
 
 /**
- * One visitor for all tests of a suite, which leave the page as they found it: a visit costs more than most of what is tried on it.
+ * One visitor for all tests of a suite, which leave the page as they found it: a visit costs more than most
+ * of what is tried on it.
  * @param {() => Promise<Visitor>} visit
  */
 export function oneVisitor(visit) {
@@ -195,7 +209,8 @@ export async function readyVisitor(/** @type {Promise<Visitor>} */ coming) {
 
 /** What a button saves to disk; those of the menu of the page's head are opened first. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
-  if (await page.locator(`#save-menu [data-testid=${button}]`).count()) await page.getByTestId("save").click();
+  if (await page.locator(`#save-menu [data-testid=${button}]`).count())
+    await page.getByTestId("save").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);
   const bytes = await readFile(await download.path());
   return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
@@ -217,17 +232,21 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
 /**
- * What axe-core finds that keeps somebody out, of the colours in the dark too; `rules`: by these rules alone, some of which it does not
- * ask unless told to.
+ * What axe-core finds that keeps somebody out, of the colours in the dark too; `rules`: by these rules alone,
+ * some of which it does not ask unless told to.
  */
 export async function barriers(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
   await page.evaluate(axe);
   await atRest(page);
   const found = await judged(page, rules);
   if (rules.length > 0) return found;
-  const inUse = await page.evaluate(() => (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+  const inUse = await page.evaluate(() =>
+    matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light",
+  );
   await recolour(page, inUse === "dark" ? "light" : "dark");
-  found.push(...(await judged(page, ["color-contrast"])).map((barrier) => `in the other colours: ${barrier}`));
+  found.push(
+    ...(await judged(page, ["color-contrast"])).map((barrier) => `in the other colours: ${barrier}`),
+  );
   await recolour(page, inUse);
   return found;
 }

@@ -6,7 +6,9 @@ import { at } from "../../scripts/run.mjs";
 import { openSite, ready, saved } from "./site.mjs";
 
 /** @type {typeof import("vcgpdm")} */
-const { Clip, Model, Trainer, TrainingSet } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Clip, Model, Trainer, TrainingSet } = createRequire(import.meta.url)(
+  at("crate/wasm/pkg/node/vcgpdm.js"),
+);
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -23,7 +25,15 @@ function document() {
     Clip.sample("walk-1")
       .info()
       .presets.find(({ id }) => id === "lower-upper") ?? {};
-  const settings = { latent: 2, dynamicsIps: 6, poseIps: 6, order: 2, framesPerSecond: 30, seed: 1, maxIterations: 8 };
+  const settings = {
+    latent: 2,
+    dynamicsIps: 6,
+    poseIps: 6,
+    order: 2,
+    framesPerSecond: 30,
+    seed: 1,
+    maxIterations: 8,
+  };
   const trainer = new Trainer(clips, { ...settings, parts });
   while (!trainer.step().done);
   return trainer.model().toJson();

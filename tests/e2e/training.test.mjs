@@ -15,7 +15,8 @@ before(async () => {
 after(() => site?.close());
 
 const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 90_000 });
-const trained = async (/** @type {Page} */ page) => Model.fromJson((await saved(page, "save-model")).text).info();
+const trained = async (/** @type {Page} */ page) =>
+  Model.fromJson((await saved(page, "save-model")).text).info();
 const provenance = async (/** @type {Page} */ page) => (await trained(page)).provenance;
 
 /** Notes every iteration that the page ever shows; a short training may be over before one can look. */
@@ -34,14 +35,19 @@ async function watchIterations(/** @type {Page} */ page) {
 
 describe("training", () => {
   it("shows progress and ends with another model", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=400&fps=20&dynamics=14" });
+    const { page, problems, leave } = await site.visit({
+      settings: "trainings=1&iterations=400&fps=20&dynamics=14",
+    });
     await ready(page);
     const before = await provenance(page);
     const iterations = await watchIterations(page);
     await page.getByTestId("train").click();
     await trainIsBack(page);
     const shown = await iterations();
-    assert.ok(shown.length >= 2 && shown.every((n, i) => n > (shown[i - 1] ?? -1)), `iterations shown: ${shown}`);
+    assert.ok(
+      shown.length >= 2 && shown.every((n, i) => n > (shown[i - 1] ?? -1)),
+      `iterations shown: ${shown}`,
+    );
     const after = await provenance(page);
     const { settings } = after;
     assert.ok(Number.isFinite(after.bound));
@@ -175,7 +181,8 @@ describe("own files", () => {
     // A notice each, of a row too few.
     const [one, other] = [bvh(0), bvh(1)].map((text) => text.replace("Frames: 60", "Frames: 61"));
     await drop(page, { "one.bvh": one ?? "", "other.bvh": other ?? "" });
-    const row = (/** @type {string} */ name) => page.getByTestId("own-clips").locator("li.clip", { hasText: name });
+    const row = (/** @type {string} */ name) =>
+      page.getByTestId("own-clips").locator("li.clip", { hasText: name });
     await row("one").getByText("1 notice").click();
     await row("one").locator("details[open]").waitFor();
     await page.getByRole("button", { name: "Remove one" }).click();

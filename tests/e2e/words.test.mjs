@@ -64,7 +64,10 @@ describe("a term", () => {
         const card = page.locator(".term-card");
         await card.waitFor();
         const box = await card.boundingBox();
-        assert.ok(box && box.x >= 0 && box.y >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844, tab);
+        assert.ok(
+          box && box.x >= 0 && box.y >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844,
+          tab,
+        );
         await page.keyboard.press("Escape");
       }
     }

@@ -55,10 +55,22 @@ describe("docs/examples/rollout.py", { skip }, () => {
   it("knows three parts, another order and a body whose z points up", () => {
     const walk = join(folder, "walk.bvh");
     call(program, "clip", "sample:walk-1", "--out", walk);
-    // The same walk with z up: offsets and positions turn, and the root's rotation gets a turn before its own.
+    // The same walk with z up: offsets and positions turn, and the root's rotation gets a turn before its
+    // own.
     writeFileSync(walk, zUp(readFileSync(walk, "utf8")));
     const model = join(folder, "model.json");
-    const settings = ["--latent", "2", "--order", "3", "--max-iterations", "30", "--fps", "20", "--dynamics-ips", "6"];
+    const settings = [
+      "--latent",
+      "2",
+      "--order",
+      "3",
+      "--max-iterations",
+      "30",
+      "--fps",
+      "20",
+      "--dynamics-ips",
+      "6",
+    ];
     call(program, "train", walk, "--parts", "legs,trunk,left arm,right arm", ...settings, "--out", model);
     assert.equal(JSON.parse(readFileSync(model, "utf8")).pose.stage.up, "z");
     const [latents = 1, joints = 1] = apart(model, 60, 0);
@@ -70,6 +82,9 @@ describe("docs/examples/rollout.py", { skip }, () => {
 /** A clip with y up as one with z up: the axes are renamed x to y, y to z, z to x. */
 function zUp(/** @type {string} */ bvh) {
   const next = { X: "Y", Y: "Z", Z: "X" };
-  const turned = bvh.replace(/[XYZ](?=position|rotation)/g, (axis) => next[/** @type {"X" | "Y" | "Z"} */ (axis)]);
+  const turned = bvh.replace(
+    /[XYZ](?=position|rotation)/g,
+    (axis) => next[/** @type {"X" | "Y" | "Z"} */ (axis)],
+  );
   return turned.replace(/OFFSET (\S+) (\S+) (\S+)/g, "OFFSET $3 $1 $2");
 }

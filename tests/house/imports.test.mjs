@@ -18,7 +18,9 @@ function read(/** @type {string} */ folder, /** @type {string[]} */ endings) {
   const files = filesUnder([at(folder)], [...without, ...(folder === "tests" ? ["golden"] : [])]);
   const chosen = files.filter((file) => endings.includes(extname(file)));
   assert.ok(chosen.length > 0, `${folder} holds ${endings.join(", ")}`);
-  return new Map(chosen.map((file) => [relative(at(folder), file).split(sep).join("/"), readFileSync(file, "utf8")]));
+  return new Map(
+    chosen.map((file) => [relative(at(folder), file).split(sep).join("/"), readFileSync(file, "utf8")]),
+  );
 }
 
 describe("the library in Rust", () => {
@@ -48,7 +50,9 @@ describe("the library in Rust", () => {
   });
   it("names neither the web nor another's packages", () => {
     assert.deepEqual(rust.forbiddenNames(sources, rooms.rules), []);
-    const manifest = readFileSync(at("crate/vcgpdm/Cargo.toml"), "utf8").replace(/#.*/g, "").replaceAll("-", "_");
+    const manifest = readFileSync(at("crate/vcgpdm/Cargo.toml"), "utf8")
+      .replace(/#.*/g, "")
+      .replaceAll("-", "_");
     const nobodys = rooms.rules.filter(({ places }) => places.length === 0);
     assert.ok(nobodys.length > 0);
     assert.deepEqual(rust.forbiddenNames(new Map([["Cargo.toml", manifest]]), nobodys), []);

@@ -6,16 +6,18 @@
  * @property {{ room: string, files: string[] }[]} usesOnly rooms that may use only these files of others
  * @property {Rule[]} rules who may use which package
  *
- * @typedef {{ verb: string, places: string[], packages: string[] }} Rule `places` are rooms or files; none may where it is empty
- * @typedef {{ from: string, to: string }} Use one file uses another; paths below the rooms' folder, with their endings
+ * @typedef {{ verb: string, places: string[], packages: string[] }} Rule `places` are rooms or files; none
+ * may where it is empty
+ * @typedef {{ from: string, to: string }} Use one file uses another; paths below the rooms' folder, with
+ * their endings
  */
 
 const list = (/** @type {string} */ text) => text.split(/,\s*/);
 
 /**
- * Reads the fenced block of a document that is headed "rooms FOLDER". Each line names a floor, the lowest first: one room, or several that do
- * not use each other. Further lines are rules: "ROOM uses only FILE, ...", "only PLACE, ... VERB PACKAGE, ...", "nothing VERB PACKAGE".
- * Two spaces begin a remark.
+ * Reads the fenced block of a document that is headed "rooms FOLDER". Each line names a floor, the lowest
+ * first: one room, or several that do not use each other. Further lines are rules: "ROOM uses only FILE,
+ * ...", "only PLACE, ... VERB PACKAGE, ...", "nothing VERB PACKAGE". Two spaces begin a remark.
  * @param {string} document
  * @param {string} folder
  * @returns {Rooms}
@@ -65,8 +67,12 @@ export const standsIn = (/** @type {string} */ file, /** @type {string} */ place
 export function strangeRooms(files, { floors }) {
   const there = new Set(files.map(roomOf));
   return [
-    ...[...there].filter((room) => !floors.has(room)).map((room) => `${room}: a room that the order does not name`),
-    ...[...floors.keys()].filter((room) => !there.has(room)).map((room) => `${room}: in the order, but no such room`),
+    ...[...there]
+      .filter((room) => !floors.has(room))
+      .map((room) => `${room}: a room that the order does not name`),
+    ...[...floors.keys()]
+      .filter((room) => !there.has(room))
+      .map((room) => `${room}: in the order, but no such room`),
   ];
 }
 

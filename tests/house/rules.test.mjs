@@ -1,4 +1,5 @@
-// The readers and rules behind imports.test.mjs, on small houses of their own: each rule finds what breaks it.
+// The readers and rules behind imports.test.mjs, on small houses of their own: each rule finds what breaks
+// it.
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import { longFiles } from "./lines.mjs";
@@ -35,7 +36,10 @@ describe("the order", () => {
       ],
     );
     assert.throws(() => readRooms(DOCUMENT, "other"), /no block of the rooms of other/);
-    assert.throws(() => readRooms(DOCUMENT.replace("top\n", "top uses base\n"), "src"), /found "top uses base"/);
+    assert.throws(
+      () => readRooms(DOCUMENT.replace("top\n", "top uses base\n"), "src"),
+      /found "top uses base"/,
+    );
   });
   it("names the rooms that are there", () => {
     const files = ["base/words.ts", "left/a.ts", "right/a.ts", "work/a.ts", "cellar.ts"];
@@ -66,13 +70,17 @@ describe("the order", () => {
       { from: "c", to: "c" },
     ];
     assert.deepEqual(circles(line), []);
-    assert.deepEqual(circles([...line, { from: "c", to: "d" }, { from: "d", to: "b" }]), ["b -> c -> d -> b"]);
+    assert.deepEqual(circles([...line, { from: "c", to: "d" }, { from: "d", to: "b" }]), [
+      "b -> c -> d -> b",
+    ]);
   });
 });
 
 /** The uses of a small Rust package, as "from > to". */
 const rustUses = (/** @type {Record<string, string>} */ sources, tests = false) =>
-  rust.usesOf(rust.modulesOf(new Map(Object.entries(sources))), { tests }).map(({ from, to }) => `${from} > ${to}`);
+  rust
+    .usesOf(rust.modulesOf(new Map(Object.entries(sources))), { tests })
+    .map(({ from, to }) => `${from} > ${to}`);
 
 describe("Rust", () => {
   const gp = { "gp/mod.rs": "mod kernel;\npub use kernel::Kernel;\n", "gp/kernel.rs": "pub struct Kernel;" };
@@ -83,7 +91,9 @@ describe("Rust", () => {
       "a.rs > gp/mod.rs",
       "a.rs > gp/kernel.rs",
     ]);
-    assert.deepEqual(rustUses({ ...gp, "a.rs": "fn f() { crate::gp::Kernel::new() }" }), ["a.rs > gp/kernel.rs"]);
+    assert.deepEqual(rustUses({ ...gp, "a.rs": "fn f() { crate::gp::Kernel::new() }" }), [
+      "a.rs > gp/kernel.rs",
+    ]);
     assert.deepEqual(rustUses({ ...gp, "gp/a.rs": "use super::Kernel;" }), ["gp/a.rs > gp/kernel.rs"]);
     assert.deepEqual(rustUses({ ...gp, "gp/a.rs": "use super::*;" }), ["gp/a.rs > gp/mod.rs"]);
   });
@@ -95,7 +105,9 @@ describe("Rust", () => {
     assert.deepEqual(rustUses({ ...gp, "gp/mod.rs": "mod kernel;\nfn f() { kernel::Kernel; }" }), [
       "gp/mod.rs > gp/kernel.rs",
     ]);
-    assert.deepEqual(rustUses({ ...gp, "a/mod.rs": "pub use crate::gp::Kernel;" }), ["a/mod.rs > gp/kernel.rs"]);
+    assert.deepEqual(rustUses({ ...gp, "a/mod.rs": "pub use crate::gp::Kernel;" }), [
+      "a/mod.rs > gp/kernel.rs",
+    ]);
   });
   it("does not count comments, texts, other packages", () => {
     const code = `// use crate::gp;\n/* crate::gp */ const A: &str = "crate::gp \\" crate::gp"; const B: char = '"';
@@ -106,7 +118,8 @@ describe("Rust", () => {
   it("counts what tests use where that is asked for", () => {
     const sources = {
       ...gp,
-      "a.rs": "fn f() {}\n#[cfg(test)]\nmod tests {\n use super::*; use crate::gp::Kernel; fn g() { if f {} }\n}\n",
+      "a.rs":
+        "fn f() {}\n#[cfg(test)]\nmod tests {\n use super::*; use crate::gp::Kernel; fn g() { if f {} }\n}\n",
       "b/mod.rs": "#[cfg(test)]\nmod tests;",
       "b/tests.rs": "use super::*;\nuse crate::gp;",
     };
@@ -125,10 +138,10 @@ describe("Rust", () => {
       );
     assert.deepEqual(refused({ "top/roof.rs": "use storm::Wind; // for wasm" }), []);
     assert.deepEqual(refused({ "top/wall.rs": "use storm::Wind;" }), ["top/wall.rs names storm"]);
-    assert.deepEqual(refused({ "base/a.rs": '#[cfg(target_arch = "wasm32")]\n#[derive(Tsify)]\nstruct A;' }), [
-      "base/a.rs names wasm",
-      "base/a.rs names tsify",
-    ]);
+    assert.deepEqual(
+      refused({ "base/a.rs": '#[cfg(target_arch = "wasm32")]\n#[derive(Tsify)]\nstruct A;' }),
+      ["base/a.rs names wasm", "base/a.rs names tsify"],
+    );
   });
   it("has one style of modules", () => {
     assert.deepEqual(rust.mixedModules(["gp/mod.rs", "gp/psi.rs", "gps.rs"]), []);
@@ -138,7 +151,9 @@ describe("Rust", () => {
 
 describe("TypeScript", () => {
   const read = (/** @type {string} */ text) =>
-    typescript.importsOf("top/a.ts", text).map(({ source, typesOnly }) => `${source}${typesOnly ? " (types)" : ""}`);
+    typescript
+      .importsOf("top/a.ts", text)
+      .map(({ source, typesOnly }) => `${source}${typesOnly ? " (types)" : ""}`);
 
   it("reads every form of import", () => {
     const text = `
@@ -164,7 +179,10 @@ type Eleven = import("./eleven").Eleven;
     ]);
   });
   it("finds the file that an import names, types too", () => {
-    const imports = typescript.importsOf("top/a.ts", 'import type { B } from "../base/b";\nimport "./a.css?inline";\n');
+    const imports = typescript.importsOf(
+      "top/a.ts",
+      'import type { B } from "../base/b";\nimport "./a.css?inline";\n',
+    );
     assert.deepEqual(typescript.usesOf(imports, new Set(["base/b.ts", "top/a.css"])), [
       { from: "top/a.ts", to: "base/b.ts" },
       { from: "top/a.ts", to: "top/a.css" },
@@ -180,7 +198,10 @@ type Eleven = import("./eleven").Eleven;
         typescript.importsOf(file, text),
         rooms.rules.filter(({ verb }) => verb !== "name"),
       );
-    assert.deepEqual(refused("left/a.ts", 'import { Pane } from "glass";\nimport type { E } from "engine/small";'), []);
+    assert.deepEqual(
+      refused("left/a.ts", 'import { Pane } from "glass";\nimport type { E } from "engine/small";'),
+      [],
+    );
     assert.deepEqual(refused("base/a.ts", 'import type { Pane } from "glass/panes";'), [
       "base/a.ts imports glass/panes",
     ]);

@@ -79,7 +79,11 @@ export function modulesOf(sources) {
   const modules = [...sources].map(([file, text]) => {
     const steps = file.replace(/\.rs$/, "").split("/");
     const last = steps.at(-1) ?? "";
-    const path = ["lib", "main"].includes(file.replace(/\.rs$/, "")) ? [] : last === "mod" ? steps.slice(0, -1) : steps;
+    const path = ["lib", "main"].includes(file.replace(/\.rs$/, ""))
+      ? []
+      : last === "mod"
+        ? steps.slice(0, -1)
+        : steps;
     const { code, tests } = withoutTests(bare(text));
     return { file, path, code, tests, imports: importsOf(code, path) };
   });
@@ -111,7 +115,11 @@ const childrenOf = (/** @type {string} */ code) =>
   [...code.matchAll(/(?<!\w)mod\s+(\w+)\s*;/g)].map(([, name = ""]) => name);
 
 /** From the root of the package; null where the path leads out of it. */
-function absolutePath(/** @type {string[]} */ path, /** @type {string[]} */ place, /** @type {string[]} */ children) {
+function absolutePath(
+  /** @type {string[]} */ path,
+  /** @type {string[]} */ place,
+  /** @type {string[]} */ children,
+) {
   const [first = "", ...rest] = path;
   if (first === "crate") return rest;
   if (first === "self") return [...place, ...rest];
@@ -124,8 +132,8 @@ function absolutePath(/** @type {string[]} */ path, /** @type {string[]} */ plac
 }
 
 /**
- * Which files use which. A use of a name that a mod.rs hands on counts as a use of the file that the name stands in, and
- * handing on is no use of its own.
+ * Which files use which. A use of a name that a mod.rs hands on counts as a use of the file that the name
+ * stands in, and handing on is no use of its own.
  * @param {Module[]} modules
  * @param {{ tests: boolean }} options whether the uses of tests count too
  */
@@ -156,13 +164,15 @@ export function usesOf(modules, { tests }) {
     const body = module.code.replace(USE, "");
     for (const { name, path, public: visible } of module.imports) {
       const handedOn = visible && module.path.every((step, i) => step === path[i]);
-      if (!handedOn || new RegExp(`(?<!\\w)${name}(?!\\w)`).test(body)) add(name === "*" ? path.slice(0, -1) : path);
+      if (!handedOn || new RegExp(`(?<!\\w)${name}(?!\\w)`).test(body))
+        add(name === "*" ? path.slice(0, -1) : path);
     }
     for (const path of inlinePaths(body, module)) add(path);
     if (!tests) continue;
     // `super` in tests that stand in the file itself is the file; other names lead out of it as everywhere.
     const inTests = { ...module, path: module.code === "" ? module.path : [...module.path, "tests"] };
-    for (const { path } of importsOf(module.tests, inTests.path)) add(path.at(-1) === "*" ? path.slice(0, -1) : path);
+    for (const { path } of importsOf(module.tests, inTests.path))
+      add(path.at(-1) === "*" ? path.slice(0, -1) : path);
     for (const path of inlinePaths(module.tests.replace(USE, ""), inTests)) add(path);
   }
   return uses;

@@ -42,7 +42,8 @@ export function usesOf(imports, files) {
 }
 
 /**
- * Imports of packages by those who may not. "import" counts types too, "load" only what remains when the types are gone.
+ * Imports of packages by those who may not. "import" counts types too, "load" only what remains when the
+ * types are gone.
  * @param {Import[]} imports
  * @param {import("./rooms.mjs").Rule[]} rules
  */

@@ -26,6 +26,9 @@ it("the figure stands on the ground", () => {
     const heights = skeleton.bones.map((bone) => bone.getWorldPosition(new Vector3()).y);
     const [lowest, highest] = [Math.min(...heights), Math.max(...heights)];
     assert.ok(Math.abs(lowest) < 0.05 * height, `frame ${frame}: the lowest point is at ${lowest}`);
-    assert.ok(Math.abs(highest - height) < 0.15 * height, `frame ${frame}: the highest point is at ${highest}`);
+    assert.ok(
+      Math.abs(highest - height) < 0.15 * height,
+      `frame ${frame}: the highest point is at ${highest}`,
+    );
   }
 });

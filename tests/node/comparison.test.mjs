@@ -102,7 +102,8 @@ describe("comparing models from Node", () => {
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     const jobs = results.jobs(PLAN);
-    // In each of three folds: two vGPDMs with two seeds, one DMP, which has none; and the vCGPDM with both, and growth.
+    // In each of three folds: two vGPDMs with two seeds, one DMP, which has none; and the vCGPDM with both,
+    // and growth.
     assert.equal(jobs.length, 3 * (2 * 2 + 2 * 2 + 1) + 1);
     assert.equal(new Set(jobs.map(({ id }) => id)).size, jobs.length);
     assert.ok(jobs.every(({ done }) => !done));
@@ -161,7 +162,10 @@ describe("comparing models from Node", () => {
       ],
     );
     const slower = Results.empty(clips, { ...common, framesPerSecond: 10 });
-    assert.throws(() => here.merge(slower), /these results are of another frame rate: expected 15 .*, found 10/);
+    assert.throws(
+      () => here.merge(slower),
+      /these results are of another frame rate: expected 15 .*, found 10/,
+    );
     assert.throws(() => here.add(job(4), outcome), /expected trials from 1 to 3/);
     assert.throws(
       () => here.add(job(3), { ...outcome, seconds: -1 }),
@@ -173,7 +177,10 @@ describe("comparing models from Node", () => {
     const { Clip, Evaluation, Fold, Results, TrainingSet } = installed.vcgpdm;
     const { clips, common } = trials();
     assert.throws(() => new Fold(clips, common, 4, 2), /expected a trial from 1 to 3 to hold out/);
-    assert.throws(() => new Fold(clips, common, 0, 2), /expected a trial from 1 to 3 to hold out, .*, found trial 0/);
+    assert.throws(
+      () => new Fold(clips, common, 0, 2),
+      /expected a trial from 1 to 3 to hold out, .*, found trial 0/,
+    );
     assert.throws(() => new Fold(clips, common, 1, 3), /expected from 1 to 2 trials to train on, found 3/);
     const text = JSON.stringify({ ...JSON.parse(Results.empty(clips, common).toJson()), version: 9 });
     assert.throws(
@@ -184,7 +191,10 @@ describe("comparing models from Node", () => {
       () => Results.empty(clips, { ...common, framesPerSecond: NaN }),
       /expected a positive number of frames a second, found NaN/,
     );
-    assert.throws(() => Results.empty(clips, common).jobs({ ...PLAN, heldOut: [4] }), /expected a trial from 1 to 3/);
+    assert.throws(
+      () => Results.empty(clips, common).jobs({ ...PLAN, heldOut: [4] }),
+      /expected a trial from 1 to 3/,
+    );
     const twice = new TrainingSet();
     twice.add(Clip.sample("walk-1"));
     twice.add(Clip.sample("walk-1"));

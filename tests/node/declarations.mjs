@@ -1,14 +1,18 @@
 // Reads the types that the package declares, as far as it uses the language, and holds values against them.
 
 /**
- * @typedef {{ kind: "primitive", name: string } | { kind: "literal", value: string } | { kind: "name", name: string }
+ * @typedef {{ kind: "primitive", name: string } | { kind: "literal", value: string } | { kind: "name", name:
+ * string }
  *   | { kind: "list", item: Type } | { kind: "tuple", items: Type[] } | { kind: "union", options: Type[] }
  *   | { kind: "object", fields: Map<string, { type: Type, optional: boolean }> }} Type
  */
 
 const PRIMITIVES = ["string", "number", "boolean", "null", "void", "undefined"];
 
-/** The types of a declaration file, and what its functions and the functions and fields of its classes answer with. */
+/**
+ * The types of a declaration file, and what its functions and the functions and fields of its classes answer
+ * with.
+ */
 export function readDeclarations(/** @type {string} */ text) {
   const source = text.replace(/\/\*[\s\S]*?\*\//g, "");
   /** @type {Map<string, Type>} */
@@ -33,7 +37,8 @@ export function readDeclarations(/** @type {string} */ text) {
 }
 
 /**
- * With the fields of the type that it extends, which is declared before it: a name, or Omit<name, "field" | "field">.
+ * With the fields of the type that it extends, which is declared before it: a name, or Omit<name, "field" |
+ * "field">.
  * @param {Type} type
  * @param {string} base
  * @param {Map<string, Type>} types
@@ -115,10 +120,13 @@ function readType(/** @type {string} */ text) {
 export function differences(types, type, value, path, seen = new Set()) {
   const inner = (/** @type {Type} */ type, /** @type {unknown} */ value, /** @type {string} */ step) =>
     differences(types, type, value, `${path}${step}`, seen);
-  const found = () => `${path}: found ${value === undefined ? "nothing" : JSON.stringify(value).slice(0, 80)}`;
+  const found = () =>
+    `${path}: found ${value === undefined ? "nothing" : JSON.stringify(value).slice(0, 80)}`;
   switch (type.kind) {
     case "primitive":
-      return (value === null ? "null" : typeof value) === type.name ? [] : [`${found()}, declared ${type.name}`];
+      return (value === null ? "null" : typeof value) === type.name
+        ? []
+        : [`${found()}, declared ${type.name}`];
     case "literal":
       return value === type.value ? [] : [`${found()}, declared "${type.value}"`];
     case "name": {
@@ -132,7 +140,8 @@ export function differences(types, type, value, path, seen = new Set()) {
       if (!Array.isArray(value)) return [`${found()}, declared as a list`];
       return value.flatMap((item, k) => inner(type.item, item, `[${k}]`));
     case "tuple":
-      if (!Array.isArray(value) || value.length !== type.items.length) return [`${found()}, declared as a tuple`];
+      if (!Array.isArray(value) || value.length !== type.items.length)
+        return [`${found()}, declared as a tuple`];
       return type.items.flatMap((item, k) => inner(item, value[k], `[${k}]`));
     case "union": {
       const each = type.options.map((option) => inner(option, value, ""));

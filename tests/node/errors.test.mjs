@@ -1,4 +1,5 @@
-// What the package throws: errors of one name, with a code that a program can tell apart and words that a person understands.
+// What the package throws: errors of one name, with a code that a program can tell apart and words that a
+// person understands.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, it } from "node:test";
@@ -58,7 +59,9 @@ it("errors have a name, a code of the declared ones, and words", () => {
 
   const longer = clip
     .toBvh()
-    .replace(/OFFSET .*/g, (line) => line.replace(/-?\d+(\.\d+)?/g, (length) => String(1.1 * Number(length))));
+    .replace(/OFFSET .*/g, (line) =>
+      line.replace(/-?\d+(\.\d+)?/g, (length) => String(1.1 * Number(length))),
+    );
   const taller = Clip.read("taller.bvh", new TextEncoder().encode(longer));
 
   /** @type {[string, () => unknown, RegExp][]} */
@@ -69,10 +72,18 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["clips", () => new Trainer(new TrainingSet(), settings), /expected at least one clip/],
     ["clips", () => clips.add(Clip.read("other.bvh", bytes)), /other\.bvh cannot be trained together with/],
     ["bones", () => clips.add(taller), /taller\.bvh cannot be trained together with .* its offset differs/],
-    ["clips", () => Clip.read("other.bvh", bytes).withBonesOf(clip), /other\.bvh cannot be trained together with/],
+    [
+      "clips",
+      () => Clip.read("other.bvh", bytes).withBonesOf(clip),
+      /other\.bvh cannot be trained together with/,
+    ],
     ["parts", () => new Trainer(clips, { ...settings, parts: [] }), /expected at least one part/],
     ["parts", () => new Trainer(clips, { ...settings, parts }), /./],
-    ["settings", () => new Trainer(clips, { ...settings, latent: 0 }), /the latent dimension must be from 1 to 100/],
+    [
+      "settings",
+      () => new Trainer(clips, { ...settings, latent: 0 }),
+      /the latent dimension must be from 1 to 100/,
+    ],
     [
       "settings",
       () => new Trainer(clips, /** @type {any} */ ({ ...settings, latent: "3" })),
@@ -86,9 +97,17 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["training", () => new Trainer(set(clip.cut(0, 2)), { ...settings, order: 9 }), /./],
     ["model", () => Model.fromJson("{}"), /./],
     ["model", () => model.poseIps(1), /expected a part from 0 to 0, found 1/],
-    ["model", () => model.poseIpWeights(0, 3, new Float64Array(1)), /expected an inducing point from 0 to 2, found 3/],
+    [
+      "model",
+      () => model.poseIpWeights(0, 3, new Float64Array(1)),
+      /expected an inducing point from 0 to 2, found 3/,
+    ],
     ["rollout", () => model.rollout({ frames: 0, sequence: 0 }), /expected from 1 to \d+ frames, found 0/],
-    ["rollout", () => model.rollout({ frames: 5, sequence: 0, alpha: [[0]] }), /expected a positive coupling variance/],
+    [
+      "rollout",
+      () => model.rollout({ frames: 5, sequence: 0, alpha: [[0]] }),
+      /expected a positive coupling variance/,
+    ],
     [
       "rollout",
       () => model.rollout({ frames: 5, sequence: 0, alpha: [[1], [1, 2]] }),
@@ -102,7 +121,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["comparison", () => new Fold(clips, common, 3, 1), /expected a trial from 1 to 2 to hold out/],
     ["comparison", () => new Fold(clips, common, 1, 2), /expected from 1 to 1 trials to train on, found 2/],
     ["comparison", () => Results.empty(set(clip), common), /expected at least two trials, found 1/],
-    ["results", () => Results.fromJson("{}"), /^expected the results of an evaluation: missing field `format`/],
+    [
+      "results",
+      () => Results.fromJson("{}"),
+      /^expected the results of an evaluation: missing field `format`/,
+    ],
     ["results", () => results.merge(others), /^these results are of other trials/],
     ["study", () => Study.fromJson("{}"), /^expected a study with "format": "vcgpdm study", found no format/],
     [
@@ -110,7 +133,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
       () => new StudyMaker(clip, 2, 30).study("none", "class", "figure", 1),
       /^at stimuli: expected from 2 to 5000, found 0/,
     ],
-    ["numerics", () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])), /./],
+    [
+      "numerics",
+      () => new SyntheticExperiment(1, true).free() ?? model.pose(0, new Float64Array([NaN])),
+      /./,
+    ],
   ];
   // Tables, and models of other kinds.
   const table = Table.of("t", ["x", "y"], new Float64Array([1, 2, 3, 4, 5, 7]), 0.1);
@@ -120,11 +147,23 @@ it("errors have a name, a code of the declared ones, and words", () => {
   const tmp = readFileSync(at("crate/vcgpdm/tests/library/documents/tmp.json"), "utf8");
   const series = readFileSync(at("crate/vcgpdm/tests/library/documents/series.json"), "utf8");
   cases.push(
-    ["table", () => Table.read("t.csv", new TextEncoder().encode("x,y\n1,gap\n")), /^t\.csv, line 2, column 2 \(y\): /],
-    ["table", () => Table.of("t", ["x", "y"], new Float64Array(3), 0.1), /expected rows of 2 numbers, found 3/],
+    [
+      "table",
+      () => Table.read("t.csv", new TextEncoder().encode("x,y\n1,gap\n")),
+      /^t\.csv, line 2, column 2 \(y\): /,
+    ],
+    [
+      "table",
+      () => Table.of("t", ["x", "y"], new Float64Array(3), 0.1),
+      /expected rows of 2 numbers, found 3/,
+    ],
     ["table", () => new TableTrainer(task).step(), /expected at least one table/],
     ["parts", () => trainer.step(), /part "all": expected one of the columns, found "knee"/],
-    ["model", () => Model.fromJson(tmp), /expected a vcgpdm or vgpdm model, found a tmp model; AnyModel\.fromJson/],
+    [
+      "model",
+      () => Model.fromJson(tmp),
+      /expected a vcgpdm or vgpdm model, found a tmp model; AnyModel\.fromJson/,
+    ],
     ["model", () => Model.fromJson(series), /found a model of tables; AnyModel\.fromJson/],
     [
       "rollout",
@@ -137,13 +176,21 @@ it("errors have a name, a code of the declared ones, and words", () => {
       /expected a vcgpdm or vgpdm model for other couplings/,
     ],
     // Options that there are not.
-    ["settings", () => new Trainer(clips, /** @type {any} */ ({ ...settings, latents: 3 })), /unknown field `latents`/],
+    [
+      "settings",
+      () => new Trainer(clips, /** @type {any} */ ({ ...settings, latents: 3 })),
+      /unknown field `latents`/,
+    ],
     [
       "rollout",
       () => model.rollout(/** @type {any} */ ({ frames: 5, sequence: 0, sequnce: 1 })),
       /unknown field `sequnce`/,
     ],
-    ["comparison", () => Results.empty(clips, /** @type {any} */ ({ ...common, folds: 3 })), /unknown field `folds`/],
+    [
+      "comparison",
+      () => Results.empty(clips, /** @type {any} */ ({ ...common, folds: 3 })),
+      /unknown field `folds`/,
+    ],
   );
   // Objects after their end, called or given as an argument.
   const gone = Clip.sample("walk-1");
@@ -166,7 +213,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
       () => new Evaluation(new Fold(clips, common, 1, 1), odd.object, odd.word),
       /^the seed: expected a whole number from 0 to \d+, found string/,
     ],
-    ["model", () => model.poseIps(odd.word), /^the part: expected a whole number from 0 to \d+, found string/],
+    [
+      "model",
+      () => model.poseIps(odd.word),
+      /^the part: expected a whole number from 0 to \d+, found string/,
+    ],
     [
       "rollout",
       () => model.sampledRollouts({ frames: 5, sequence: 0 }, NaN, 1),
@@ -174,7 +225,9 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ],
   );
   assert.equal(set(clip, taller.withBonesOf(clip)).length, 2);
-  const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/node/vcgpdm.d.ts"), "utf8")).types.get("ErrorCode");
+  const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/node/vcgpdm.d.ts"), "utf8")).types.get(
+    "ErrorCode",
+  );
   assert.ok(declared?.kind === "union");
   const codes = declared.options.map((option) => (option.kind === "literal" ? option.value : ""));
   for (const [code, call, words] of cases) {

@@ -1,4 +1,5 @@
-// A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while primitives change.
+// A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while
+// primitives change.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -43,7 +44,11 @@ before(async () => {
     ],
     shared: [false, false],
   };
-  const trainer = new vcgpdm.LibraryTrainer(set(["walk-1", "walk-2", "walk-wave-1", "walk-wave-2"]), settings, plan);
+  const trainer = new vcgpdm.LibraryTrainer(
+    set(["walk-1", "walk-2", "walk-wave-1", "walk-wave-2"]),
+    settings,
+    plan,
+  );
   let progress = trainer.step();
   while (!progress.done) progress = trainer.step();
   library = trainer.library();
@@ -109,7 +114,10 @@ describe("a library of primitives", () => {
     const movement = extended.info().movements[2];
     assert.equal(movement?.name, "half");
     assert.deepEqual(movement?.couplings, { from: "movement", movement: "walk+wave" });
-    assert.throws(() => library.combination([0, 0]), { code: "model", message: /expected a primitive of part 1/ });
+    assert.throws(() => library.combination([0, 0]), {
+      code: "model",
+      message: /expected a primitive of part 1/,
+    });
     assert.throws(() => library.combination([0, 3], [[1]]), {
       code: "model",
       message: /expected coupling variances for 2 x 2 parts/,
@@ -194,7 +202,9 @@ describe("a library of primitives", () => {
     while (!progress.done) progress = training.step();
     assert.deepEqual([progress.fraction, progress.maxIterations], [1, 6], "two seeds");
     const outcome = training.outcome();
-    assert.ok(outcome && outcome.movement === "wave" && outcome.score.dtwMse > 0 && Number.isFinite(outcome.bound));
+    assert.ok(
+      outcome && outcome.movement === "wave" && outcome.score.dtwMse > 0 && Number.isFinite(outcome.bound),
+    );
     assert.throws(() => new vcgpdm.ModularityTraining({ sample: "run-1", alone: true }), {
       code: "comparison",
       message: "expected a sample of walking or of walking with waving, found run-1",
@@ -209,7 +219,10 @@ describe("a library of primitives", () => {
     walk.rewind(8);
     const again = [...walk.advance(3).positions()];
     assert.deepEqual(again, frames.slice(-again.length));
-    assert.throws(() => walk.rewind(11), { code: "rollout", message: /frames to take back from 0 to 10, found 11/ });
+    assert.throws(() => walk.rewind(11), {
+      code: "rollout",
+      message: /frames to take back from 0 to 10, found 11/,
+    });
   });
 
   it("maps locking under couplings of the caller", () => {
@@ -228,7 +241,11 @@ describe("a library of primitives", () => {
     const from = (/** @type {import("vcgpdm").CouplingsFrom | undefined} */ couplings) =>
       library.withCombination("own", [0, 3], alpha, couplings).info().movements.at(-1)?.couplings;
     assert.deepEqual(from(undefined), { from: "hand" });
-    assert.deepEqual(from({ from: "clips", bound: 3, iterations: 4 }), { from: "clips", bound: 3, iterations: 4 });
+    assert.deepEqual(from({ from: "clips", bound: 3, iterations: 4 }), {
+      from: "clips",
+      bound: 3,
+      iterations: 4,
+    });
     // @ts-expect-error: of no kind that there is
     assert.throws(() => from({ from: "afar" }), { code: "model" });
   });
@@ -262,14 +279,20 @@ describe("primitives on their way", () => {
     walk.setLibrary(whole);
     walk.use(1, 3);
     assert.ok([...walk.advance(20).positions()].every(Number.isFinite));
-    assert.throws(() => walk.setLibrary(arms), { message: /expected a library with all primitives of the one before/ });
+    assert.throws(() => walk.setLibrary(arms), {
+      message: /expected a library with all primitives of the one before/,
+    });
     assert.throws(() => library.select([]), { code: "model", message: /one or more, found none/ });
   });
 
   it("of another training are refused with the reason, and learned again", () => {
     const { settings } = library.info().provenance;
     const plan = { movements: [{ name: "stroll", sequences: 1 }], shared: [false, false] };
-    const trainer = new vcgpdm.LibraryTrainer(set(["walk-3"]), { ...settings, latent: 3, maxIterations: 40 }, plan);
+    const trainer = new vcgpdm.LibraryTrainer(
+      set(["walk-3"]),
+      { ...settings, latent: 3, maxIterations: 40 },
+      plan,
+    );
     finish(trainer);
     const legs = trainer.library().select([0]);
     assert.deepEqual(library.misfit(legs), {
@@ -289,12 +312,18 @@ describe("primitives on their way", () => {
     assert.equal(last?.origin.relearned?.clips[0]?.name, "walk-3 (made by this project).bvh");
     // What was learned comes into the library that it was learned for, as any file.
     assert.equal(library.add(grown).info().primitives.length, 5);
-    const fromClips = vcgpdm.ImportTrainer.fromClips(library, legs, set(["walk-3"]), { maxIterations: 2, seed: 2 });
+    const fromClips = vcgpdm.ImportTrainer.fromClips(library, legs, set(["walk-3"]), {
+      maxIterations: 2,
+      seed: 2,
+    });
     finish(fromClips);
     assert.equal(fromClips.library().info().primitives.at(-1)?.origin.relearned?.frames, "clips");
-    assert.throws(() => new vcgpdm.ImportTrainer(library, legs, { maxIterations: 9, seed: 1, companions: [0, null] }), {
-      code: "model",
-      message: /expected a primitive of upper in this library/,
-    });
+    assert.throws(
+      () => new vcgpdm.ImportTrainer(library, legs, { maxIterations: 9, seed: 1, companions: [0, null] }),
+      {
+        code: "model",
+        message: /expected a primitive of upper in this library/,
+      },
+    );
   });
 });

@@ -115,7 +115,9 @@ describe("the package", () => {
     assert.throws(
       () => read("broken.bvh", lines.join("\n")),
       (error) =>
-        error instanceof Error && error.message.includes(String(broken + 1)) && error.message.includes("three"),
+        error instanceof Error &&
+        error.message.includes(String(broken + 1)) &&
+        error.message.includes("three"),
     );
     assert.throws(() => read("empty.bvh", ""), Error);
   });
@@ -181,7 +183,10 @@ describe("a trained model", () => {
     const options = { frames: 50, sequence: 0 };
     const learned = model.rollout(options).positions();
     assert.notDeepEqual(model.rollout({ ...options, alpha: changed }).positions(), learned);
-    assert.notDeepEqual(model.rollout({ ...options, alpha: changed, reading: "re-inferred" }).positions(), learned);
+    assert.notDeepEqual(
+      model.rollout({ ...options, alpha: changed, reading: "re-inferred" }).positions(),
+      learned,
+    );
     assert.deepEqual(model.rollout({ ...options, alpha }).positions(), learned);
   });
 

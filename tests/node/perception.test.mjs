@@ -1,4 +1,5 @@
-// The graphics Turing test from Node: the study that comes with the page, what a participant is shown, and what answers say.
+// The graphics Turing test from Node: the study that comes with the page, what a participant is shown, and
+// what answers say.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -16,7 +17,9 @@ after(() => installed?.remove());
 const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
 const opened = () => installed.vcgpdm.Study.fromJson(text);
 
-/** Holds values against each other: numbers up to their last digits, names in camelCase against snake_case. */
+/**
+ * Holds values against each other: numbers up to their last digits, names in camelCase against snake_case.
+ */
 function close(/** @type {any} */ found, /** @type {any} */ expected, where = "results") {
   if (typeof expected === "number") {
     assert.ok(
@@ -25,7 +28,8 @@ function close(/** @type {any} */ found, /** @type {any} */ expected, where = "r
     );
   } else if (expected !== null && typeof expected === "object") {
     const names = Object.keys(expected);
-    const camel = (/** @type {string} */ name) => name.replace(/_([a-z0-9])/g, (_, letter) => letter.toUpperCase());
+    const camel = (/** @type {string} */ name) =>
+      name.replace(/_([a-z0-9])/g, (_, letter) => letter.toUpperCase());
     assert.deepEqual(Object.keys(found).sort(), names.map(camel).sort(), where);
     for (const name of names) close(found[camel(name)], expected[name], `${where}.${name}`);
   } else assert.deepEqual(found, expected, where);
@@ -42,7 +46,9 @@ describe("a study", () => {
     assert.match(info.texts.instructions, /it stands for the natural movement here/);
     const { names, parents, joints, height, feet, dots } = info.skeleton;
     assert.deepEqual([names.length, parents.length, parents[0], height, dots.length], [26, 26, -1, 1.7, 13]);
-    assert.ok(parents.slice(1).every((parent, k) => parent >= 0 && parent <= k) && joints === 21 && feet !== null);
+    assert.ok(
+      parents.slice(1).every((parent, k) => parent >= 0 && parent <= k) && joints === 21 && feet !== null,
+    );
     const kinds = (/** @type {(s: import("vcgpdm").StudyStimulus) => boolean} */ wanted) =>
       info.stimuli.filter(wanted).length;
     assert.equal(
@@ -64,7 +70,9 @@ describe("a study", () => {
       assert.ok(lowest > -0.1 && lowest < 0.01, `${k}: ${lowest}`);
       assert.equal(model, settings?.model ?? null);
       if (model === "vgpdm" || model === "vcgpdm")
-        assert.ok(Math.abs((scores?.dynamics ?? NaN) + (scores?.pose ?? NaN) - (scores?.bound ?? NaN)) < 1e-6);
+        assert.ok(
+          Math.abs((scores?.dynamics ?? NaN) + (scores?.pose ?? NaN) - (scores?.bound ?? NaN)) < 1e-6,
+        );
     }
     assert.deepEqual(JSON.parse(study.toJson()), JSON.parse(text));
   });
@@ -90,7 +98,10 @@ describe("a study", () => {
       .withTexts({ ...texts, end: "Bye." })
       .withFailed(["tmp-1-trial-1"]);
     const { info } = changed;
-    assert.deepEqual([info.look, info.texts.end, info.design.blocks, info.pauseSeconds], ["points", "Bye.", 4, 30]);
+    assert.deepEqual(
+      [info.look, info.texts.end, info.design.blocks, info.pauseSeconds],
+      ["points", "Bye.", 4, 30],
+    );
     assert.deepEqual(
       info.stimuli.filter(({ failed }) => failed).map(({ id }) => id),
       ["tmp-1-trial-1"],
@@ -176,7 +187,10 @@ describe("answers", () => {
     assert.equal(results.all.hits, fooled.length);
     assert.equal(results.needed.toTell, 158);
     const all = results.regressions.find(({ model, score }) => model === null && score === "dtw-mse");
-    assert.ok((all?.weights[1] ?? 0) > 0 && (all?.logBayesFactor ?? 0) > 0, "the error says how natural it looks");
+    assert.ok(
+      (all?.weights[1] ?? 0) > 0 && (all?.logBayesFactor ?? 0) > 0,
+      "the error says how natural it looks",
+    );
     const figures = perceptionFigures(document, [{ name: "fresh.csv", text: csv }]);
     assert.ok(figures.some(({ name, csv }) => name === "settings.csv" && csv.split("\n").length === 20));
   });
@@ -184,13 +198,20 @@ describe("answers", () => {
   it("that cannot be are refused with file and line", () => {
     const { analysePerception } = installed.vcgpdm;
     const { csv } = simulatedAnswers(opened(), "p", 1);
-    const say = (/** @type {string} */ changed) => () => analysePerception(text, [{ name: "p.csv", text: changed }]);
+    const say = (/** @type {string} */ changed) => () =>
+      analysePerception(text, [{ name: "p.csv", text: changed }]);
     assert.throws(
       say(csv.replace('"comparison"', '"guess"')),
       /^VcgpdmError: p\.csv: line \d+, kind: expected comparison/,
     );
-    assert.throws(say(csv.replaceAll(opened().info.hash, "0".repeat(64))), /line 2, study: expected the study /);
+    assert.throws(
+      say(csv.replaceAll(opened().info.hash, "0".repeat(64))),
+      /line 2, study: expected the study /,
+    );
     assert.throws(say(""), /p\.csv: expected answers to comparisons, found none/);
-    assert.throws(() => analysePerception(text, [], { ceiling: 3 }), /the ceiling: expected a number above 0/);
+    assert.throws(
+      () => analysePerception(text, [], { ceiling: 3 }),
+      /the ceiling: expected a number above 0/,
+    );
   });
 });

@@ -66,8 +66,10 @@ function couplings(/** @type {Preset} */ { couplings }) {
 /** The number that a claim is about; swing, period and speed as a multiple of the learned ones. */
 function measured(/** @type {Claim} */ { what, part }, /** @type {import("vcgpdm").Measures} */ measures) {
   const of = (/** @type {import("vcgpdm").Measures} */ { parts }) => parts[place(part)];
-  const share = (/** @type {number | null | undefined} */ now, /** @type {number | null | undefined} */ before) =>
-    Number(now ?? Number.NaN) / Number(before ?? Number.NaN);
+  const share = (
+    /** @type {number | null | undefined} */ now,
+    /** @type {number | null | undefined} */ before,
+  ) => Number(now ?? Number.NaN) / Number(before ?? Number.NaN);
   switch (what) {
     case "swing":
       return share(of(measures)?.swing, of(learned)?.swing);
@@ -95,7 +97,10 @@ describe("a preset of the first model does what its sentence says:", () => {
         }
         const found = measured(claim, measures);
         const { from = Number.NaN, to = Number.NaN } = claim;
-        assert.ok(found >= from && found <= to, `${claim.what} ${claim.part ?? ""}: ${from} to ${to}, found ${found}`);
+        assert.ok(
+          found >= from && found <= to,
+          `${claim.what} ${claim.part ?? ""}: ${from} to ${to}, found ${found}`,
+        );
       }
     });
 });

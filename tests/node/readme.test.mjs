@@ -1,4 +1,5 @@
-// Every snippet of the package's README, run as it stands there. The worker's is run in a browser: tests/clients.
+// Every snippet of the package's README, run as it stands there. The worker's is run in a browser:
+// tests/clients.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -17,16 +18,21 @@ before(async () => {
 after(() => installed?.remove());
 
 const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
-const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(([, language = "", code = ""]) => ({
-  language,
-  code,
-}));
+const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(
+  ([, language = "", code = ""]) => ({
+    language,
+    code,
+  }),
+);
 
 /** What a snippet is to print, by what tells it from the others. */
 const PRINTS = /** @type {[string, RegExp][]} */ ([
   ["new-walk.bvh", /^\d+ iterations, bound -?\d+ nats: (settled|iterations)\n$/],
   ["AnyModel, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
-  ["any.coupled()", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves on|stands still|leaves the training range)\n$/],
+  [
+    "any.coupled()",
+    /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves on|stands still|leaves the training range)\n$/,
+  ],
   ["TableTrainer", /^frame,time,x,y,follower\n0,0,/],
   ["await init();\nconsole", /^252\n$/],
   ["clip.free()", /^freed expected an object in use, found one after its free\(\)\n$/],
@@ -55,7 +61,10 @@ describe("the README of the npm package", () => {
         ];
         execFileSync(process.execPath, [compiler, ...how, "example.mts"], { cwd: folder });
       }
-      assert.match(execFileSync(process.execPath, ["example.mjs"], { cwd: folder, encoding: "utf8" }), printed);
+      assert.match(
+        execFileSync(process.execPath, ["example.mjs"], { cwd: folder, encoding: "utf8" }),
+        printed,
+      );
     });
   }
 

@@ -23,10 +23,8 @@ function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, i
 
 describe("the synthetic experiment", () => {
   it("tells the truth about the data that it made, the same for the same seed", () => {
-    const { frames, columns, latents, observed, drive, much, alike, largestAlpha } = new vcgpdm.SyntheticExperiment(
-      3,
-      true,
-    ).truth();
+    const { frames, columns, latents, observed, drive, much, alike, largestAlpha } =
+      new vcgpdm.SyntheticExperiment(3, true).truth();
     assert.deepEqual([frames, columns, drive, much, alike, largestAlpha], [300, 10, 0.1, 10, 4, 10]);
     assert.deepEqual(
       latents.map(({ length }) => length),
@@ -54,7 +52,10 @@ describe("the synthetic experiment", () => {
     const { alpha, weights, verdict, learned, explained, start, now } = experiment.findings();
     assert.deepEqual(start, early.start);
     assert.equal(now.bound, best);
-    assert.ok(now.bound > early.now.bound && now.mse < start.mse / 2, JSON.stringify({ start, early: early.now, now }));
+    assert.ok(
+      now.bound > early.now.bound && now.mse < start.mse / 2,
+      JSON.stringify({ start, early: early.now, now }),
+    );
     assert.ok(verdict.backIsRight && verdict.forthIsRight, JSON.stringify(verdict));
     const [[a11 = NaN, a12 = NaN] = [], [a21 = NaN, a22 = NaN] = []] = alpha;
     assert.deepEqual([verdict.back, verdict.forth], [a21 / a11, a12 / a22]);

@@ -10,7 +10,15 @@ before(async () => {
 });
 after(() => installed?.remove());
 
-const settings = { latent: 2, dynamicsIps: 6, poseIps: 6, order: 2, framesPerSecond: 30, seed: 1, maxIterations: 20 };
+const settings = {
+  latent: 2,
+  dynamicsIps: 6,
+  poseIps: 6,
+  order: 2,
+  framesPerSecond: 30,
+  seed: 1,
+  maxIterations: 20,
+};
 
 it("couplings change the curves, and weights and latents are there", () => {
   const { AnyModel, Table, TableTrainer } = installed.vcgpdm;

@@ -1,4 +1,5 @@
-// The declared types against real values: the same fields, the same kinds of values, closed unions that hold them all.
+// The declared types against real values: the same fields, the same kinds of values, closed unions that hold
+// them all.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -172,7 +173,14 @@ describe("the declared types", () => {
     hold("analysePerception", analysePerception(text, given, { draws: 100 }));
     hold("perceptionFigures", perceptionFigures(text, given, { draws: 100 }));
 
-    const inputs = ["AnswersFile", "ComparisonSettings", "ErrorCode", "ImportRequest", "LibraryPlan", "MadeMovement"];
+    const inputs = [
+      "AnswersFile",
+      "ComparisonSettings",
+      "ErrorCode",
+      "ImportRequest",
+      "LibraryPlan",
+      "MadeMovement",
+    ];
     inputs.push(
       "ModularityFold",
       "PerceptionOptions",
@@ -227,7 +235,12 @@ describe("the declared types", () => {
       for (const [field, { optional }] of type.fields) {
         const rest = Object.fromEntries(Object.entries(value).filter(([key]) => key !== field));
         if (optional) use(rest);
-        else assert.throws(() => use(rest), new RegExp(`: missing field \`${field}\``), `${name} without ${field}`);
+        else
+          assert.throws(
+            () => use(rest),
+            new RegExp(`: missing field \`${field}\``),
+            `${name} without ${field}`,
+          );
       }
     }
     const reading = types.get("Reading");

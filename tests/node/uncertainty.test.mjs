@@ -1,4 +1,5 @@
-// Predictions, sampled rollouts, moments and live rollouts of the package, on the model that walks first on the page.
+// Predictions, sampled rollouts, moments and live rollouts of the package, on the model that walks first on
+// the page.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -38,7 +39,9 @@ describe("predictions", () => {
       }
       for (const source of parts.keys())
         for (const variance of said.expertVariances(source, target))
-          assert.ok(variance >= (alpha[source]?.[target] ?? 0) && variance <= (alpha[source]?.[target] ?? 0) + 1.001);
+          assert.ok(
+            variance >= (alpha[source]?.[target] ?? 0) && variance <= (alpha[source]?.[target] ?? 0) + 1.001,
+          );
     }
     assert.throws(() => said.means(7), /VcgpdmError|part/);
   });

@@ -13,7 +13,8 @@ function uniforms(/** @type {number} */ seed) {
 }
 
 /**
- * Answers to what this participant is shown: a generated movement is taken for the natural one the more often the lower its error.
+ * Answers to what this participant is shown: a generated movement is taken for the natural one the more often
+ * the lower its error.
  * @param {import("vcgpdm").Study} study
  * @param {string} name
  * @param {number} seed
@@ -27,7 +28,11 @@ export function simulatedAnswers(study, name, seed, { withStudy = true } = {}) {
     if (!a || !b) throw new Error("expected stimuli");
     const generated = a.kind === "generated" ? a : b;
     const rate =
-      kind === "catch" ? 0.5 : generated.failed ? 0 : 0.5 / (1 + Math.exp(800 * (generated.scores?.dtwMse ?? 0) - 1));
+      kind === "catch"
+        ? 0.5
+        : generated.failed
+          ? 0
+          : 0.5 / (1 + Math.exp(800 * (generated.scores?.dtwMse ?? 0) - 1));
     const fooled = uniform() < rate;
     // Of catch trials the left one, half of the time.
     const chosenLeft = kind === "catch" ? fooled : (naturalSide === "left") !== fooled;

@@ -60,7 +60,9 @@ void start().then(() => {
       );
     });
   if (import.meta.env.PROD && "serviceWorker" in navigator)
-    whenIdle(() => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()));
+    whenIdle(
+      () => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()),
+    );
 });
 fetchFirstMotion().then(
   (motion) => {

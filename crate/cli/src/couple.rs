@@ -12,8 +12,9 @@ use vcgpdm::models::library::{CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
-/// The primitives stay as they were learned. With clips, the couplings are fitted to them; without, those of each part are taken from a
-/// trained movement that uses its primitive, of several from the one most like the combination, or are 1 where there is none.
+/// The primitives stay as they were learned. With clips, the couplings are fitted to them; without, those of
+/// each part are taken from a trained movement that uses its primitive, of several from the one most like the
+/// combination, or are 1 where there is none.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.

@@ -19,10 +19,11 @@ use vcgpdm::models::{
 };
 use vcgpdm::motion::Clip;
 
-/// Compare models: train each on all trials but one, predict that one from its first frames, and keep how well it went.
+/// Compare models: train each on all trials but one, predict that one from its first frames, and keep how
+/// well it went.
 ///
-/// The exit status is 1 when all jobs failed. Some failures beside outcomes are results like others, and are said at the end. Coupled models
-/// are left out for a body in one part.
+/// The exit status is 1 when all jobs failed. Some failures beside outcomes are results like others, and are
+/// said at the end. Coupled models are left out for a body in one part.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
@@ -40,8 +41,8 @@ pub struct Arguments {
     /// Seeds of the models that have some.
     #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0], value_parser = whole(0..=u32::MAX))]
     seeds: Vec<u32>,
-    /// Inducing points of every dynamics map of the variational models, and of every pose map where --pose-ips is absent: one
-    /// number, or several to compare.
+    /// Inducing points of every dynamics map of the variational models, and of every pose map where
+    /// --pose-ips is absent: one number, or several to compare.
     #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12], value_parser = whole(1..=MOST_INDUCING))]
     ips: Vec<usize>,
     /// Inducing points of every pose map: each number with each of --ips.
@@ -80,7 +81,8 @@ pub struct Arguments {
     /// Predict from so many first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
-    /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for the discrete DMP.
+    /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for
+    /// the discrete DMP.
     #[arg(long)]
     whole_cycles: bool,
     /// Only the K-th of N equal shares of the jobs, for a scheduler that runs the others elsewhere.
@@ -89,7 +91,8 @@ pub struct Arguments {
     /// Jobs at a time; absent: as many as there are cores.
     #[arg(long, value_name = "T", value_parser = whole(1..=u16::MAX))]
     threads: Option<u16>,
-    /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that failed are.
+    /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that
+    /// failed are.
     #[arg(long, value_name = "RESULTS.json")]
     out: PathBuf,
 }
@@ -275,8 +278,8 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
     })
 }
 
-/// The plan without the coupled models that it asks for, which have nothing to couple in one part: what became of them would say nothing
-/// about them. `split` is what `--parts` says.
+/// The plan without the coupled models that it asks for, which have nothing to couple in one part: what
+/// became of them would say nothing about them. `split` is what `--parts` says.
 fn of_one_part(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
     let coupled = plan.models.iter().filter(|kind| kind.is_coupled());
     let coupled = coupled.map(|kind| kind.id()).collect::<Vec<_>>().join(", ");

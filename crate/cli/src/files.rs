@@ -61,8 +61,8 @@ pub fn read_text(path: &Path) -> Result<String> {
         .map_err(|_| format!("{}: expected UTF-8 text", path.display()).into())
 }
 
-/// Writes a text file, or to stdout. Where a file is there already it stays as it was until the new one is whole: a full disk, or an end in the
-/// middle, leaves the old one. A link goes on pointing where it pointed.
+/// Writes a text file, or to stdout. Where a file is there already it stays as it was until the new one is
+/// whole: a full disk, or an end in the middle, leaves the old one. A link goes on pointing where it pointed.
 pub fn write_text(path: &Path, text: &str) -> Result<()> {
     if is_standard(path) {
         return print(text);
@@ -89,8 +89,8 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     })
 }
 
-/// Finds out early that one of several files, each with its option, could not be written, or that two of them would be stdout or one
-/// file.
+/// Finds out early that one of several files, each with its option, could not be written, or that two of them
+/// would be stdout or one file.
 pub fn check_outs<'a, P: AsRef<Path> + 'a>(
     outs: impl IntoIterator<Item = (&'static str, P)>,
     read: impl IntoIterator<Item = &'a Path> + Clone,
@@ -125,8 +125,8 @@ fn place_of(path: &Path) -> PathBuf {
     fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
 }
 
-/// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and that it is none of
-/// the files that are read.
+/// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and
+/// that it is none of the files that are read.
 pub fn check_writable<'a>(path: &Path, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
     if is_standard(path) {
         return Ok(());
@@ -164,8 +164,8 @@ pub fn about(path: &Path, error: &dyn Error) -> Box<dyn Error> {
     format!("{}: {error}", path.display()).into()
 }
 
-/// A text for a terminal: what would move the cursor, colour or clear the screen stands as its code. Names and words come from
-/// strangers' files.
+/// A text for a terminal: what would move the cursor, colour or clear the screen stands as its code. Names
+/// and words come from strangers' files.
 pub fn shown(text: &str) -> String {
     let harmless = |c: char| c == '\n' || !c.is_control();
     text.chars().map(|c| if harmless(c) { c.to_string() } else { c.escape_default().to_string() }).collect()

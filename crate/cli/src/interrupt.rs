@@ -6,8 +6,9 @@ use std::error::Error;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Becomes true at the first Ctrl-C or SIGTERM (the end of a Slurm job's time). A second one ends the program at once. The end of the
-/// terminal (SIGHUP) does what it always does: `nohup` has to be able to switch it off.
+/// Becomes true at the first Ctrl-C or SIGTERM (the end of a Slurm job's time). A second one ends the program
+/// at once. The end of the terminal (SIGHUP) does what it always does: `nohup` has to be able to switch it
+/// off.
 pub fn flag() -> Result<Arc<AtomicBool>, Box<dyn Error>> {
     let stopped = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {

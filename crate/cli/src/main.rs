@@ -1,7 +1,8 @@
 //! The `vcgpdm` program: the library from a terminal.
 //!
-//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0; 2 where the command line asks for what there
-//! is not; otherwise 1. Where it is not 0, one line on stderr says what was wrong and where.
+//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0; 2 where the command
+//! line asks for what there is not; otherwise 1. Where it is not 0, one line on stderr says what was wrong
+//! and where.
 
 mod bound;
 mod clip;
@@ -85,8 +86,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// The command line. Every option takes a number below zero as its value, so that it is refused as one: clap would call it an
-/// unexpected argument.
+/// The command line. Every option takes a number below zero as its value, so that it is refused as one: clap
+/// would call it an unexpected argument.
 fn command() -> clap::Command {
     Arguments::command().mut_subcommands(|command| {
         command.mut_args(|argument| {

@@ -1,4 +1,5 @@
-//! Numbers of the command line, each with the range that it may be of: whatever is wrong with one, the same range is said.
+//! Numbers of the command line, each with the range that it may be of: whatever is wrong with one, the same
+//! range is said.
 
 use crate::usage::usage;
 use std::error::Error;

@@ -13,10 +13,12 @@ use vcgpdm::perception::{
     read_answers,
 };
 
-/// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what predicts it.
+/// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what
+/// predicts it.
 ///
-/// Prints tables as Markdown; with --out the results go to a file as one JSON document. With --paper, and without files, it computes the results of
-/// Knopp et al. (2019) from the counts that their printed numbers imply.
+/// Prints tables as Markdown; with --out the results go to a file as one JSON document. With --paper, and
+/// without files, it computes the results of Knopp et al. (2019) from the counts that their printed numbers
+/// imply.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The study that was shown.

@@ -16,9 +16,10 @@ use vcgpdm::models::library::{
 
 /// Print the primitives of a library with where each comes from, save some as a file, or add those of a file.
 ///
-/// A saved primitive is a library of its own, with the pose maps that its latents mean something under. It is added as it is where the
-/// pose maps are the same, such as to another file of the same training. Otherwise --relearn learns it again under the pose maps of this
-/// library: from clips, or from what the file keeps of the movements that it was learned from.
+/// A saved primitive is a library of its own, with the pose maps that its latents mean something under. It is
+/// added as it is where the pose maps are the same, such as to another file of the same training. Otherwise
+/// --relearn learns it again under the pose maps of this library: from clips, or from what the file keeps of
+/// the movements that it was learned from.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.
@@ -39,7 +40,8 @@ pub struct Arguments {
     /// Learn from this clip of their movement, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP", requires = "relearn")]
     clips: Vec<String>,
-    /// Learn from rollouts of the movements in the added file, in the place of the latents that it keeps of them.
+    /// Learn from rollouts of the movements in the added file, in the place of the latents that it keeps of
+    /// them.
     #[arg(long, requires = "relearn", conflicts_with = "clips")]
     generated: bool,
     /// The primitives of this library that take part for parts that bring none of their own.

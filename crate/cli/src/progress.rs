@@ -1,4 +1,5 @@
-//! How far the work is, on stderr: a bar on a terminal; elsewhere, as in the log of a scheduler, a line now and then.
+//! How far the work is, on stderr: a bar on a terminal; elsewhere, as in the log of a scheduler, a line now
+//! and then.
 
 use crate::files;
 use indicatif::{ProgressBar, ProgressStyle};

@@ -11,8 +11,8 @@ use vcgpdm::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
 ///
-/// Results of the same trials and parts are put together; those of other trials are another subject, with tables of its own and one
-/// more for all of them.
+/// Results of the same trials and parts are put together; those of other trials are another subject, with
+/// tables of its own and one more for all of them.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Files that `evaluate` wrote.

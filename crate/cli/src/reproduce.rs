@@ -11,17 +11,20 @@ use std::time::Instant;
 use vcgpdm::models::{Dataset, Model, Movements, SequenceInfo, Source, TrainedModel, with_bones_of};
 use vcgpdm::motion::Clip;
 
-/// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON object.
+/// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON
+/// object.
 ///
-/// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program gives the same bits. On another
-/// one, and in wasm, the bound has the same bits too; what is computed from it at the end can differ in its last digits, because products
-/// of large matrices are summed as the processor can do it best.
+/// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program
+/// gives the same bits. On another one, and in wasm, the bound has the same bits too; what is computed from
+/// it at the end can differ in its last digits, because products of large matrices are summed as the
+/// processor can do it best.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The model of a body, as `vcgpdm train` or the page has saved it.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
-    /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their content.
+    /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their
+    /// content.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<String>,
     /// How far a number may be from the recorded one, relative to the larger of the two.
@@ -110,8 +113,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Whether it knows more than its own sequences say: a model of a library of several movements. That of a library of one movement is what
-/// plain training makes.
+/// Whether it knows more than its own sequences say: a model of a library of several movements. That of a
+/// library of one movement is what plain training makes.
 fn is_put_together(model: &Model) -> bool {
     matches!(model, Model::Vcgpdm(model) if !model.elsewhere.is_empty())
 }
@@ -141,7 +144,8 @@ fn owner_of<'a>(name: &str, infos: &'a [SequenceInfo]) -> Option<&'a SequenceInf
     infos.iter().find(|info| info.name == name)
 }
 
-/// Where two models differ most, and by how much relative to the larger number; infinity where they are not even alike.
+/// Where two models differ most, and by how much relative to the larger number; infinity where they are not
+/// even alike.
 fn difference(
     recorded: &TrainedModel<Model>,
     again: &TrainedModel<Model>,

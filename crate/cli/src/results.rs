@@ -1,5 +1,5 @@
-//! The file of an evaluation. Finished jobs are added one by one, so that a stopped evaluation goes on where it was, and so
-//! that several processes can work on one file.
+//! The file of an evaluation. Finished jobs are added one by one, so that a stopped evaluation goes on where
+//! it was, and so that several processes can work on one file.
 
 use crate::files;
 use crate::usage::usage;
@@ -25,7 +25,8 @@ pub struct Store {
 }
 
 impl Store {
-    /// Opens the file, or writes a new one: a scheduler waits for the file of a share in which there is nothing to do, too.
+    /// Opens the file, or writes a new one: a scheduler waits for the file of a share in which there is
+    /// nothing to do, too.
     pub fn open(path: &Path, setting: Setting) -> Result<Self> {
         if files::is_standard(path) {
             return Err(usage("--out -: expected a file, to which finished jobs are added one by one"));
@@ -45,8 +46,8 @@ impl Store {
         &self.results
     }
 
-    /// Keeps other processes out until it is dropped. The locked file stays beside the results for good: deleted while others
-    /// wait for it, it would be one file for them and another for whoever comes next.
+    /// Keeps other processes out until it is dropped. The locked file stays beside the results for good:
+    /// deleted while others wait for it, it would be one file for them and another for whoever comes next.
     fn lock(&self) -> Result<File> {
         let mut path = self.path.clone().into_os_string();
         path.push(".lock");

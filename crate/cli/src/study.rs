@@ -17,12 +17,14 @@ use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
 use vcgpdm::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
 
-/// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more natural?
+/// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
+/// natural?
 ///
-/// From the results of an evaluation and its clips it takes every model with all its settings, of several seeds the one of the highest
-/// objective, trains it again as it was trained (results hold no movements) and takes its prediction of each trial held out. That takes as
-/// long as the trainings took: the number of seconds is said before. From a study, without clips, it makes one with another design or look, or
-/// with other movements marked as failures.
+/// From the results of an evaluation and its clips it takes every model with all its settings, of several
+/// seeds the one of the highest objective, trains it again as it was trained (results hold no movements) and
+/// takes its prediction of each trial held out. That takes as long as the trainings took: the number of
+/// seconds is said before. From a study, without clips, it makes one with another design or look, or with
+/// other movements marked as failures.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Results that `evaluate` wrote, or a study that is to be changed.
@@ -49,7 +51,8 @@ pub struct Arguments {
     /// What the study is called.
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Which generated movements are marked as obvious failures, by their ids: they check attention. No others are.
+    /// Which generated movements are marked as obvious failures, by their ids: they check attention. No
+    /// others are.
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     failed: Option<Vec<String>>,
     /// Seconds of every movement; absent: 3.5.
@@ -215,7 +218,8 @@ fn natural(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, Box<dyn E
     Ok(body.mapping.decode_positions(&columns.y, &RootStart::default())?)
 }
 
-/// Of each candidate that was trained on all other trials, in each fold, the seed of the highest objective, and how long its training took.
+/// Of each candidate that was trained on all other trials, in each fold, the seed of the highest objective,
+/// and how long its training took.
 fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box<dyn Error>> {
     let trials = results.setting().trials.len();
     let kinds = models(arguments.models.as_deref().unwrap_or("all"))?;

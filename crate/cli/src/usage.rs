@@ -1,4 +1,5 @@
-//! A command line that asks for what there is not, apart from files that cannot be used: its exit status is 2.
+//! A command line that asks for what there is not, apart from files that cannot be used: its exit status is
+//! 2.
 
 use std::error::Error;
 use std::fmt;

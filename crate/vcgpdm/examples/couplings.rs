@@ -5,7 +5,8 @@
 //! cargo run --example couplings -- FOLDER
 //! ```
 //!
-//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the target part listens to the source part.
+//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the target part listens to
+//! the source part.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -32,7 +33,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
             frames: 120,
             sequence: 0,
             alpha: Some(alpha),
-            // The experts stay as learned; Reading::ReInferred infers them again from the same data under the new couplings.
+            // The experts stay as learned; Reading::ReInferred infers them again from the same data under the
+            // new couplings.
             reading: Reading::AsLearned,
             ..RolloutRequest::default()
         };
@@ -47,7 +49,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// How far the left hand swings forward and back beside the hips, in metres. `positions` are [frames x nodes x 3].
+/// How far the left hand swings forward and back beside the hips, in metres. `positions` are [frames x nodes
+/// x 3].
 fn swing(trained: &TrainedModel<Vcgpdm>, positions: &[f32]) -> Result<f32, Box<dyn Error>> {
     let skeleton = trained.body.mapping.skeleton();
     let hand = skeleton

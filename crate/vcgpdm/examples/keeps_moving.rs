@@ -1,11 +1,13 @@
-//! Trains models of clips from several seeds, with more or fewer inducing points and parts, and counts those that keep moving:
+//! Trains models of clips from several seeds, with more or fewer inducing points and parts, and counts those
+//! that keep moving:
 //!
 //! ```sh
 //! cargo run --release --example keeps_moving -- CLIP.bvh ... [--seeds 10] [--points 12,20,30] [--parts whole,lower-upper]
 //! ```
 //!
-//! Each clip is trained on alone. Without a clip the first bundled walk is used. A model keeps moving where its rollout does, or rests
-//! as the recording does; how each seed ends is on stderr. Bounds are smallest / middle / largest of the seeds.
+//! Each clip is trained on alone. Without a clip the first bundled walk is used. A model keeps moving where
+//! its rollout does, or rests as the recording does; how each seed ends is on stderr. Bounds are smallest /
+//! middle / largest of the seeds.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 #[path = "shared/alone.rs"]

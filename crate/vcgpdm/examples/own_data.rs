@@ -1,12 +1,14 @@
-//! Trains a model on tables of numbers, without a body and without BVH, saves it, opens it again and rolls it out:
+//! Trains a model on tables of numbers, without a body and without BVH, saves it, opens it again and rolls it
+//! out:
 //!
 //! ```sh
 //! cargo run --release --example own_data -- FOLDER
 //! ```
 //!
-//! What the model needs: rows that follow each other in equal steps of time, and columns that are divided into parts. Here two made-up
-//! machines are measured; the second follows the first a little later. With files: `series::read("trial.csv", &bytes)`, or from a
-//! terminal `vcgpdm train trial-1.csv trial-2.csv --columns --parts "leader=a,b,c;follower=d,e" --out model.json`.
+//! What the model needs: rows that follow each other in equal steps of time, and columns that are divided
+//! into parts. Here two made-up machines are measured; the second follows the first a little later. With
+//! files: `series::read("trial.csv", &bytes)`, or from a terminal `vcgpdm train trial-1.csv trial-2.csv
+//! --columns --parts "leader=a,b,c;follower=d,e" --out model.json`.
 
 #![allow(clippy::disallowed_methods)]
 
@@ -42,7 +44,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 1)?;
     while !trainer.step().done {}
     let model = SeriesModel::<Vcgpdm>::trained(&dataset, &trainer, 50.0)?;
-    // Two parts in step can explain each other equally well, so such weights say what the model uses, not what the cause is.
+    // Two parts in step can explain each other equally well, so such weights say what the model uses, not
+    // what the cause is.
     let weights = coupling_weight_matrix(&model.model.alpha);
     for (i, part) in parts.iter().enumerate() {
         let (own, other) = (weights[(i, i)], weights[(i, 1 - i)]);

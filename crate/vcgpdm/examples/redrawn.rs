@@ -4,9 +4,9 @@
 //! cargo run --release --example redrawn -- CLIP.bvh ... [--seeds 20] [--points 12] [--parts whole,lower-upper] [--threads 2]
 //! ```
 //!
-//! Trains on each clip alone, from several seeds. Then takes the trainings that ended lowest, in the middle and highest, draws other
-//! inducing inputs from their latents, or takes nothing but their latents, and trains once more. Without a clip the first bundled walk
-//! is used.
+//! Trains on each clip alone, from several seeds. Then takes the trainings that ended lowest, in the middle
+//! and highest, draws other inducing inputs from their latents, or takes nothing but their latents, and
+//! trains once more. Without a clip the first bundled walk is used.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 #[path = "shared/alone.rs"]

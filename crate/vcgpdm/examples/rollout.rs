@@ -21,7 +21,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let document = std::fs::read_to_string(&path)
         .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
 
-    // The document holds all that a rollout needs: the body, the mapping to poses, the model. No training clip is in it.
+    // The document holds all that a rollout needs: the body, the mapping to poses, the model. No training
+    // clip is in it.
     let trained = TrainedModel::<Vcgpdm>::from_json(&document)?;
 
     // The mean rollout starts where the first training sequence starts, and goes on for ten seconds.

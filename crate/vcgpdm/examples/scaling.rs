@@ -1,12 +1,13 @@
-//! Prints, as Markdown, how the time of one bound with its gradient and the memory of a training grow with frames, parts, inducing
-//! points and latent dimensions, beside what is estimated before a training begins:
+//! Prints, as Markdown, how the time of one bound with its gradient and the memory of a training grow with
+//! frames, parts, inducing points and latent dimensions, beside what is estimated before a training begins:
 //!
 //! ```sh
 //! cargo run --release --example scaling
 //! ```
 //!
-//! The data are the bundled walks, one after the other as often as needed, a little different each time. Every row is measured in
-//! a process of its own: a few iterations of a training, whose largest memory the system tells (Linux; elsewhere it is left out).
+//! The data are the bundled walks, one after the other as often as needed, a little different each time.
+//! Every row is measured in a process of its own: a few iterations of a training, whose largest memory the
+//! system tells (Linux; elsewhere it is left out).
 #![allow(clippy::disallowed_methods, missing_docs, clippy::unwrap_used)]
 
 #[path = "shared/long_walks.rs"]

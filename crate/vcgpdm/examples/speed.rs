@@ -1,11 +1,12 @@
-//! How long one bound with its gradient takes, and a training; the native side of `npm run speed`. Prints one JSON object:
+//! How long one bound with its gradient takes, and a training; the native side of `npm run speed`. Prints one
+//! JSON object:
 //!
 //! ```sh
 //! cargo run --release -p vcgpdm --features speed --example speed -- CASE.json [CLIP.bvh ...]
 //! ```
 //!
-//! The case is written by `vcgpdm train --write-start`, or by another implementation. The clips are trained on as lower and
-//! upper body; without any, the bundled walks are.
+//! The case is written by `vcgpdm train --write-start`, or by another implementation. The clips are trained
+//! on as lower and upper body; without any, the bundled walks are.
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 use serde_json::{Value, json};

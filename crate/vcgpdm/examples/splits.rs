@@ -1,13 +1,14 @@
-//! What decides whether parts pay: the same walks with upper bodies that keep another time, as a Markdown table. `npm run splits` puts it
-//! into docs/comparison.md.
+//! What decides whether parts pay: the same walks with upper bodies that keep another time, as a Markdown
+//! table. `npm run splits` puts it into docs/comparison.md.
 //!
 //! ```sh
 //! cargo run --release --example splits -- WALKS
 //! ```
 //!
-//! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the upper body is taken from
-//! another moment of the same trial than the lower body, or goes at another pace, in ways that either all trials share or each has its
-//! own. All have the same length, so that only the two halves' time together differs.
+//! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the
+//! upper body is taken from another moment of the same trial than the lower body, or goes at another pace, in
+//! ways that either all trials share or each has its own. All have the same length, so that only the two
+//! halves' time together differs.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 #[path = "shared/clips.rs"]
@@ -94,7 +95,8 @@ fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
     (1..=trials.len()).map(fold).collect()
 }
 
-/// The median of the ratios over the trials with its interval, and in how many trials it is below 1. Errors are means over the seeds.
+/// The median of the ratios over the trials with its interval, and in how many trials it is below 1. Errors
+/// are means over the seeds.
 fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> String {
     let of_seeds = |outcomes: &Vec<Outcome>| mean(&outcomes.iter().map(&error).collect::<Vec<f64>>());
     let logarithm = |[parts, whole]: &[Vec<Outcome>; 2]| (of_seeds(parts) / of_seeds(whole)).ln();

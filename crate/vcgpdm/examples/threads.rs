@@ -4,8 +4,8 @@
 //! cargo run --release --features threads --example threads -- [2]
 //! ```
 //!
-//! The data are those of the example `scaling`, in two parts. Evaluations of the bound with its gradient and whole iterations, in one
-//! thread and in so many as are asked for (absent: 2), in turn.
+//! The data are those of the example `scaling`, in two parts. Evaluations of the bound with its gradient and
+//! whole iterations, in one thread and in so many as are asked for (absent: 2), in turn.
 #![allow(missing_docs, clippy::disallowed_methods, clippy::unwrap_used)]
 
 #[path = "shared/long_walks.rs"]

@@ -4,7 +4,8 @@
 //! cargo run --example train -- FOLDER
 //! ```
 //!
-//! Without FOLDER it writes to the folder for temporary files. The examples `rollout` and `couplings` read the document.
+//! Without FOLDER it writes to the folder for temporary files. The examples `rollout` and `couplings` read
+//! the document.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -25,7 +26,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let presets = parts::presets(&clips[0].skeleton);
     let split = presets.into_iter().find(|preset| preset.id == "lower-upper").ok_or("no legs were found")?;
 
-    // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns of each part.
+    // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns
+    // of each part.
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, &split.parts, 20.0)?;
 

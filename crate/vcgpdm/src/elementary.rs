@@ -1,7 +1,7 @@
 //! Elementary functions that give the same bits natively and in wasm.
 //!
-//! The standard library's come from the platform: glibc natively, another library in wasm, and they differ in the last bit. An
-//! optimisation makes a nat of it within fifty iterations.
+//! The standard library's come from the platform: glibc natively, another library in wasm, and they differ in
+//! the last bit. An optimisation makes a nat of it within fifty iterations.
 
 /// The functions of the standard library that may differ between platforms, by their whole names.
 pub(crate) trait Elementary: Sized {

@@ -1,7 +1,8 @@
 //! Coupled Gaussian process movement primitives: the vCGPDM of Velychko, Knopp and Endres (2017-2020).
 //!
-//! A body is split into parts. Each part gets a small latent dynamical system, which is learned from motion capture; a product
-//! of experts couples the parts, and the coupling variances alpha say how strongly each part drives each other part.
+//! A body is split into parts. Each part gets a small latent dynamical system, which is learned from motion
+//! capture; a product of experts couples the parts, and the coupling variances alpha say how strongly each
+//! part drives each other part.
 //!
 //! From a clip to a new motion:
 //!
@@ -31,22 +32,26 @@
 //!
 //! - [`motion`]: skeletons, clips, BVH files, sample walks; poses as rows of numbers; the parts of a body.
 //! - [`series`]: tables of numbers that are no body's, from CSV; their columns and parts.
-//! - [`gp`]: the kernel, the psi statistics and the collapsed bound of a Gaussian process with inducing points.
-//! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with ([`models::map`],
-//!   [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
+//! - [`gp`]: the kernel, the psi statistics and the collapsed bound of a Gaussian process with inducing
+//!   points.
+//! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with
+//!   ([`models::map`], [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
 //! - [`document`]: trained models as versioned JSON documents.
 //! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
 //! - [`perception`]: the graphics Turing test: studies of movements, and what people's answers say.
 //! - [`synthetic`]: the synthetic experiment: data with a known truth about who drives whom.
 //! - [`golden`]: problems and their numbers, to hold other implementations against this one.
 //!
-//! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames x columns].
-//! ([`nalgebra`] is exported, so that a program need not name it and cannot name another version.) Training without optimisation takes a
-//! hundred times as long: build with `--release`, or give the development profile of your program `opt-level = 1` and its packages
-//! `[profile.dev.package."*"] opt-level = 3`. Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in the repository sets
-//! them beside the names in the code, and gives the meaning of every word that the project uses in a sense of its own.
+//! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames
+//! x columns]. ([`nalgebra`] is exported, so that a program need not name it and cannot name another
+//! version.) Training without optimisation takes a hundred times as long: build with `--release`, or give the
+//! development profile of your program `opt-level = 1` and its packages `[profile.dev.package."*"] opt-level
+//! = 3`. Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in
+//! the repository sets them beside the names in the code, and gives the meaning of every word that the
+//! project uses in a sense of its own.
 //!
-//! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short program.
+//! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short
+//! program.
 
 // A test may use any platform's sines.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]

@@ -1,4 +1,5 @@
-//! What one bound with its gradient has to compute, and how fast this machine computes such things (feature `speed`).
+//! What one bound with its gradient has to compute, and how fast this machine computes such things (feature
+//! `speed`).
 
 use crate::gp::lanes::{LANES, Lanes, Quad, Stored, in_widest_registers};
 use crate::models::variational::{Objective, Params};
@@ -49,7 +50,8 @@ impl Work {
     }
 }
 
-/// How fast one thread of this machine is with operands at hand, in the registers that the sums over rows are computed in.
+/// How fast one thread of this machine is with operands at hand, in the registers that the sums over rows are
+/// computed in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
     /// Exponentials a second.

@@ -112,15 +112,16 @@ impl AnyModel {
         }
     }
 
-    /// The same model with its couplings, latents and inducing points; undefined for a model of tables, or one that is neither a vCGPDM
-    /// nor a vGPDM.
+    /// The same model with its couplings, latents and inducing points; undefined for a model of tables, or
+    /// one that is neither a vCGPDM nor a vGPDM.
     pub fn coupled(&self) -> Option<Model> {
         let Any::Body(model) = &self.model else { return None };
         let model = TrainedModel::clone(model).into_vcgpdm().ok()?;
         Some(Model { model: Rc::new(model) })
     }
 
-    /// A rollout from a training sequence's start. Only a vCGPDM or vGPDM can start from another frame or have other couplings.
+    /// A rollout from a training sequence's start. Only a vCGPDM or vGPDM can start from another frame or
+    /// have other couplings.
     pub fn rollout(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
@@ -228,7 +229,8 @@ impl AnyRollout {
         })
     }
 
-    /// The weights `w[source][target]` that the couplings give the experts, of a vCGPDM or vGPDM; null for other kinds.
+    /// The weights `w[source][target]` that the couplings give the experts, of a vCGPDM or vGPDM; null for
+    /// other kinds.
     #[wasm_bindgen(unchecked_return_type = "number[][] | null")]
     pub fn weights(&self) -> Result<JsValue, VcgpdmError> {
         to_js(&self.weights.as_ref().map(rows))

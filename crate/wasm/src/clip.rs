@@ -66,8 +66,8 @@ pub struct Clip {
 
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line, what was expected
-    /// and what was found.
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
+    /// what was expected and what was found.
     pub fn read(name: &Text, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         Ok(Clip { clip: bvh::read(&name, bytes)?.into_clip() })
@@ -127,8 +127,8 @@ impl Clip {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
 
-    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same tree; as it is where the
-    /// bodies are the same.
+    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same
+    /// tree; as it is where the bodies are the same.
     #[wasm_bindgen(js_name = withBonesOf)]
     pub fn with_bones_of(&self, other: &Clip) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: with_bones_of(&self.clip, &other.clip)? })
@@ -169,8 +169,8 @@ impl TrainingSet {
         TrainingSet::default()
     }
 
-    /// Adds a clip. Throws the reason when its body differs from the first clip's, with the code "bones" where only its bones do; the
-    /// set stays as it was.
+    /// Adds a clip. Throws the reason when its body differs from the first clip's, with the code "bones"
+    /// where only its bones do; the set stays as it was.
     pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
         if let Some(first) = self.clips.first() {
             same_body(first, &clip.clip)?;

@@ -1,7 +1,8 @@
-//! Values of the library in JavaScript and back. Fields are snake_case in the library and in files, camelCase in JavaScript;
-//! this is the only place that knows. Absent options are `null`.
+//! Values of the library in JavaScript and back. Fields are snake_case in the library and in files, camelCase
+//! in JavaScript; this is the only place that knows. Absent options are `null`.
 //!
-//! A visitor downloads this: what is generic over the value is kept small, the rest stands in functions of its own.
+//! A visitor downloads this: what is generic over the value is kept small, the rest stands in functions of
+//! its own.
 
 use crate::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, ArrayBuffer, Object, Reflect};
@@ -42,7 +43,8 @@ fn fields<T: DeserializeOwned>() -> &'static [&'static str] {
     fields
 }
 
-/// Asks a struct for the names of its fields: what reads values of JavaScript looks for these and does not see others.
+/// Asks a struct for the names of its fields: what reads values of JavaScript looks for these and does not
+/// see others.
 struct FieldNames<'a>(&'a mut &'static [&'static str]);
 
 impl<'de> Deserializer<'de> for FieldNames<'_> {
@@ -83,7 +85,8 @@ fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
-/// Two values with their fields side by side in one object. (serde's `flatten` would weigh ten times as much.)
+/// Two values with their fields side by side in one object. (serde's `flatten` would weigh ten times as
+/// much.)
 pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
     let (first, second): (&Object, &Object) = (first.unchecked_ref(), second.unchecked_ref());
@@ -103,7 +106,8 @@ pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
     Ok((read(code, what, first.into())?, read(code, what, second.into())?))
 }
 
-/// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would weigh more.
+/// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would
+/// weigh more.
 #[cfg(feature = "training")]
 pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
     let value = value.serialize(&SERIALIZER).map_err(unconverted)?;

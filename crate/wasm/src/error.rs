@@ -1,4 +1,5 @@
-//! The library's errors in JavaScript: an `Error` with a name of its own and a code that a program can tell apart.
+//! The library's errors in JavaScript: an `Error` with a name of its own and a code that a program can tell
+//! apart.
 
 use js_sys::Reflect;
 use std::fmt::Display;
@@ -42,7 +43,10 @@ export type ErrorCode =
     | "numerics"
     | "freed";
 
-/** What every function throws when it cannot do what it is asked; the message says what was expected and what was found. The code "freed" is that of an object that is used after its `free()`. */
+/**
+ * What every function throws when it cannot do what it is asked; the message says what was expected and what
+ * was found. The code "freed" is that of an object that is used after its `free()`.
+ */
 export interface VcgpdmError extends Error {
     name: "VcgpdmError";
     code: ErrorCode;

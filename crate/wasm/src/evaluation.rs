@@ -53,7 +53,10 @@ export type Candidate =
         model: "tmp";
         /** Null: chosen by the bound. */
         primitives: number | null;
-        /** Over normalised time, with weights that all trials share, as in the papers; absent: over learned phases. */
+        /**
+         * Over normalised time, with weights that all trials share, as in the papers; absent: over learned
+         * phases.
+         */
         normalisedTime?: boolean;
     }
     | {
@@ -97,11 +100,17 @@ export interface Outcome {
     storedNumbers: number;
     /** Why training ended, in words. */
     reason: string | null;
-    /** The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in results of earlier programs. */
+    /**
+     * The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in
+     * results of earlier programs.
+     */
     terms?: { kinematics: number[]; dynamics: number[]; initial: number; entropy: number };
     /** The error of each part; absent in results of earlier programs. */
     partErrors?: number[];
-    /** The mean error over the trials trained on; absent where one could not be scored, or in results of earlier programs. */
+    /**
+     * The mean error over the trials trained on; absent where one could not be scored, or in results of
+     * earlier programs.
+     */
     trainingMse?: number;
 }
 "#;
@@ -130,7 +139,8 @@ pub struct Fold {
 
 #[wasm_bindgen]
 impl Fold {
-    /// Holds out the trial `heldOut`, counted from 1, and trains on the others, or on the first `trainingTrials` of them.
+    /// Holds out the trial `heldOut`, counted from 1, and trains on the others, or on the first
+    /// `trainingTrials` of them.
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,

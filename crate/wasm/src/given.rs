@@ -1,5 +1,6 @@
-//! What JavaScript gives as an argument, checked before it is used. Passed on as they are, a number in the place of a text would be read from
-//! memory that is not its own, and a word in the place of a number would be taken for 0.
+//! What JavaScript gives as an argument, checked before it is used. Passed on as they are, a number in the
+//! place of a text would be read from memory that is not its own, and a word in the place of a number would
+//! be taken for 0.
 
 use crate::error::{ErrorCode, VcgpdmError};
 use vcgpdm::models::variational::InducingError;

@@ -1,7 +1,7 @@
 //! The npm package `vcgpdm`: the library for JavaScript.
 //!
-//! Types are the library's own; `convert.rs` carries them over in camelCase, `error.rs` carries its errors. What a function
-//! takes and gives is declared in TypeScript beside it.
+//! Types are the library's own; `convert.rs` carries them over in camelCase, `error.rs` carries its errors.
+//! What a function takes and gives is declared in TypeScript beside it.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "training")]

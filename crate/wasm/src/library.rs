@@ -17,7 +17,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** Where the couplings of a movement come from: learned with the primitives, fitted to clips, taken from a movement, chosen by somebody, or 1 each. */
+/**
+ * Where the couplings of a movement come from: learned with the primitives, fitted to clips, taken from a
+ * movement, chosen by somebody, or 1 each.
+ */
 export type CouplingsFrom =
     | { from: "training" }
     | { from: "clips"; bound: number; iterations: number }
@@ -207,7 +210,8 @@ impl Library {
         Ok(Model { model: Rc::new(self.trained.movement(index)?) })
     }
 
-    /// The model of a combination, the primitive of each part; under the couplings of `nearestCouplings` where none are given.
+    /// The model of a combination, the primitive of each part; under the couplings of `nearestCouplings`
+    /// where none are given.
     pub fn combination(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
@@ -218,8 +222,9 @@ impl Library {
         Ok(Model { model: Rc::new(self.trained.combination(&uses, &alpha)?) })
     }
 
-    /// The couplings of a combination that nobody has fitted, `alpha[source][target]`: of each source those of a trained movement that
-    /// uses its primitive, of several of the one most like the combination; 1 where there is none.
+    /// The couplings of a combination that nobody has fitted, `alpha[source][target]`: of each source those
+    /// of a trained movement that uses its primitive, of several of the one most like the combination; 1
+    /// where there is none.
     #[wasm_bindgen(js_name = nearestCouplings, unchecked_return_type = "number[][]")]
     pub fn nearest_couplings(
         &self,
@@ -230,9 +235,9 @@ impl Library {
         to_js(&rows(&self.trained.library.nearest_couplings(&uses)))
     }
 
-    /// A library with the combination added as a movement of that name, under these couplings; a combination of the same name makes way,
-    /// a learned movement does not.
-    /// `couplings` says where they come from, such as a fit; without it they are the nearest ones, or chosen by hand.
+    /// A library with the combination added as a movement of that name, under these couplings; a combination
+    /// of the same name makes way, a learned movement does not. `couplings` says where they come from, such
+    /// as a fit; without it they are the nearest ones, or chosen by hand.
     #[wasm_bindgen(js_name = withCombination)]
     pub fn with_combination(
         &self,
@@ -250,9 +255,9 @@ impl Library {
         Ok(Library { trained: Rc::new(trained) })
     }
 
-    /// How firmly the target is locked to the source, 0 to 1, for each tempo of the target and strength of the coupling between them
-    /// [tempos x strengths, one tempo after the other]. A strength divides the coupling variance, which is that of `alpha`, or of
-    /// `nearestCouplings` where none are given.
+    /// How firmly the target is locked to the source, 0 to 1, for each tempo of the target and strength of
+    /// the coupling between them [tempos x strengths, one tempo after the other]. A strength divides the
+    /// coupling variance, which is that of `alpha`, or of `nearestCouplings` where none are given.
     #[wasm_bindgen(js_name = lockingMap)]
     pub fn locking_map(
         &self,

@@ -17,7 +17,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What a library learns: movements with how many clips each has, in order, and of each part whether its primitive is the same in all. */
+/**
+ * What a library learns: movements with how many clips each has, in order, and of each part whether its
+ * primitive is the same in all.
+ */
 export interface LibraryPlan {
     movements: { name: string; sequences: number }[];
     shared: boolean[];
@@ -48,7 +51,8 @@ pub struct LibraryTrainer {
 
 #[wasm_bindgen]
 impl LibraryTrainer {
-    /// Prepares the clips, which are those of the plan's movements one after the other, and finds the starting point.
+    /// Prepares the clips, which are those of the plan's movements one after the other, and finds the
+    /// starting point.
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,
@@ -131,8 +135,8 @@ impl CouplingTrainer {
         to_js(&rows(&self.fit.alpha()))
     }
 
-    /// A library with the combination as a movement of that name, which starts where the clips do; a combination of the same name
-    /// makes way, a learned movement does not.
+    /// A library with the combination as a movement of that name, which starts where the clips do; a
+    /// combination of the same name makes way, a learned movement does not.
     pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
         let name = name.get(ErrorCode::Model, "the name")?;
         let mut trained = TrainedLibrary::clone(&self.trained);

@@ -11,7 +11,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** Where a walk begins: a movement, one of its sequences and a frame of that, counted from 0; the first of both where they are not given. */
+/**
+ * Where a walk begins: a movement, one of its sequences and a frame of that, counted from 0; the first of
+ * both where they are not given.
+ */
 export interface WalkStart {
     movement: number;
     sequence?: number;
@@ -29,7 +32,8 @@ struct WalkStart {
     frame: usize,
 }
 
-/// A figure that goes on without an end, while primitives are exchanged and mixed, couplings and tempos changed.
+/// A figure that goes on without an end, while primitives are exchanged and mixed, couplings and tempos
+/// changed.
 #[wasm_bindgen]
 pub struct LibraryWalk {
     trained: Rc<TrainedLibrary>,
@@ -38,7 +42,8 @@ pub struct LibraryWalk {
 
 #[wasm_bindgen]
 impl Library {
-    /// A figure that goes on without an end, of a combination; from a frame of a sequence of a movement, where that is given.
+    /// A figure that goes on without an end, of a combination; from a frame of a sequence of a movement,
+    /// where that is given.
     pub fn walk(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
@@ -58,8 +63,8 @@ impl Library {
 
 #[wasm_bindgen]
 impl LibraryWalk {
-    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these go on as they are. With
-    /// `alpha`, under these couplings.
+    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these
+    /// go on as they are. With `alpha`, under these couplings.
     #[wasm_bindgen(js_name = use)]
     pub fn use_primitive(
         &mut self,
@@ -80,8 +85,8 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another one of the part: a share of it from 0 to 1. It gets there
-    /// evenly, at the pace of a whole exchange in `frames`; at once without.
+    /// Mixes the predictions of a part's primitive with those of another one of the part: a share of it from
+    /// 0 to 1. It gets there evenly, at the pace of a whole exchange in `frames`; at once without.
     pub fn mix(
         &mut self,
         part: &Whole,
@@ -121,8 +126,8 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Takes the last frames back, 64 at most: the walk is what it was when the frame before them had been made. What was changed since
-    /// is taken back as well, also with 0 frames.
+    /// Takes the last frames back, 64 at most: the walk is what it was when the frame before them had been
+    /// made. What was changed since is taken back as well, also with 0 frames.
     pub fn rewind(&mut self, frames: &Whole) -> Result<(), VcgpdmError> {
         Ok(self.walk.rewind(frames.count(ErrorCode::Rollout, "the number of frames")?)?)
     }

@@ -34,8 +34,8 @@ impl LiveRollout {
         Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })
     }
 
-    /// Other couplings, from the next frame on: the variances [parts x parts], row the source, and whether the experts are inferred
-    /// again under them. When they do not fit, all stays as it was.
+    /// Other couplings, from the next frame on: the variances [parts x parts], row the source, and whether
+    /// the experts are inferred again under them. When they do not fit, all stays as it was.
     #[wasm_bindgen(js_name = setCouplings)]
     pub fn set_couplings(&mut self, alpha: &[f64], re_inferred: bool) -> Result<(), VcgpdmError> {
         let (parts, found) = (self.model.model.part_count(), alpha.len());
@@ -78,7 +78,8 @@ impl LiveRollout {
         Ok(self.live.push(&Push { part, by, ..Push::default() })?)
     }
 
-    /// Pushes the part to which a node of the figure belongs, so that the node moves by about so much [x, y, z], metres.
+    /// Pushes the part to which a node of the figure belongs, so that the node moves by about so much [x, y,
+    /// z], metres.
     pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
         let node = node.count(ErrorCode::Rollout, "the node")?;
         let push = self.live.pull(&self.model, node, [x, y, z])?;
@@ -102,13 +103,14 @@ impl LiveFrames {
         self.0.positions.clone()
     }
 
-    /// Where on the learned cycle each part stands, in turns from 0 to 1 [frames x parts]: parts in step have the same phase.
-    /// Empty where the learned rollout does not repeat itself.
+    /// Where on the learned cycle each part stands, in turns from 0 to 1 [frames x parts]: parts in step have
+    /// the same phase. Empty where the learned rollout does not repeat itself.
     pub fn phases(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.phase).collect()
     }
 
-    /// How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as `phases`.
+    /// How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as
+    /// `phases`.
     pub fn distances(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.distance).collect()
     }

@@ -40,7 +40,8 @@ pub struct StudyMaker {
 
 #[wasm_bindgen]
 impl StudyMaker {
-    /// Of movements of the body of this clip, each so many seconds long, from a comparison of so many frames a second.
+    /// Of movements of the body of this clip, each so many seconds long, from a comparison of so many frames
+    /// a second.
     #[wasm_bindgen(constructor)]
     pub fn new(
         body: &Clip,
@@ -50,8 +51,9 @@ impl StudyMaker {
         StudyMaker { maker: Maker::new(body.skeleton(), seconds, frames_per_second, START_FRAMES) }
     }
 
-    /// Adds a recorded movement, as `Fold.actual` or `Clip.positions` give it [frames x nodes x 3]: one that is shown all along, or, where it is not
-    /// `seen`, one that is kept for catch trials. Throws where it is shorter than the study's movements.
+    /// Adds a recorded movement, as `Fold.actual` or `Clip.positions` give it [frames x nodes x 3]: one that
+    /// is shown all along, or, where it is not `seen`, one that is kept for catch trials. Throws where it is
+    /// shorter than the study's movements.
     #[wasm_bindgen(js_name = addNatural)]
     pub fn add_natural(
         &mut self,
@@ -64,8 +66,8 @@ impl StudyMaker {
         Ok(self.maker.natural(&shown, seen)?)
     }
 
-    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it. Of several seeds of a candidate that of the
-    /// highest `outcome.objective` stays.
+    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it. Of several
+    /// seeds of a candidate that of the highest `outcome.objective` stays.
     #[wasm_bindgen(js_name = addGenerated)]
     pub fn add_generated(
         &mut self,

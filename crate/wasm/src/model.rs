@@ -34,9 +34,14 @@ export interface SequenceInfo {
     name: string;
     sha256: string;
     frames: number;
-    /** Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not known. */
+    /**
+     * Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not
+     * known.
+     */
     restsFrom: number | null;
-    /** The frames of the file that were used, the first and the one after the last; null: all, or not known. */
+    /**
+     * The frames of the file that were used, the first and the one after the last; null: all, or not known.
+     */
     piece: [number, number] | null;
     /** The name of the clip whose bones it was given; null: it kept its own, or not known. */
     bonesOf: string | null;
@@ -206,8 +211,8 @@ impl Model {
         Rollout::new(&self.model, self.model.rollout(&request)?, &request)
     }
 
-    /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from what the experts predict.
-    /// Together they have no more frames than one rollout may have.
+    /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from
+    /// what the experts predict. Together they have no more frames than one rollout may have.
     #[wasm_bindgen(js_name = sampledRollouts)]
     pub fn sampled_rollouts(
         &self,
@@ -249,7 +254,8 @@ impl Model {
         Ok(flat(self.model.model.pose_map(part)?.r()))
     }
 
-    /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source], oldest state first.
+    /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source],
+    /// oldest state first.
     #[wasm_bindgen(js_name = dynamicsIps)]
     pub fn dynamics_ips(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Model, "the source")?;
@@ -278,8 +284,8 @@ impl Model {
         Ok(self.model.model.pose_ip_weights(part, index, latents)?)
     }
 
-    /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0 to 1:
-    /// k(history, z); 0 for the first frames, which have no history.
+    /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0
+    /// to 1: k(history, z); 0 for the first frames, which have no history.
     #[wasm_bindgen(js_name = dynamicsIpWeights)]
     pub fn dynamics_ip_weights(
         &self,
@@ -294,7 +300,8 @@ impl Model {
         Ok(self.model.model.dynamics_ip_weights(source, target, index, latents)?)
     }
 
-    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at their mean pose.
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at
+    /// their mean pose.
     pub fn pose(&self, part: &Whole, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
         Ok(self.model.pose(part, latent)?)

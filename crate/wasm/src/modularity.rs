@@ -45,9 +45,9 @@ struct Named<'a> {
     movement: &'a str,
 }
 
-/// The training of one fold of the modularity test: a sample trial is held out, and predicted by a library in which walking and walking
-/// with waving share the primitive of the lower body, or by a model of its movement alone. What is trained and how it is scored is what
-/// docs/modularity.md has.
+/// The training of one fold of the modularity test: a sample trial is held out, and predicted by a library in
+/// which walking and walking with waving share the primitive of the lower body, or by a model of its movement
+/// alone. What is trained and how it is scored is what docs/modularity.md has.
 #[wasm_bindgen]
 pub struct ModularityTraining {
     movement: String,

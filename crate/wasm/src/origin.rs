@@ -7,7 +7,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** Where a primitive comes from: the training that it was learned in; of one that was learned again, that training. */
+/**
+ * Where a primitive comes from: the training that it was learned in; of one that was learned again, that
+ * training.
+ */
 export interface PrimitiveOrigin {
     engine: string;
     seed: number;
@@ -17,11 +20,17 @@ export interface PrimitiveOrigin {
     note: string | null;
     /** What it learned from. */
     clips: SequenceInfo[];
-    /** The primitive of another library that it was learned again from; null: it was learned from clips where it stands. */
+    /**
+     * The primitive of another library that it was learned again from; null: it was learned from clips where
+     * it stands.
+     */
     relearned: RelearnedFrom | null;
 }
 
-/** The frames that a primitive is learned again from: clips that somebody gave; the poses of the latents that it had in training; or rollouts of the movements that it came with. */
+/**
+ * The frames that a primitive is learned again from: clips that somebody gave; the poses of the latents that
+ * it had in training; or rollouts of the movements that it came with.
+ */
 export type ImportFrames = "clips" | "remembered" | "generated";
 
 /** What a primitive was learned again from. */

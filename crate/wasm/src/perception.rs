@@ -38,7 +38,10 @@ export interface UsedOptions {
     attention: number;
 }
 
-/** How often movements were taken for the natural one, and what that says: the posterior beta(1 + hits, 1 + trials - hits). */
+/**
+ * How often movements were taken for the natural one, and what that says: the posterior beta(1 + hits, 1 +
+ * trials - hits).
+ */
 export interface Confusion {
     hits: number;
     trials: number;
@@ -104,7 +107,10 @@ export interface Regression {
     weights: number[];
     /** Their standard errors; null where the answers do not tell both. */
     errors: number[] | null;
-    /** ln K beside a constant, a block: the mean over the blocks left out; null with fewer answers than blocks. */
+    /**
+     * ln K beside a constant, a block: the mean over the blocks left out; null with fewer answers than
+     * blocks.
+     */
     logBayesFactor: number | null;
     logBayesFactorError: number | null;
     folds: number;

@@ -11,8 +11,8 @@ use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction, Vc
 use vcgpdm::models::{Rollout, RolloutRequest, TrainedModel};
 use wasm_bindgen::prelude::*;
 
-/// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with the same variance in
-/// all latent dimensions.
+/// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with
+/// the same variance in all latent dimensions.
 #[wasm_bindgen]
 pub struct Predictions {
     /// Frames, and in each the parts.
@@ -74,7 +74,8 @@ impl Predictions {
         Ok(self.each(target, Some(source))?.iter().flat_map(|said| said.mean.iter().copied()).collect())
     }
 
-    /// Variances of what the source alone says about the target [predicted frames]: alpha and the expert's own.
+    /// Variances of what the source alone says about the target [predicted frames]: alpha and the expert's
+    /// own.
     #[wasm_bindgen(js_name = expertVariances)]
     pub fn expert_variances(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;

@@ -24,13 +24,19 @@ export interface PartMotion {
     /** The variance of its latents as a share of that in the movements that its primitive learned from. */
     share: number;
     still: boolean;
-    /** The other part whose predictions about it weigh most, and whether its primitive learned together with that of this part; null where there is no other. */
+    /**
+     * The other part whose predictions about it weigh most, and whether its primitive learned together with
+     * that of this part; null where there is no other.
+     */
     leader: { part: number; weight: number; met: boolean } | null;
 }
 
 /** What is asked of an `ImportTrainer`. */
 export interface ImportRequest {
-    /** The primitive of the library that stands in for each part, in movements to which the part brings none of its own; null where none is needed. Those of `companions` when not given. */
+    /**
+     * The primitive of the library that stands in for each part, in movements to which the part brings none
+     * of its own; null where none is needed. Those of `companions` when not given.
+     */
     companions?: (number | null)[];
     maxIterations: number;
     seed: number;
@@ -74,8 +80,8 @@ impl From<PartMotion> for Motion {
 
 #[wasm_bindgen]
 impl Library {
-    /// What each part of a combination does in the long run: whether it stands still, and to whom it listens. Under `alpha`, or the
-    /// couplings of `nearestCouplings` where none are given.
+    /// What each part of a combination does in the long run: whether it stands still, and to whom it listens.
+    /// Under `alpha`, or the couplings of `nearestCouplings` where none are given.
     #[wasm_bindgen(unchecked_return_type = "PartMotion[]")]
     pub fn motion(
         &self,
@@ -88,8 +94,8 @@ impl Library {
         to_js(&motion.into_iter().map(Motion::from).collect::<Vec<_>>())
     }
 
-    /// These primitives as a library of their own, with the pose maps that their latents mean something under. Movements of which all
-    /// primitives are among them come along.
+    /// These primitives as a library of their own, with the pose maps that their latents mean something
+    /// under. Movements of which all primitives are among them come along.
     pub fn select(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] primitives: JsValue,
@@ -109,16 +115,16 @@ impl Library {
         }
     }
 
-    /// A library with the primitives of another one, and its movements; those that are here already are not added twice. Throws the reason
-    /// of `misfit`.
+    /// A library with the primitives of another one, and its movements; those that are here already are not
+    /// added twice. Throws the reason of `misfit`.
     pub fn add(&self, other: &Library) -> Result<Library, VcgpdmError> {
         let mut trained = TrainedLibrary::clone(&self.trained);
         trained.take_in(&other.trained)?;
         Ok(Library { trained: Rc::new(trained) })
     }
 
-    /// The primitives that stand in for parts to which another library brings none, when nobody says which: of each part one that is
-    /// called as a movement or primitive there, else the first.
+    /// The primitives that stand in for parts to which another library brings none, when nobody says which:
+    /// of each part one that is called as a movement or primitive there, else the first.
     #[wasm_bindgen(unchecked_return_type = "(number | null)[]")]
     pub fn companions(&self, other: &Library) -> Result<JsValue, VcgpdmError> {
         to_js(&self.trained.companions(&other.trained))
@@ -131,7 +137,8 @@ fn request_of(library: &Library, other: &Library, request: &JsValue) -> Result<I
     Ok(ImportRequest { companions, max_iterations, seed })
 }
 
-/// Primitives of another library, learned again under the pose maps of this one, step by step. All else in it stays.
+/// Primitives of another library, learned again under the pose maps of this one, step by step. All else in it
+/// stays.
 #[wasm_bindgen]
 pub struct ImportTrainer {
     import: Import,
@@ -139,8 +146,8 @@ pub struct ImportTrainer {
 
 #[wasm_bindgen]
 impl ImportTrainer {
-    /// Prepares all primitives of `other`, without a clip: from the latents that it keeps of its movements; where it keeps only their
-    /// first frames, from rollouts.
+    /// Prepares all primitives of `other`, without a clip: from the latents that it keeps of its movements;
+    /// where it keeps only their first frames, from rollouts.
     #[wasm_bindgen(constructor)]
     pub fn new(
         library: &Library,
@@ -152,7 +159,8 @@ impl ImportTrainer {
         Ok(ImportTrainer { import: Import::new(&library.trained, &other.trained, frames, &request)? })
     }
 
-    /// Prepares all primitives of `other`, one of each part at most, from clips of their movement, which must have the library's body.
+    /// Prepares all primitives of `other`, one of each part at most, from clips of their movement, which must
+    /// have the library's body.
     #[wasm_bindgen(js_name = fromClips)]
     pub fn from_clips(
         library: &Library,
@@ -172,8 +180,8 @@ impl ImportTrainer {
         to_js(&self.import.step())
     }
 
-    /// How much of what the frames show of each part the pose maps of the library do not reproduce: 0 nothing, 1 so much that its mean pose
-    /// would do as well. No dynamics can bring it back.
+    /// How much of what the frames show of each part the pose maps of the library do not reproduce: 0
+    /// nothing, 1 so much that its mean pose would do as well. No dynamics can bring it back.
     pub fn lost(&self) -> Vec<f64> {
         self.import.lost()
     }

@@ -1,4 +1,5 @@
-//! What is refused to the model that walks first on the page, in words: once it was done, half done, or ended the program.
+//! What is refused to the model that walks first on the page, in words: once it was done, half done, or ended
+//! the program.
 
 use crate::convert::to_js;
 use crate::error::VcgpdmError;

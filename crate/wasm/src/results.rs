@@ -48,7 +48,10 @@ export interface Plan {
     latent: number;
     order: number;
     maxIterations: number;
-    /** Numbers of inducing points of the variational models: of every dynamics map, and of every pose map where there are no `poseIps`. */
+    /**
+     * Numbers of inducing points of the variational models: of every dynamics map, and of every pose map
+     * where there are no `poseIps`.
+     */
     ips: number[];
     /** Numbers of inducing points of every pose map, each with each of `ips`. */
     poseIps?: number[];
@@ -69,8 +72,8 @@ export interface Plan {
     /** How many of the other trials are trained on; empty: all. */
     trainingTrials: number[];
     /**
-     * Whether also the coupled models, with the middle number of inducing points, are trained on 1, 2, ... trials in the
-     * first fold with the first seed.
+     * Whether also the coupled models, with the middle number of inducing points, are trained on 1, 2, ...
+     * trials in the first fold with the first seed.
      */
     growth: boolean;
 }
@@ -135,8 +138,8 @@ export interface ModelSummary {
     /** Number of trainings. */
     runs: number;
     /**
-     * How many candidates it stands for: all that differ in size alone, where it is the one of them that claims choose for most trials;
-     * else 0.
+     * How many candidates it stands for: all that differ in size alone, where it is the one of them that
+     * claims choose for most trials; else 0.
      */
     standsFor: number;
 }
@@ -188,7 +191,9 @@ export interface Growth {
     trainingExponent: number | null;
     /** Where that lies. */
     trainingInterval: Interval | null;
-    /** The share of these trainings that ended because nothing changed any more; null where that is not known. */
+    /**
+     * The share of these trainings that ended because nothing changed any more; null where that is not known.
+     */
     converged: number | null;
 }
 
@@ -318,7 +323,8 @@ impl Results {
         jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
     }
 
-    /// What the training of a job will cost here, on these trials; nothing for TMP and DMP: beside the others they cost little.
+    /// What the training of a job will cost here, on these trials; nothing for TMP and DMP: beside the others
+    /// they cost little.
     #[wasm_bindgen(js_name = costOf, unchecked_return_type = "TrainingCost")]
     pub fn cost_of(
         &self,

@@ -14,7 +14,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What changed couplings do to the experts: they stay as learned, or they are inferred again from the same data. */
+/**
+ * What changed couplings do to the experts: they stay as learned, or they are inferred again from the same
+ * data.
+ */
 export type Reading = "as learned" | "re-inferred";
 
 /** What a rollout is asked for. */
@@ -36,13 +39,20 @@ export interface LimbMeasures {
     limb: "left hand" | "right hand" | "left foot" | "right foot";
     /** The joint at its end. */
     joint: number;
-    /** How far it swings: standard deviation along the heading, relative to the root, in metres for a body 1.7 m tall. */
+    /**
+     * How far it swings: standard deviation along the heading, relative to the root, in metres for a body 1.7
+     * m tall.
+     */
     swing: number;
     /** Seconds from one swing to the next; null where it does not swing. */
     period: number | null;
-    /** How far its swing is ahead of that of the foot or hand of the other side, in cycles from -0.5 to 0.5. */
+    /**
+     * How far its swing is ahead of that of the foot or hand of the other side, in cycles from -0.5 to 0.5.
+     */
     ahead: number | null;
-    /** How constant that is: 1 in step, near 0 each at its own pace; null where one of the two does not swing. */
+    /**
+     * How constant that is: 1 in step, near 0 each at its own pace; null where one of the two does not swing.
+     */
     locking: number | null;
 }
 
@@ -62,7 +72,10 @@ export interface Measures {
     jointSpeed: number;
     /** Speed of the root over the ground, in metres a second. */
     walkingSpeed: number;
-    /** Horizontal speed of the lowest point of the legs, as a share of the walking speed; null where the body hardly walks. */
+    /**
+     * Horizontal speed of the lowest point of the legs, as a share of the walking speed; null where the body
+     * hardly walks.
+     */
     footSlide: number | null;
 }
 
@@ -92,8 +105,9 @@ struct End {
     rank: u8,
 }
 
-/// Which of several models of the same data is to be shown: of those of the highest rank (`Health.rank` of their rollouts) the one of the
-/// highest bound. A place in the lists, which are as long; -1 where they are empty.
+/// Which of several models of the same data is to be shown: of those of the highest rank (`Health.rank` of
+/// their rollouts) the one of the highest bound. A place in the lists, which are as long; -1 where they are
+/// empty.
 #[wasm_bindgen(js_name = bestToShow)]
 pub fn best_to_show(
     // As bytes, a 256 would be a 0.

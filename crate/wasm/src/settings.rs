@@ -1,4 +1,5 @@
-//! What a training is asked to do: in JavaScript one object with the model's own settings and what they are applied to.
+//! What a training is asked to do: in JavaScript one object with the model's own settings and what they are
+//! applied to.
 
 #[cfg(feature = "training")]
 use crate::convert::from_js_beside;
@@ -48,7 +49,8 @@ export interface TrainingCost {
 
 /// How many times as long as the native program this one takes: docs/training.md has both.
 const SLOWER: f64 = 2.0;
-/// The same for models that are exact Gaussian processes: large products of matrices have no wide vectors here.
+/// The same for models that are exact Gaussian processes: large products of matrices have no wide vectors
+/// here.
 const SLOWER_EXACT: f64 = 2.5;
 
 /// What a training will cost, before it begins.
@@ -58,8 +60,8 @@ struct Cost {
     bytes: f64,
 }
 
-/// What a training on so many frames will cost here, of parts with so many columns each (a joint has three). An estimate, good to a factor
-/// of two or so.
+/// What a training on so many frames will cost here, of parts with so many columns each (a joint has three).
+/// An estimate, good to a factor of two or so.
 #[wasm_bindgen(js_name = trainingCost, unchecked_return_type = "TrainingCost")]
 pub fn training_cost(
     #[wasm_bindgen(unchecked_param_type = "VariationalSettings")] settings: JsValue,

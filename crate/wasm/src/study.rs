@@ -61,7 +61,10 @@ export interface StudyStimulus {
     kind: "natural" | "generated";
     /** The trial that was recorded, or held out and predicted. */
     trial: string;
-    /** Of a natural one: whether it is shown all along; else it is kept for catch trials. False for a generated one. */
+    /**
+     * Of a natural one: whether it is shown all along; else it is kept for catch trials. False for a
+     * generated one.
+     */
     seen: boolean;
     /** Whether it is marked as an obvious failure: it checks attention. */
     failed: boolean;
@@ -113,7 +116,10 @@ export interface StudyInfo {
     skeleton: StudySkeleton;
     stimuli: StudyStimulus[];
     design: StudyDesign;
-    /** SHA-256 of what is shown, hexadecimal: the same for every design, text and mark. Answers name the study by it. */
+    /**
+     * SHA-256 of what is shown, hexadecimal: the same for every design, text and mark. Answers name the study
+     * by it.
+     */
     hash: string;
 }
 
@@ -280,7 +286,8 @@ impl Study {
         })
     }
 
-    /// What a participant is shown, in order: the same for the same seed, a whole number from 0 to 4294967295.
+    /// What a participant is shown, in order: the same for the same seed, a whole number from 0 to
+    /// 4294967295.
     #[wasm_bindgen(unchecked_return_type = "StudyTrial[]")]
     pub fn trials(&self, seed: &Whole) -> Result<JsValue, VcgpdmError> {
         let seed = seed.get(ErrorCode::Study, "the seed")?;
@@ -295,8 +302,8 @@ impl Study {
         to_js(&self.study.trials(seed).into_iter().map(trial).collect::<Vec<_>>())
     }
 
-    /// The places of a movement's nodes [frames x nodes x 3]: y up, in metres, the ground at y = 0, the figure above the origin, on its
-    /// way along z.
+    /// The places of a movement's nodes [frames x nodes x 3]: y up, in metres, the ground at y = 0, the
+    /// figure above the origin, on its way along z.
     pub fn positions(&self, stimulus: &Whole) -> Result<Vec<f32>, VcgpdmError> {
         let stimulus = stimulus.count(ErrorCode::Study, "the movement")?;
         self.study.positions(stimulus).ok_or_else(|| {
@@ -306,7 +313,8 @@ impl Study {
         })
     }
 
-    /// The same movements with the trials and times of a preset; movements that are shorter than the preset's are shown whole.
+    /// The same movements with the trials and times of a preset; movements that are shorter than the preset's
+    /// are shown whole.
     #[wasm_bindgen(js_name = withDesign)]
     pub fn with_design(
         &self,

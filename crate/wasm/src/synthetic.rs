@@ -58,7 +58,10 @@ export interface SyntheticFindings {
     /** The weights that they give `[source][target]`; those into each part sum to 1. */
     weights: number[][];
     verdict: SyntheticVerdict;
-    /** The learned latents of each part [frames x 2], row after row, after the affine map that brings them nearest the truth. */
+    /**
+     * The learned latents of each part [frames x 2], row after row, after the affine map that brings them
+     * nearest the truth.
+     */
     learned: number[][];
     /** The share of the true latents' variance that these explain, for each part. */
     explained: number[];
@@ -107,8 +110,8 @@ pub struct SyntheticExperiment {
 
 #[wasm_bindgen]
 impl SyntheticExperiment {
-    /// Makes the data and finds where training starts; both follow from the seed, a whole number from 0 to 4294967295.
-    /// `driving`: whether the first part drives the second.
+    /// Makes the data and finds where training starts; both follow from the seed, a whole number from 0 to
+    /// 4294967295. `driving`: whether the first part drives the second.
     #[wasm_bindgen(constructor)]
     pub fn new(seed: &Whole, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
         let seed = seed.get(ErrorCode::Settings, "the seed")?;

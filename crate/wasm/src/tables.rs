@@ -64,14 +64,16 @@ pub struct Table {
 
 #[wasm_bindgen]
 impl Table {
-    /// Reads a CSV file: the names of the columns in its first row, then a row of numbers a moment. A column `time` (or
-    /// `t`, `seconds`) holds seconds. The error names the file, the line, the column, what was expected and what was found.
+    /// Reads a CSV file: the names of the columns in its first row, then a row of numbers a moment. A column
+    /// `time` (or `t`, `seconds`) holds seconds. The error names the file, the line, the column, what was
+    /// expected and what was found.
     pub fn read(name: &Text, bytes: &[u8]) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
         Ok(Table { table: read(&name, bytes)? })
     }
 
-    /// A table of numbers at hand, row after row [rows x columns], `frameTime` seconds from one row to the next.
+    /// A table of numbers at hand, row after row [rows x columns], `frameTime` seconds from one row to the
+    /// next.
     pub fn of(
         name: &Text,
         columns: Vec<String>,
@@ -121,7 +123,8 @@ impl TableTrainer {
         TableTrainer { tables: Vec::new(), settings, begun: None }
     }
 
-    /// Adds a trial, which becomes a sequence. Its columns may stand in another order than those of the first.
+    /// Adds a trial, which becomes a sequence. Its columns may stand in another order than those of the
+    /// first.
     pub fn add(&mut self, table: &Table) -> Result<(), VcgpdmError> {
         if self.begun.is_some() {
             let words = "expected all tables before the first step";
@@ -161,7 +164,8 @@ impl TableTrainer {
         Ok(AnyModel { model: Any::Series(Rc::new(model.into())) })
     }
 
-    /// Latent means of the training rows at the best so far [rows x Q] of one part, tables one after the other.
+    /// Latent means of the training rows at the best so far [rows x Q] of one part, tables one after the
+    /// other.
     pub fn latents(&mut self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let parts = &self.begin()?.1.best().parts;
         Ok(flat(&part.part_of(ErrorCode::Training, parts)?.latents.mean))

@@ -92,7 +92,8 @@ impl Trainer {
         to_js(&self.training.step())
     }
 
-    /// Allows so many more iterations: training goes on where it stopped, as if they had been allowed from the beginning.
+    /// Allows so many more iterations: training goes on where it stopped, as if they had been allowed from
+    /// the beginning.
     pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
         let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
         self.training.extend(iterations);
@@ -110,7 +111,8 @@ impl Trainer {
         Ok(Model { model: Rc::new(model) })
     }
 
-    /// Latent means of the training frames at the best so far [frames x Q] of one part, sequences one after the other.
+    /// Latent means of the training frames at the best so far [frames x Q] of one part, sequences one after
+    /// the other.
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         Ok(flat(&part.part_of(ErrorCode::Training, &self.training.best().parts)?.latents.mean))
     }

@@ -39,7 +39,10 @@ describe("the start of the page", () => {
   });
 
   it("says why the engine cannot start, and opens no files then", async () => {
-    await app.start(() => Promise.reject(new Error("this browser has no WebAssembly")), Promise.resolve(null));
+    await app.start(
+      () => Promise.reject(new Error("this browser has no WebAssembly")),
+      Promise.resolve(null),
+    );
     expect([app.engine.state, app.engine.problem]).toEqual(["failed", "this browser has no WebAssembly"]);
     expect(app.training.whyNot()).toBe("The model cannot run in this browser");
     await openFiles(app, [file("a.bvh", "HIERARCHY")], { x: 1, y: 2 });
@@ -144,7 +147,9 @@ describe("a model on the stage", () => {
     expect([seed(), app.training.runs.length, visitor.asked.length]).toEqual([7, 0, 2]);
     visitor.arrives("save");
     expect(await openModel(app, modelText(9))).toBe(true);
-    expect(vi.mocked(download).mock.calls.map(([name]) => name)).toEqual([expect.stringMatching(/model\.json$/)]);
+    expect(vi.mocked(download).mock.calls.map(([name]) => name)).toEqual([
+      expect.stringMatching(/model\.json$/),
+    ]);
     // It is on a disk now, whoever brings it back.
     await openModel(app, modelText(7), true);
     expect([await openModel(app, modelText(9)), visitor.asked.length]).toEqual([true, 1]);

@@ -50,7 +50,10 @@ export class App {
 
   /** What a visit holds is kept from now on. */
   readonly session = new Lazy(async () => {
-    const [{ openSession }, { visitOf }] = await Promise.all([import("../session/session"), import("./visit")]);
+    const [{ openSession }, { visitOf }] = await Promise.all([
+      import("../session/session"),
+      import("./visit"),
+    ]);
     const session = await openSession(visitOf(this));
     for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
     return session;
@@ -60,7 +63,13 @@ export class App {
 
   readonly primitives = new Lazy(async () => {
     const { openPrimitives } = await import("../primitives/primitives");
-    const primitives = openPrimitives(await this.#whole.get(), this.engine, this.settings, this.clips, this.notices);
+    const primitives = openPrimitives(
+      await this.#whole.get(),
+      this.engine,
+      this.settings,
+      this.clips,
+      this.notices,
+    );
     primitives.library.on(this.#touched);
     return primitives;
   });
@@ -106,7 +115,9 @@ export class App {
 
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");
-    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () => this.#whole.get());
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () =>
+      this.#whole.get(),
+    );
     return { store, behindPath };
   });
 
@@ -125,7 +136,14 @@ export class App {
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);
     const mayTakeStage = () => mayLose(stageWork(this.model, this.engine));
-    this.training = new TrainingStore(this.engine, this.settings, this.clips, this.model, this.notices, mayTakeStage);
+    this.training = new TrainingStore(
+      this.engine,
+      this.settings,
+      this.clips,
+      this.model,
+      this.notices,
+      mayTakeStage,
+    );
   }
 
   /** Whether the stage is to be seen: not a comparison or the synthetic experiment. */
@@ -133,7 +151,10 @@ export class App {
     return this.embedded || this.settings.values.view === "play";
   }
 
-  /** Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a model. */
+  /**
+   * Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a
+   * model.
+   */
   async start(
     startEngine: (events: SupervisedEvents) => Promise<StartedEngine>,
     text: Promise<string | null>,
@@ -158,7 +179,10 @@ export class App {
     }
   }
 
-  /** Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot be loaded. */
+  /**
+   * Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot
+   * be loaded.
+   */
   readonly openOutlook = () =>
     this.#outlook.get().catch(() => {
       this.notices.addNotLoaded("What may come");

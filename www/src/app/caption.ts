@@ -30,7 +30,10 @@ export function wordsNow(app: App): StageWords {
     preset: model.preset,
     live: stage.shown?.live === true,
     beside: stage.columns !== null,
-    learning: run && { iteration: run.steps.at(-1)?.iteration ?? null, seed: several ? run.settings.seed : null },
+    learning: run && {
+      iteration: run.steps.at(-1)?.iteration ?? null,
+      seed: several ? run.settings.seed : null,
+    },
   });
 }
 
@@ -66,7 +69,11 @@ export class CaptionView extends View {
     if (shown?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
       return nothing;
     const seconds = shown.motion.frames * shown.motion.frameTime;
-    const words = healthWords(body.reports.now.health, { seconds, parts: shown.parts, altered: model.altered });
+    const words = healthWords(body.reports.now.health, {
+      seconds,
+      parts: shown.parts,
+      altered: model.altered,
+    });
     if (!words) return nothing;
     const run = training.chosen;
     const points = run && training.morePoints(run);

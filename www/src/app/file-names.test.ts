@@ -29,7 +29,13 @@ describe("the name of a motion", () => {
   it("tells model, couplings, reading, start and length", () => {
     expect(modelName(asLearned)).toBe("35_01-2-parts-1a2b3c4d");
     expect(motionName(asLearned)).toBe("35_01-2-parts-1a2b3c4d-10s");
-    const other = { ...asLearned, alpha: { "0.1": 5.00001 }, reading: "re-inferred" as const, sequence: 1, frames: 75 };
+    const other = {
+      ...asLearned,
+      alpha: { "0.1": 5.00001 },
+      reading: "re-inferred" as const,
+      sequence: 1,
+      frames: 75,
+    };
     expect(motionName(other)).toBe("35_01-2-parts-1a2b3c4d-lower-upper-5-re-inferred-as-35_02-2.5s");
   });
 
@@ -56,6 +62,8 @@ describe("the name of a motion", () => {
       ...asLearned,
       info: { ...asLearned.info, sequences: [sequence("///")], parts: [part("Körper & Arm")] },
     };
-    expect(motionName({ ...odd, alpha: { "0.0": 2 } })).toBe("model-1-part-1a2b3c4d-Körper-Arm-Körper-Arm-2-10s");
+    expect(motionName({ ...odd, alpha: { "0.0": 2 } })).toBe(
+      "model-1-part-1a2b3c4d-Körper-Arm-Körper-Arm-2-10s",
+    );
   });
 });

@@ -1,5 +1,5 @@
-// Names for files that leave the page. BVH has no place for comments that every reader skips, so the name itself tells a motion
-// apart: which model, what was changed, which start, how long.
+// Names for files that leave the page. BVH has no place for comments that every reader skips, so the name
+// itself tells a motion apart: which model, what was changed, which start, how long.
 import { modelName, plain } from "../couplings/model-file";
 import type { ModelInfo, Reading } from "../engine/protocol";
 import type { ChangedCouplings } from "../settings/settings";
@@ -41,7 +41,8 @@ function couplingWords({ info, alpha, reading }: RolledOut): string[] {
     return `${name(source)}-${name(target)}-${Number(value.toPrecision(4))}`;
   });
   // Two motions that differ only in couplings that are not named have different sums.
-  if (changed.length > NAMED) words.push(`and-${changed.length - NAMED}-more-${checksum(JSON.stringify(changed))}`);
+  if (changed.length > NAMED)
+    words.push(`and-${changed.length - NAMED}-more-${checksum(JSON.stringify(changed))}`);
   return reading === "re-inferred" ? [...words, "re-inferred"] : words;
 }
 

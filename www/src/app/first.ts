@@ -17,7 +17,9 @@ export async function fetchFirstModel(): Promise<string | null> {
 export async function fetchFirstMotion(): Promise<Shown | null> {
   const answer = await fetchFirst("motion.bin");
   if (!answer) return null;
-  const { figure, joints, parts, positions, frames, frameTime } = decodeFirstMotion(await answer.arrayBuffer());
+  const { figure, joints, parts, positions, frames, frameTime } = decodeFirstMotion(
+    await answer.arrayBuffer(),
+  );
   const motion = { positions, frames, nodes: figure.nodes.length, frameTime };
   return { kind: "first", figure, joints, parts, motion };
 }

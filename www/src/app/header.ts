@@ -41,7 +41,10 @@ export class HeaderView extends View {
     this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
   }
 
-  /** Links, so that they can be opened elsewhere and shared; written when the address is, not at each move of a slider. */
+  /**
+   * Links, so that they can be opened elsewhere and shared; written when the address is, not at each move of
+   * a slider.
+   */
   private views() {
     const { settings } = this.app;
     return html`

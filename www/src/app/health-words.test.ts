@@ -12,7 +12,9 @@ it("says nothing of a motion that goes on, or rests as its recording does, or en
 
 it("says from when on there is none", () => {
   expect(healthWords(STANDS_STILL, seen)).toBe("The model stands still from 2.4 s on.");
-  expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(/^With these couplings the model stands still/);
+  expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(
+    /^With these couplings the model stands still/,
+  );
   const away = { state: "leaves the training range" as const, from: 3, part: 1, rank: 1 };
   expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
   expect(healthWords({ ...away, state: "not finite", from: null }, seen)).toMatch(/^The model runs away/);

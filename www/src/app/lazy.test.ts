@@ -2,7 +2,10 @@ import { expect, it, vi } from "vitest";
 import { Lazy } from "./lazy";
 
 it("loads once, when it is first asked for, and again after a failure", async () => {
-  const load = vi.fn<() => Promise<number>>().mockRejectedValueOnce(new Error("offline")).mockResolvedValue(3);
+  const load = vi
+    .fn<() => Promise<number>>()
+    .mockRejectedValueOnce(new Error("offline"))
+    .mockResolvedValue(3);
   const lazy = new Lazy(load);
   expect(load).not.toHaveBeenCalled();
   await expect(lazy.get()).rejects.toThrow("offline");

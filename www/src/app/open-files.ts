@@ -1,5 +1,5 @@
-// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries, results of comparisons and studies (.json), tables of time
-// series and answers to a study (.csv; and answers as .json).
+// Files that a visitor drops or chooses: motion clips (.bvh), models, libraries, results of comparisons and
+// studies (.json), tables of time series and answers to a study (.csv; and answers as .json).
 import { LARGEST_FILE } from "../clips/clips-store";
 import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
@@ -7,7 +7,9 @@ import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../ui/unsaved";
 import type { App } from "./app";
 
-/** Opens the files one after the other. What went wrong is said where they landed; null: in the list of clips. */
+/**
+ * Opens the files one after the other. What went wrong is said where they landed; null: in the list of clips.
+ */
 export async function openFiles(app: App, files: readonly File[], at: Place | null): Promise<void> {
   const { engine, notices, clips } = app;
   notices.clear();
@@ -101,7 +103,10 @@ async function openJson(app: App, name: string, text: string): Promise<void> {
   await openModel(app, text);
 }
 
-/** Puts a model on the stage, and says whether: the visitor may keep the one that is there. `made`: it was made here, and is on no disk. */
+/**
+ * Puts a model on the stage, and says whether: the visitor may keep the one that is there. `made`: it was
+ * made here, and is on no disk.
+ */
 export async function openModel(app: App, text: string, made = false): Promise<boolean> {
   const refuse = () => {
     if (app.training.busy) throw new Error("A training is running: cancel it before opening a model.");

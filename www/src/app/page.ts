@@ -50,11 +50,13 @@ const ON_DEMAND = {
       analysis.get(),
       import("../perception/perception-page"),
     ]);
-    return () => html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
+    return () =>
+      html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
   },
   async primitives({ primitives, clips, notices }: App) {
     const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
-    return () => html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
+    return () =>
+      html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
   },
   async series({ series, settings, notices }: App) {
     const [stores] = await Promise.all([series.get(), import("../series/series-page")]);
@@ -68,7 +70,10 @@ const ON_DEMAND = {
 
 /** Where on the page something is to be seen or changed: the tab that it is in, and what takes the focus. */
 const PLACES = {
-  couplings: { tab: "couplings", focus: "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input" },
+  couplings: {
+    tab: "couplings",
+    focus: "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input",
+  },
   reading: { tab: "couplings", focus: ".readings button" },
   latents: { tab: "latents", focus: "pg-latent-plot [tabindex='0'], pg-latents button" },
   points: { tab: "latents", focus: ".marks .chip" },
@@ -110,14 +115,18 @@ export class PageView extends View {
 
   /** The coupling of the slider in focus; without one, the strongest from one part to another. */
   holdByKey(held: boolean): void {
-    if (held && this.app.isPlayView) this.keyHolds = this.couplingInFocus() ?? this.app.model.strongestBetween();
+    if (held && this.app.isPlayView)
+      this.keyHolds = this.couplingInFocus() ?? this.app.model.strongestBetween();
     if (this.keyHolds) void this.holdCoupling({ ...this.keyHolds, held });
     if (!held) this.keyHolds = null;
   }
 
   private couplingInFocus(): { source: number; target: number } | null {
-    const { source, target } = document.activeElement instanceof HTMLElement ? document.activeElement.dataset : {};
-    return source === undefined || target === undefined ? null : { source: Number(source), target: Number(target) };
+    const { source, target } =
+      document.activeElement instanceof HTMLElement ? document.activeElement.dataset : {};
+    return source === undefined || target === undefined
+      ? null
+      : { source: Number(source), target: Number(target) };
   }
 
   private async holdCoupling({ source, target, held }: HoldCoupling): Promise<void> {
@@ -244,7 +253,8 @@ export class PageView extends View {
 
   private stageArea() {
     const { stage, playback, settings, clips, model, isPlayView } = this.app;
-    // The handles come with the first clip on the stage; where they could not be loaded the next clip asks again.
+    // The handles come with the first clip on the stage; where they could not be loaded the next clip asks
+    // again.
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label="Stage">
@@ -306,7 +316,8 @@ export class PageView extends View {
     const { notices } = this.app;
     try {
       await Promise.all([session.forgetAll(), this.app.forgetAnswers()]);
-      const text = "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
+      const text =
+        "This browser keeps nothing of your visits any more. What is on the page goes when you leave it.";
       notices.add({ kind: "done", title: "Forgotten", text, at: null });
     } catch (problem) {
       notices.addError("Not all was forgotten", messageOf(problem));

@@ -60,7 +60,14 @@ it("writes where every joint and end is, a row a frame", () => {
     },
   };
   const positions = Float32Array.from({ length: 18 }, (_, i) => i / 2);
-  const [header, first, second] = positionsCsv(body, { positions, frames: 2, nodes: 3, frameTime: 0.5 }).split("\r\n");
-  expect(header).toBe("frame,time,hips_x,hips_y,hips_z,head_x,head_y,head_z,head_end_x,head_end_y,head_end_z");
+  const [header, first, second] = positionsCsv(body, {
+    positions,
+    frames: 2,
+    nodes: 3,
+    frameTime: 0.5,
+  }).split("\r\n");
+  expect(header).toBe(
+    "frame,time,hips_x,hips_y,hips_z,head_x,head_y,head_z,head_end_x,head_end_y,head_end_z",
+  );
   expect([first, second]).toEqual(["0,0,0,0.5,1,1.5,2,2.5,3,3.5,4", "1,0.5,4.5,5,5.5,6,6.5,7,7.5,8,8.5"]);
 });

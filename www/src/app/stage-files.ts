@@ -27,13 +27,22 @@ export function rolloutCsv({ info }: ModelView, { latents, weights, motion }: Ro
   return csv({ header, rows });
 }
 
-/** A row a frame: frame, time in seconds, and where each joint and each end of a limb is, in metres for a body 1.7 m tall, y up. */
+/**
+ * A row a frame: frame, time in seconds, and where each joint and each end of a limb is, in metres for a body
+ * 1.7 m tall, y up.
+ */
 export function positionsCsv(
   { figure, joints }: { figure: Figure; joints: readonly Pick<JointInfo, "name">[] },
   { positions, frames, nodes, frameTime }: Motion,
 ): string {
-  const names = figure.nodes.map(({ joint, endSite }) => `${joints[joint]?.name ?? joint}${endSite ? "_end" : ""}`);
-  const header = ["frame", "time", ...names.flatMap((name) => ["x", "y", "z"].map((axis) => `${name}_${axis}`))];
+  const names = figure.nodes.map(
+    ({ joint, endSite }) => `${joints[joint]?.name ?? joint}${endSite ? "_end" : ""}`,
+  );
+  const header = [
+    "frame",
+    "time",
+    ...names.flatMap((name) => ["x", "y", "z"].map((axis) => `${name}_${axis}`)),
+  ];
   const width = 3 * nodes;
   const rows = Array.from({ length: frames }, (_, frame) => [
     frame,

@@ -24,7 +24,12 @@ describe("the words about the stage", () => {
 
   it("never say of a clip that it was not recorded, or that the model made it", () => {
     for (const origin of ["made", "own"] as const) {
-      const words = stageWords({ ...walking, kind: "clip", clip: { title: "walk 1", origin }, altered: true });
+      const words = stageWords({
+        ...walking,
+        kind: "clip",
+        clip: { title: "walk 1", origin },
+        altered: true,
+      });
       expect(JSON.stringify(words)).not.toMatch(/never recorded|by the model|ghost/);
       expect([words.title, words.lead]).toEqual(["walk 1", expect.stringMatching(/^This is a clip/)]);
     }
@@ -37,7 +42,10 @@ describe("the words about the stage", () => {
 
   it("follow a training, changed couplings and an inducing point", () => {
     const learning = stageWords({ ...walking, learning: { iteration: 12, seed: 7 } });
-    expect([learning.text, learning.lead]).toEqual(["Iteration 12, seed 7", expect.stringMatching(/is learning/)]);
+    expect([learning.text, learning.lead]).toEqual([
+      "Iteration 12, seed 7",
+      expect.stringMatching(/is learning/),
+    ]);
     expect(stageWords({ ...walking, altered: true }).title).toBe("Couplings changed");
     const preset = { name: "Let the arms go", sentence: "The arms no longer hear the legs." };
     const { title, lead } = stageWords({ ...walking, altered: true, preset });

@@ -1,5 +1,5 @@
-// What the page says about what is on the stage: its title and text over the figure, and the sentence in the head of the page. All
-// of it is made here, so that the sentences agree with each other.
+// What the page says about what is on the stage: its title and text over the figure, and the sentence in the
+// head of the page. All of it is made here, so that the sentences agree with each other.
 import { clipTitle } from "../ui/format";
 
 /** What is on the stage, as far as the words need to know. */
@@ -52,7 +52,9 @@ function alteredLead({ preset }: OnStage): string {
 
 function learned({ learnedFrom }: OnStage): string {
   const count = learnedFrom?.length ?? 0;
-  return count === 0 ? MADE : `This motion was never recorded: a small model learned it from ${clipCount(count)}.`;
+  return count === 0
+    ? MADE
+    : `This motion was never recorded: a small model learned it from ${clipCount(count)}.`;
 }
 
 function clipWords(clip: OnStage["clip"]): StageWords {
@@ -70,7 +72,10 @@ function modelWords(now: OnStage): { title: string; text: string } {
   if (altered) {
     const title = preset?.name ?? "Couplings changed";
     if (live) return { title, text: "The model goes on live" };
-    return { title, text: beside ? "The same couplings, read in two ways" : "The ghost moves as the model learned it" };
+    return {
+      title,
+      text: beside ? "The same couplings, read in two ways" : "The ghost moves as the model learned it",
+    };
   }
   if (beside) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };
   if (learning) {

@@ -1,7 +1,10 @@
 // What of this visit is on no disk, and would be lost with the page.
 import type { App } from "./app";
 
-/** Whether leaving the page would lose work: a visit is kept by the browser, where it can, but for what is not looked at, studies and series. */
+/**
+ * Whether leaving the page would lose work: a visit is kept by the browser, where it can, but for what is not
+ * looked at, studies and series.
+ */
 export function wouldLose(app: App): boolean {
   const library = app.primitives.loaded?.library;
   const comparison = app.comparison.loaded;

@@ -32,8 +32,10 @@ export function visitOf(app: App): Visit {
     async takeUp({ fragment, clips, firstBones, runs, chosen, model, results, unsaved, library }) {
       const { settings } = app;
       const kept = () => new Error("You keep what is here.");
-      if (results !== null && !(await (await app.comparison.get()).open(results, !unsaved.results))) throw kept();
-      if ((model !== null || chosen?.model) && !(await mayLose(stageWork(app.model, app.engine)))) throw kept();
+      if (results !== null && !(await (await app.comparison.get()).open(results, !unsaved.results)))
+        throw kept();
+      if ((model !== null || chosen?.model) && !(await mayLose(stageWork(app.model, app.engine))))
+        throw kept();
       if (settings.address.fragment.replace(/^#/, "") === "" && fragment !== "") {
         settings.takeFragment(fragment);
         app.model.restart();

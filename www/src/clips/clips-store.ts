@@ -133,11 +133,19 @@ export class ClipsStore extends Store {
     const loaded = await engine.readClip(title, bytes);
     // Own clips are what the visitor wants to train on now: the made ones step back.
     if (first) {
-      for (const { key, origin, ticked } of this.#clips) if (origin === "made" && ticked) this.#steppedBack.add(key);
+      for (const { key, origin, ticked } of this.#clips)
+        if (origin === "made" && ticked) this.#steppedBack.add(key);
       this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
     }
     const key = `own-${loaded.id}`;
-    this.#add({ key, title, origin: "own", source: { name: title, file: new Blob([bytes]) }, loaded, ticked: true });
+    this.#add({
+      key,
+      title,
+      origin: "own",
+      source: { name: title, file: new Blob([bytes]) },
+      loaded,
+      ticked: true,
+    });
     if (first) this.show(key);
   }
 
@@ -148,7 +156,10 @@ export class ClipsStore extends Store {
     }));
   }
 
-  /** Takes the clips of an earlier visit up; those of this visit stay. Answers the numbers that they have now, by their keys of then. */
+  /**
+   * Takes the clips of an earlier visit up; those of this visit stay. Answers the numbers that they have now,
+   * by their keys of then.
+   */
   async takeUp(kept: readonly KeptClip[], firstBones: boolean): Promise<Map<string, number>> {
     const { engine } = this.#engine;
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
@@ -247,7 +258,9 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
-  /** Without any clip of the visitor's own, and none ticked, the made ones are ticked again that were before. */
+  /**
+   * Without any clip of the visitor's own, and none ticked, the made ones are ticked again that were before.
+   */
   #bringBack(): void {
     if (this.#clips.some(({ origin, ticked }) => origin === "own" || ticked)) return;
     this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: this.#steppedBack.has(clip.key) }));

@@ -127,7 +127,8 @@ export class ClipsView extends View {
           accept: ".bvh,.json,.csv,.BVH,.JSON,.CSV,application/json,text/csv",
           multiple: true,
           disabled: false,
-          chosen: (files) => this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true })),
+          chosen: (files) =>
+            this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true })),
         })}
       </header>
       ${here.map((notice) => noticeCard(notices, notice))}

@@ -1,4 +1,5 @@
-// Parts by hand: the joints as a tree, each with the part it belongs to. A change takes the whole branch along.
+// Parts by hand: the joints as a tree, each with the part it belongs to. A change takes the whole branch
+// along.
 import { html } from "lit";
 import type { PartSpec } from "../engine/protocol";
 import { partOfJoints } from "../scene/part-of-joints";

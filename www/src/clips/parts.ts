@@ -3,7 +3,11 @@ import type { ClipInfo, JointInfo, PartSpec } from "../engine/protocol";
 import { BY_HAND } from "../settings/settings";
 
 /** The parts for a skeleton: the chosen preset, or the first of its presets when it has no such one. */
-export function partsFor(clip: Pick<ClipInfo, "joints" | "presets">, chosen: string, split: PartSpec[]): PartSpec[] {
+export function partsFor(
+  clip: Pick<ClipInfo, "joints" | "presets">,
+  chosen: string,
+  split: PartSpec[],
+): PartSpec[] {
   if (chosen === BY_HAND && split.length > 0) return completeSplit(clip.joints, split);
   const preset = clip.presets.find(({ id }) => id === chosen) ?? clip.presets[0];
   return preset?.parts ?? [];
@@ -14,7 +18,10 @@ export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSp
   return filledSplit(joints, split).filter(({ joints: own }) => own.length > 0);
 }
 
-/** The same with the parts that have no joints: a joint the split leaves out goes with its parent, the root with the first part. */
+/**
+ * The same with the parts that have no joints: a joint the split leaves out goes with its parent, the root
+ * with the first part.
+ */
 export function filledSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
   const part = new Array<number>(joints.length).fill(-1);
   split.forEach(({ joints: own }, index) => {

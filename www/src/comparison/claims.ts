@@ -8,13 +8,21 @@ export class ClaimsTable extends FigureElement<Comparison> {
   protected readonly file = "claims-of-the-papers";
 
   protected missing({ claims }: Comparison): string | null {
-    return claims.length === 0 ? "No claim of the papers can be checked with the models scored so far." : null;
+    return claims.length === 0
+      ? "No claim of the papers can be checked with the models scored so far."
+      : null;
   }
 
   protected table({ claims }: Comparison) {
     return {
       header: ["the papers say", "place", "our criterion", "we find", "holds here (yes, no or undecided)"],
-      rows: claims.map(({ claim, place, criterion, found, answer }) => [claim, place, criterion, found, answer]),
+      rows: claims.map(({ claim, place, criterion, found, answer }) => [
+        claim,
+        place,
+        criterion,
+        found,
+        answer,
+      ]),
     };
   }
 

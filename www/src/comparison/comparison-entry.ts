@@ -1,4 +1,5 @@
-// A comparison as this visit knows it: its results, how far its trainings are, and the motions that models predicted.
+// A comparison as this visit knows it: its results, how far its trainings are, and the motions that models
+// predicted.
 import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import type { Work } from "../ui/unsaved";
@@ -42,7 +43,16 @@ export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actu
 /** Without a question: from a file. */
 export function newEntry(question: Question | null, results: ResultsView, onDisk = ""): ComparisonEntry {
   const titles = question?.titles ?? results.setting.trials.map(({ name }) => name);
-  return { question, given: false, titles, results, onDisk, jobs: [], predictions: new Map(), actual: new Map() };
+  return {
+    question,
+    given: false,
+    titles,
+    results,
+    onDisk,
+    jobs: [],
+    predictions: new Map(),
+    actual: new Map(),
+  };
 }
 
 /** Of results that come with the page. */

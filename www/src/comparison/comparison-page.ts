@@ -91,7 +91,8 @@ export class ComparisonPage extends View {
   /** Heard by screen readers: the state, not each training. */
   #announcement(): string {
     const { status, shown, failed, ending } = this.comparison;
-    if (status === "running") return `Comparing, ${Math.floor(share(shown?.jobs ?? []) * 10) * 10} per cent done`;
+    if (status === "running")
+      return `Comparing, ${Math.floor(share(shown?.jobs ?? []) * 10) * 10} per cent done`;
     if (status === "cancelling") return "Cancelling";
     return status === "idle" && !failed ? ending : "";
   }
@@ -172,7 +173,8 @@ export class ComparisonPage extends View {
   #failures() {
     const { shown } = this.comparison;
     const known = shown?.results.finished.map(({ job, failure }) => ({ job, why: failure })) ?? [];
-    const now = shown?.jobs.map(({ job, state, why }) => ({ job, why: state === "failed" ? why : null })) ?? [];
+    const now =
+      shown?.jobs.map(({ job, state, why }) => ({ job, why: state === "failed" ? why : null })) ?? [];
     const failed = [...known, ...now].filter(({ why }) => why !== null);
     if (failed.length === 0) return nothing;
     return html`<ul class="failures card">${failed.map(

@@ -324,7 +324,8 @@ describe("opened results", () => {
     expect([visitor.asked, comparison.shown]).toEqual([["a comparison of 6 trainings"], shown]);
     visitor.answer = "discard";
     expect(await comparison.open(saved())).toBe(true);
-    // What an earlier visit has left is on no disk, and nothing else holds it: neither a file nor another comparison takes its place.
+    // What an earlier visit has left is on no disk, and nothing else holds it: neither a file nor another
+    // comparison takes its place.
     await comparison.open(saved(), false);
     visitor.answer = "keep";
     clips.tick(1, 2);

@@ -1,4 +1,5 @@
-// The comparison of this visit: what a press of Compare would do, how far its trainings are, its results, and what is looked at.
+// The comparison of this visit: what a press of Compare would do, how far its trainings are, its results, and
+// what is looked at.
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
@@ -37,7 +38,9 @@ export interface Outlook {
   open: number;
   /** Whether it would go on with the comparison that is shown. */
   goesOn: boolean;
-  /** Whether models would be trained on so many numbers of trials that the growth of their time can be seen. */
+  /**
+   * Whether models would be trained on so many numbers of trials that the growth of their time can be seen.
+   */
   growth: boolean;
   /** What the trainings that are not finished will cost. */
   cost: CostWords;
@@ -99,7 +102,8 @@ export class ComparisonStore extends Store {
         return askDesk(whole, (worker) => plan(worker, asked));
       },
       (planned, asked) => this.#answered({ asked, planned }, ""),
-      // A program that was not loaded or a worker that died says nothing about the plan: Compare can be pressed all the same.
+      // A program that was not loaded or a worker that died says nothing about the plan: Compare can be
+      // pressed all the same.
       (problem) => this.#answered(null, isRefusal(problem) ? messageOf(problem) : ""),
     );
   }
@@ -199,7 +203,10 @@ export class ComparisonStore extends Store {
     this.changed();
   }
 
-  /** Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is kept. */
+  /**
+   * Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is
+   * kept.
+   */
   async begin(): Promise<void> {
     const asked = this.#question();
     if (this.busy || this.whyNot !== "" || !asked) return;
@@ -261,8 +268,8 @@ export class ComparisonStore extends Store {
   }
 
   /**
-   * Shows the results that a file holds, from this page or from the terminal, and says whether. What is shown stays when they cannot be
-   * opened, or when the visitor keeps it. `onDisk`: the file is on a disk.
+   * Shows the results that a file holds, from this page or from the terminal, and says whether. What is shown
+   * stays when they cannot be opened, or when the visitor keeps it. `onDisk`: the file is on a disk.
    */
   async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
@@ -333,7 +340,10 @@ export class ComparisonStore extends Store {
     return shown?.question === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
   }
 
-  /** Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new one. */
+  /**
+   * Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new
+   * one.
+   */
   #takeUp({ question, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
     const own = goesOn && known?.question?.key === question.key ? known : null;
     const entry = own ?? newEntry(question, results, (goesOn && known?.onDisk) || "");

@@ -1,4 +1,5 @@
-// Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model that has a bound.
+// Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model
+// that has a bound.
 import { html, nothing, svg } from "lit";
 import { axes, ticksAcross, ticksUp, widthOf } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";

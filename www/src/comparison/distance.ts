@@ -1,4 +1,5 @@
-// How far each prediction is from the real trial, frame by frame: where a model goes wrong, and whether it stays so.
+// How far each prediction is from the real trial, frame by frame: where a model goes wrong, and whether it
+// stays so.
 import { html, svg } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
 import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
@@ -19,7 +20,9 @@ export interface Distances {
 }
 
 const LEAD = 14;
-/** In a narrower figure the lines have the names of their models only; the picture above tells the settings. */
+/**
+ * In a narrower figure the lines have the names of their models only; the picture above tells the settings.
+ */
 const NARROW = 640;
 
 const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -39,7 +42,9 @@ export class DistanceFigure extends FigureElement<Distances> {
       header: [
         "trial",
         "time (s)",
-        ...lines.map(({ model, label }) => `${[modelStyle(model).name, label].filter(Boolean).join(", ")} (cm)`),
+        ...lines.map(
+          ({ model, label }) => `${[modelStyle(model).name, label].filter(Boolean).join(", ")} (cm)`,
+        ),
       ],
       rows: Array.from({ length: frames }, (_, frame) => [
         trial,

@@ -43,7 +43,9 @@ it("says what a rank correlation says", () => {
 
 it("says nothing about a rank correlation that does not exist", () => {
   expect(rankWords(correlation(1, 1))).toBe("no rank correlation over 1 setting");
-  expect(correlationFinding(correlation(Number.NaN))).toContain("no rank correlation over 5 settings; too few");
+  expect(correlationFinding(correlation(Number.NaN))).toContain(
+    "no rank correlation over 5 settings; too few",
+  );
 });
 
 it("says how time grows", () => {

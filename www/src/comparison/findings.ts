@@ -26,7 +26,9 @@ export function correlationFinding(correlation: Correlation): string {
 
 /** "exponent 1.03" */
 export function exponentWords({ exponent }: Growth): string {
-  return exponent === null || !Number.isFinite(exponent) ? "no exponent" : `exponent ${twoDecimals(exponent)}`;
+  return exponent === null || !Number.isFinite(exponent)
+    ? "no exponent"
+    : `exponent ${twoDecimals(exponent)}`;
 }
 
 export function growthFinding(growth: readonly Growth[]): string {
@@ -37,6 +39,7 @@ export function growthFinding(growth: readonly Growth[]): string {
 export function foldWords(models: readonly ModelSummary[]): string {
   const folds = models.map((summary) => summary.folds);
   const [least, most] = [Math.min(...folds), Math.max(...folds)];
-  if (most === 1) return "One trial was held out and predicted; how it would be with others is not known yet.";
+  if (most === 1)
+    return "One trial was held out and predicted; how it would be with others is not known yet.";
   return `Mean ± standard error over ${least === most ? most : `${least} to ${most}`} trials, each held out in turn and predicted; the bars are the standard errors.`;
 }

@@ -40,7 +40,10 @@ export class GrowthFigure extends FigureElement<Comparison> {
     };
   }
 
-  /** A model's points, and at `end` its mark again with name and exponent, where lines that lie on each other can be told apart. */
+  /**
+   * A model's points, and at `end` its mark again with name and exponent, where lines that lie on each other
+   * can be told apart.
+   */
   private line(
     { model }: Growth,
     places: readonly (readonly [number, number])[],

@@ -55,7 +55,13 @@ describe("how long a comparison still takes", () => {
   });
 
   it("counts work, not jobs", () => {
-    const candidate = { model: "map-cgpdm" as const, latent: 3, order: 2, maxIterations: 10, balanced: false };
+    const candidate = {
+      model: "map-cgpdm" as const,
+      latent: 3,
+      order: 2,
+      maxIterations: 10,
+      balanced: false,
+    };
     const slow: JobProgress = { ...progress("waiting"), job: { ...jobOf(1, 2), candidate } };
     expect(share([progress("done", 1, 1), slow])).toBeLessThan(0.1);
     expect(share([progress("failed", 0.2, 1), progress("done", 1, 1)])).toBe(1);

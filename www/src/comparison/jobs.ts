@@ -20,10 +20,13 @@ export function waiting({ id, job }: PlannedJob): JobProgress {
 }
 
 /**
- * The jobs still to be done: those without an outcome, and those of the first trial held out whose prediction is not there to
- * be shown, because the results are from a file.
+ * The jobs still to be done: those without an outcome, and those of the first trial held out whose prediction
+ * is not there to be shown, because the results are from a file.
  */
-export function openJobs(planned: readonly PlannedJob[], predictions: ReadonlyMap<string, unknown>): PlannedJob[] {
+export function openJobs(
+  planned: readonly PlannedJob[],
+  predictions: ReadonlyMap<string, unknown>,
+): PlannedJob[] {
   const first = planned[0]?.job.heldOut;
   const most = Math.max(...planned.map(({ job }) => job.trainingTrials));
   return planned.filter(({ id, job, done }) => {
@@ -44,7 +47,10 @@ export function costOf(
   return waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
 }
 
-/** How much work a job is beside others, roughly; it only serves to say how long the rest takes before any of its kind has run. */
+/**
+ * How much work a job is beside others, roughly; it only serves to say how long the rest takes before any of
+ * its kind has run.
+ */
 const WEIGHTS: Record<Job["candidate"]["model"], (trials: number) => number> = {
   vcgpdm: (trials) => 2 * trials,
   vgpdm: (trials) => trials,

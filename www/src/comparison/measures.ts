@@ -18,7 +18,14 @@ export interface Measure {
 
 export const MEASURES: Measure[] = [
   { title: "Error", unit: "DTW MSE", spread: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
-  { title: "Bound", unit: "nats", spread: ({ bound }) => bound, scale: "linear", best: "greatest", word: "highest" },
+  {
+    title: "Bound",
+    unit: "nats",
+    spread: ({ bound }) => bound,
+    scale: "linear",
+    best: "greatest",
+    word: "highest",
+  },
   {
     title: "Training",
     unit: "seconds",
@@ -43,17 +50,28 @@ export function ends({ mean, standardError }: Spread): [number, number] {
   return [mean - error, mean + error];
 }
 
-/** How far below a mean an error bar may stretch a log scale: one that nearly reaches zero would leave no room for anything else. */
+/**
+ * How far below a mean an error bar may stretch a log scale: one that nearly reaches zero would leave no room
+ * for anything else.
+ */
 const BELOW = 5;
 
-/** For a drawing of a width: all means with their error bars, and for the error what a prediction that does not move has. */
+/**
+ * For a drawing of a width: all means with their error bars, and for the error what a prediction that does
+ * not move has.
+ */
 export function scaleOf(measure: Measure, models: readonly ModelSummary[], width: number): Scale {
   const values = models.flatMap((summary) => {
     const spread = measure.spread(summary);
     if (!spread) return [];
     const [low, high] = ends(spread);
     const reference = measure.unit === "DTW MSE" ? [summary.variance] : [];
-    return [spread.mean, measure.scale === "log" ? Math.max(low, spread.mean / BELOW) : low, high, ...reference];
+    return [
+      spread.mean,
+      measure.scale === "log" ? Math.max(low, spread.mean / BELOW) : low,
+      high,
+      ...reference,
+    ];
   });
   return (measure.scale === "log" ? logScale : linearScale)(values, EDGE, width - EDGE);
 }
@@ -65,7 +83,10 @@ export function bestOf(measure: Measure, models: readonly ModelSummary[]): numbe
   return measure.best === "least" ? Math.min(...means) : Math.max(...means);
 }
 
-/** Whether a few trials make most of the error, such as a rollout that goes astray: then the median says more than the mean. */
+/**
+ * Whether a few trials make most of the error, such as a rollout that goes astray: then the median says more
+ * than the mean.
+ */
 export function isSkewed({ mse, mseMedian }: ModelSummary): boolean {
   return mseMedian > 0 && mse.mean > 1.5 * mseMedian;
 }

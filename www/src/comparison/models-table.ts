@@ -1,5 +1,5 @@
-// Error, bound, time and size of each model: figure 4 of Velychko et al. 2018 as a table, with a dot and its error bar for each
-// number.
+// Error, bound, time and size of each model: figure 4 of Velychko et al. 2018 as a table, with a dot and its
+// error bar for each number.
 import { html, nothing, svg } from "lit";
 import "../terms/term";
 import { errorBar } from "../figures/chart";
@@ -100,7 +100,9 @@ export class ModelsTable extends FigureElement<Comparison> {
         "trainings that converged (share)",
         "pose terms of the bound (nats)",
         "other terms of the bound (nats)",
-        ...parts.map((part) => `DTW MSE of ${names[part] ?? `part ${part + 1}`} (squared units of the columns)`),
+        ...parts.map(
+          (part) => `DTW MSE of ${names[part] ?? `part ${part + 1}`} (squared units of the columns)`,
+        ),
         "folds",
         "runs",
       ],

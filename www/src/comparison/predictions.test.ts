@@ -18,7 +18,13 @@ const tmp = (heldOut: number): Job => ({
 
 /** A comparison of which these jobs are finished, and have predictions unless they are named. */
 function entryOf(jobs: Job[], without: Job[] = []) {
-  const finished = jobs.map((job) => ({ id: JSON.stringify(job), job, engine: "", outcome: null, failure: null }));
+  const finished = jobs.map((job) => ({
+    id: JSON.stringify(job),
+    job,
+    engine: "",
+    outcome: null,
+    failure: null,
+  }));
   const models = jobs.map(({ candidate }) => ({
     candidate,
     label: "bases" in candidate ? `${candidate.bases} bases` : "",

@@ -1,4 +1,5 @@
-// Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's controls.
+// Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's
+// controls.
 import { html, nothing } from "lit";
 import { plain } from "../figures/numbers";
 import { type ColumnMotion, Columns } from "../scene/columns";
@@ -12,7 +13,15 @@ import type { ComparisonStore } from "./comparison-store";
 import "./distance";
 import type { Distances, DistanceFigure } from "./distance";
 import { modelStyle } from "../figures/model-style";
-import { chosenOf, foldsOf, MOST_COLUMNS, motionOf, type Prediction, predictionsOf, toggled } from "./predictions";
+import {
+  chosenOf,
+  foldsOf,
+  MOST_COLUMNS,
+  motionOf,
+  type Prediction,
+  predictionsOf,
+  toggled,
+} from "./predictions";
 import { styled } from "../ui/styled";
 
 const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
@@ -34,7 +43,8 @@ export class SideBySide extends View {
   }
 
   protected override arrived(): void {
-    this.#player.playing = this.comparison.look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.#player.playing =
+      this.comparison.look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
     this.whenLeaving(() => this.#leaveCanvas());
     this.requestUpdate();
@@ -86,7 +96,10 @@ export class SideBySide extends View {
   /** Moves what follows the clock; all else stays as it is drawn. */
   #showFrame(): void {
     this.#frame = this.#wholeFrame();
-    const [range, clock] = [this.querySelector<HTMLInputElement>(".scrub input"), this.querySelector(".clock b")];
+    const [range, clock] = [
+      this.querySelector<HTMLInputElement>(".scrub input"),
+      this.querySelector(".clock b"),
+    ];
     if (!range || !clock) return;
     range.value = String(this.#frame);
     range.setAttribute("aria-valuetext", this.#frameWords());

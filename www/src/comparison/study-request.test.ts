@@ -5,7 +5,9 @@ import { keepMotions, newEntry } from "./comparison-entry";
 import type { Question } from "./question";
 import { studyRequestOf } from "./study-request";
 
-const setting = { trials: [clip(1), clip(2)].map(({ id }) => ({ name: `clip ${id}`, sha256: "", piece: null })) };
+const setting = {
+  trials: [clip(1), clip(2)].map(({ id }) => ({ name: `clip ${id}`, sha256: "", piece: null })),
+};
 const question = { clips: [clip(1), clip(2)], titles: ["one", "two"], settings: { framesPerSecond: 30 } };
 
 function entryOf(jobs: readonly Job[], objectives: readonly number[]) {

@@ -1,9 +1,16 @@
-// A study of perceived naturalness from a comparison: its trials, and what the models trained in this visit made of them.
+// A study of perceived naturalness from a comparison: its trials, and what the models trained in this visit
+// made of them.
 import type { GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
 import type { ReadonlyEntry } from "./comparison-entry";
 
 /** Null where no model was trained in this visit: results from a file hold no movements. */
-export function studyRequestOf({ question, titles, results, predictions, actual }: ReadonlyEntry): StudyRequest | null {
+export function studyRequestOf({
+  question,
+  titles,
+  results,
+  predictions,
+  actual,
+}: ReadonlyEntry): StudyRequest | null {
   const [body] = question?.clips ?? [];
   if (!question || !body) return null;
   const named = (trial: number, frameTime: number) => ({ trial, name: titles[trial - 1] ?? "", frameTime });
@@ -15,7 +22,10 @@ export function studyRequestOf({ question, titles, results, predictions, actual 
     const { candidate, seed, heldOut } = job;
     return [{ ...named(heldOut, frameTime), positions, candidate, seed, outcome }];
   });
-  const natural = [...actual].map(([trial, { positions, frameTime }]) => ({ ...named(trial, frameTime), positions }));
+  const natural = [...actual].map(([trial, { positions, frameTime }]) => ({
+    ...named(trial, frameTime),
+    positions,
+  }));
   if (generated.length === 0 || natural.length === 0) return null;
   const { framesPerSecond } = question.settings;
   return { title: "A comparison on this page", body, framesPerSecond, natural, generated };

@@ -92,7 +92,9 @@ export function drawApart(spots: readonly Spot[]): Spot[] {
   return apart;
 }
 
-/** From the rim of one node to the rim of the other, bowed to one side so that there and back do not overlap. */
+/**
+ * From the rim of one node to the rim of the other, bowed to one side so that there and back do not overlap.
+ */
 export function bowPath(a: Spot, b: Spot): string {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const length = Math.hypot(dx, dy) || 1;

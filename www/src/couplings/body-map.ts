@@ -12,7 +12,9 @@ import { partStyle } from "../ui/styled";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
-/** Held still for so many milliseconds, an arrow is cut; a pointer that has moved by so many pixels drags it. */
+/**
+ * Held still for so many milliseconds, an arrow is cut; a pointer that has moved by so many pixels drags it.
+ */
 const HOLD = 180;
 const STILL = 4;
 

@@ -1,5 +1,5 @@
-// What the body does under the couplings now, beside what it does as learned: measured a moment after the motion is there, so that no
-// slider waits for it.
+// What the body does under the couplings now, beside what it does as learned: measured a moment after the
+// motion is there, so that no slider waits for it.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
@@ -7,7 +7,10 @@ import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
 import { sameTimes } from "./same-times";
 
-/** Seconds of motion that are measured, and how many of its first are left out: in these it finds its new pace. As in docs/couplings.md. */
+/**
+ * Seconds of motion that are measured, and how many of its first are left out: in these it finds its new
+ * pace. As in docs/couplings.md.
+ */
 const MEASURED = 20;
 const SETTLING = 5;
 
@@ -65,11 +68,17 @@ export class BodyStore extends Store {
   /** Whether they are those of the motion under the couplings now, which may not be there yet. */
   get isCurrent(): boolean {
     const { rollout } = this.#model;
-    return rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest());
+    return (
+      rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest())
+    );
   }
 
   #isOf(report: BodyReport | null, request: RolloutRequest): report is BodyReport {
-    return report?.revision === this.#model.model?.revision && report !== null && sameTimes(report.request, request);
+    return (
+      report?.revision === this.#model.model?.revision &&
+      report !== null &&
+      sameTimes(report.request, request)
+    );
   }
 
   #follow(): void {

@@ -1,4 +1,5 @@
-// The frame of a table of couplings: a row for each part that decides, a column for each that it decides about.
+// The frame of a table of couplings: a row for each part that decides, a column for each that it decides
+// about.
 import { html, nothing, type TemplateResult } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";

@@ -47,7 +47,8 @@ export class CouplingsView extends View {
   }
 
   private table(info: ModelInfo) {
-    const bar = (target: number) => html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
+    const bar = (target: number) =>
+      html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
     return couplingsTable({
       parts: info.parts.map(({ name }) => name),
       cell: (source, target) => this.cell(info, source, target),

@@ -10,7 +10,12 @@ const NAMES = ["lower", "upper"];
 function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5): BodyReport {
   const limbs = parts.map((limb): Limbs => ({ swing: 0.2, period: 1, locking: 1, ...limb }));
   const measures = { limbs: [], parts: limbs, jointSpeed: 1, walkingSpeed, footSlide: null };
-  return { measures, health, revision: 1, request: { frames: 600, sequence: 0, alpha: null, reading: "as learned" } };
+  return {
+    measures,
+    health,
+    revision: 1,
+    request: { frames: 600, sequence: 0, alpha: null, reading: "as learned" },
+  };
 }
 const learned = report([{}, {}]);
 const of = (now: BodyReport) => measuredWords(now, learned, NAMES);
@@ -61,6 +66,8 @@ describe("what was measured", () => {
     const away = of(report([{}, {}], { state: "leaves the training range", from: 3, part: 1, rank: 1 }));
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
-    expect(of(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble).toMatch(/runs away/);
+    expect(of(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble).toMatch(
+      /runs away/,
+    );
   });
 });

@@ -10,7 +10,10 @@ export interface MeasuredWords {
   trouble: string;
 }
 
-/** A hand or foot that swings less, in metres, swings so little that its share of the learned swing says nothing. */
+/**
+ * A hand or foot that swings less, in metres, swings so little that its share of the learned swing says
+ * nothing.
+ */
 const SWINGS = 0.01;
 /** Less of the learned swing is hardly a swing. */
 const HARDLY = 0.1;
@@ -26,7 +29,8 @@ type Limbs = BodyReport["measures"]["parts"][number];
 export function measuredWords(now: BodyReport, learned: BodyReport, names: readonly string[]): MeasuredWords {
   const trouble = troubleWords(now.health, names);
   // A figure that stands still has nothing to swing.
-  if (now.health.state === "stands still" || now.health.state === "not finite") return { parts: [], step: "", trouble };
+  if (now.health.state === "stands still" || now.health.state === "not finite")
+    return { parts: [], step: "", trouble };
   const steps = new Set(now.measures.parts.map(stepWord).filter(Boolean));
   const parts = names.flatMap((_, part) => {
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];

@@ -10,14 +10,23 @@ export function plain(text: string): string {
 }
 
 /** "35_01-2-parts-1a2b3c4d". `id`: the first digits of the hash of the model's document. */
-export function modelName({ info, id }: { info: Pick<ModelInfo, "parts" | "sequences">; id: string }): string {
+export function modelName({
+  info,
+  id,
+}: {
+  info: Pick<ModelInfo, "parts" | "sequences">;
+  id: string;
+}): string {
   const clip = plain(clipTitle(info.sequences[0]?.name ?? "")) || "model";
   const parts = info.parts.length === 1 ? "1-part" : `${info.parts.length}-parts`;
   return `${clip}-${parts}-${id}`;
 }
 
 /** Null while there is none. */
-export function modelFile({ model, id }: Pick<ModelStore, "model" | "id">, engine: Pick<Engine, "modelJson">) {
+export function modelFile(
+  { model, id }: Pick<ModelStore, "model" | "id">,
+  engine: Pick<Engine, "modelJson">,
+) {
   if (!model) return null;
   return {
     name: `${modelName({ ...model, id })}.model.json`,

@@ -65,9 +65,13 @@ describe("a coupling", () => {
       [1, 7.123456789],
       [4, 1],
     ];
-    expect(engine.rollouts.slice(before)).toEqual([{ frames: 300, sequence: 0, alpha, reading: "re-inferred" }]);
+    expect(engine.rollouts.slice(before)).toEqual([
+      { frames: 300, sequence: 0, alpha, reading: "re-inferred" },
+    ]);
     await settled();
-    expect([model.alpha(0, 1), weightOf(0, 1), model.learnedAlpha(0, 1)]).toEqual([7.123456789, 7.123456789, 4]);
+    expect([model.alpha(0, 1), weightOf(0, 1), model.learnedAlpha(0, 1)]).toEqual([
+      7.123456789, 7.123456789, 4,
+    ]);
   });
 
   it("changes its weight before the motion is there", () => {
@@ -82,7 +86,10 @@ describe("a coupling", () => {
     model.moveDivider(1, 0, 0.5);
     await settled();
     expect(model.weightsInto(1).map((w) => w.toFixed(6))).toEqual(["0.500000", "0.500000"]);
-    expect([model.alpha(0, 1), model.alpha(1, 1)].map((alpha) => alpha.toFixed(6))).toEqual(["1.600000", "1.600000"]);
+    expect([model.alpha(0, 1), model.alpha(1, 1)].map((alpha) => alpha.toFixed(6))).toEqual([
+      "1.600000",
+      "1.600000",
+    ]);
     expect(model.isChanged(0, 0)).toBe(false);
     model.moveDivider(1, 0, 0.2);
     await settled();
@@ -91,7 +98,11 @@ describe("a coupling", () => {
     model.moveDivider(1, 0, 0.5);
     model.setCoupling(0, 0, 3);
     model.resetInto(1);
-    expect([model.isChanged(0, 0), model.isChanged(0, 1), model.isChanged(1, 1)]).toEqual([true, false, false]);
+    expect([model.isChanged(0, 0), model.isChanged(0, 1), model.isChanged(1, 1)]).toEqual([
+      true,
+      false,
+      false,
+    ]);
   });
 
   it("drops older changes that still wait", async () => {

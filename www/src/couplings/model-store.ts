@@ -29,8 +29,8 @@ const ID_DIGITS = 8;
 /** What stays as it is when another model is taken up. */
 export interface Keep {
   /**
-   * "none"; "visitor": those that the visitor set meanwhile, if they fit the model; "link": those of the address, if they belong
-   * to the model.
+   * "none"; "visitor": those that the visitor set meanwhile, if they fit the model; "link": those of the
+   * address, if they belong to the model.
    */
   couplings: "none" | "visitor" | "link";
   /** A clip that is looked at. */
@@ -105,7 +105,9 @@ export class ModelStore extends Store {
     return this.#model?.sha256.slice(0, ID_DIGITS) ?? "";
   }
 
-  /** The model that a link's couplings belong to, where it is another one; they are kept until it is opened. */
+  /**
+   * The model that a link's couplings belong to, where it is another one; they are kept until it is opened.
+   */
   get foreign(): string | null {
     return this.#foreign?.model ?? null;
   }
@@ -120,7 +122,10 @@ export class ModelStore extends Store {
     return this.#model === null || this.#model.sha256 === this.#startModel ? null : this.#text;
   }
 
-  /** Whether another model on the stage would lose this one: it was made here, is in no list, and is not saved. */
+  /**
+   * Whether another model on the stage would lose this one: it was made here, is in no list, and is not
+   * saved.
+   */
   get unsaved(): boolean {
     return this.#alone && this.#model !== null && !this.#saved.has(this.#model.sha256);
   }
@@ -163,7 +168,9 @@ export class ModelStore extends Store {
   get presets(): readonly Preset[] {
     const model = this.#model;
     if (!model) return [];
-    return model.sha256 === this.#startModel ? START_PRESETS : presetsOf(model.info.parts.map(({ name }) => name));
+    return model.sha256 === this.#startModel
+      ? START_PRESETS
+      : presetsOf(model.info.parts.map(({ name }) => name));
   }
 
   /** The preset whose couplings are those now. */
@@ -175,7 +182,9 @@ export class ModelStore extends Store {
   /** The coupling from one part to another that counts most now; null where there is but one part. */
   strongestBetween(): { source: number; target: number } | null {
     const parts = this.#model?.info.parts.map((_, part) => part) ?? [];
-    const pairs = parts.flatMap((source) => parts.flatMap((target) => (source === target ? [] : [{ source, target }])));
+    const pairs = parts.flatMap((source) =>
+      parts.flatMap((target) => (source === target ? [] : [{ source, target }])),
+    );
     return pairs.sort((a, b) => this.weight(b.source, b.target) - this.weight(a.source, a.target))[0] ?? null;
   }
 
@@ -192,8 +201,15 @@ export class ModelStore extends Store {
     return { ...begins, alpha, reading };
   }
 
-  /** Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are known. */
-  async open(text: string, keep = KEEP_NOTHING, trainingLatents: Float64Array[] | null = null): Promise<void> {
+  /**
+   * Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are
+   * known.
+   */
+  async open(
+    text: string,
+    keep = KEEP_NOTHING,
+    trainingLatents: Float64Array[] | null = null,
+  ): Promise<void> {
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
     this.#text = text;
     this.#alone = false;
@@ -217,7 +233,9 @@ export class ModelStore extends Store {
     this.#set([[source, target, alpha]]);
   }
 
-  /** Moves the divider between the shares of two neighbouring sources of a part to a place between 0 and 1. */
+  /**
+   * Moves the divider between the shares of two neighbouring sources of a part to a place between 0 and 1.
+   */
   moveDivider(target: number, divider: number, place: number): void {
     const [left, right] = moveDivider(this.#alphasInto(target), divider, place);
     this.#set([
@@ -261,7 +279,10 @@ export class ModelStore extends Store {
     this.#rollOut();
   }
 
-  /** From how many frames of a training sequence a rollout can start: of those whose latents the model's file keeps. */
+  /**
+   * From how many frames of a training sequence a rollout can start: of those whose latents the model's file
+   * keeps.
+   */
   startFrames(sequence: number): number {
     return this.#model?.info.startFrames[sequence] ?? 1;
   }
@@ -331,7 +352,8 @@ export class ModelStore extends Store {
 
   /** Asks for the rollout as learned, and then for the one under the couplings now. */
   #rollOutBoth(): void {
-    if (this.#model) this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
+    if (this.#model)
+      this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
     this.changed();
   }
 

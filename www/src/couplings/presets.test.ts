@@ -45,7 +45,10 @@ it("a preset is on where its couplings and its reading are, as far as a link tel
 it("any model has as learned, and two presets for each part", () => {
   const names = ["legs", "trunk", "left arm"];
   const presets = presetsOf(names);
-  expect(presets.map(({ name }) => name).slice(5)).toEqual(["Left arm on its own", "Left arm follows the others"]);
+  expect(presets.map(({ name }) => name).slice(5)).toEqual([
+    "Left arm on its own",
+    "Left arm follows the others",
+  ]);
   expect(new Set(presets.map(({ id }) => id)).size).toBe(7);
   const model = info(names, [
     [0.1, 0.2, 0.3],

@@ -1,5 +1,5 @@
-// Sets of couplings to choose from: those of the model that the page opens with, of which the effect is known, and some that make
-// sense for any model.
+// Sets of couplings to choose from: those of the model that the page opens with, of which the effect is
+// known, and some that make sense for any model.
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
@@ -24,7 +24,9 @@ interface Change {
 /** A coupling variance that is so many times the learned one leaves the source next to nothing to say. */
 const SILENT = 1000;
 
-/** The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures what they say. */
+/**
+ * The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures what they say.
+ */
 export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, reading, ...preset }) => ({
   ...preset,
   reading: reading as Reading,
@@ -72,8 +74,13 @@ export function presetsOf(parts: readonly string[]): Preset[] {
   return [preset("as-learned", "As learned", "The parts as training coupled them.", []), ...changed];
 }
 
-/** The couplings of a preset as settings know them, within their limits; null where the model lacks a part. */
-export function couplingsOf({ couplings }: Preset, { parts, alpha }: ModelView["info"]): ChangedCouplings | null {
+/**
+ * The couplings of a preset as settings know them, within their limits; null where the model lacks a part.
+ */
+export function couplingsOf(
+  { couplings }: Preset,
+  { parts, alpha }: ModelView["info"],
+): ChangedCouplings | null {
   const changed: Record<string, number> = {};
   for (const { source, target, factor } of couplings) {
     const place = (name: string) => parts.findIndex((part) => part.name === name);
@@ -85,7 +92,10 @@ export function couplingsOf({ couplings }: Preset, { parts, alpha }: ModelView["
   return limited({ alpha: changed }).alpha ?? null;
 }
 
-/** Whether these couplings, read like this, are those of the preset. Without a change there is nothing to read. */
+/**
+ * Whether these couplings, read like this, are those of the preset. Without a change there is nothing to
+ * read.
+ */
 export function isPreset(
   preset: Preset,
   info: ModelView["info"],

@@ -1,4 +1,5 @@
-// Who decides where a part goes next: a bar of the shares of its sources, with a divider between each two that can be moved.
+// Who decides where a part goes next: a bar of the shares of its sources, with a divider between each two
+// that can be moved.
 import { html } from "lit";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
@@ -57,7 +58,13 @@ export class ShareBar extends View {
     const bar = event.currentTarget as HTMLElement;
     bar.setPointerCapture(event.pointerId);
     const near = (other: number) => Math.abs(other - place) < ONE_SPOT;
-    this.drag = { first: dividers.findIndex(near), last: dividers.findLastIndex(near), divider: null, from, place };
+    this.drag = {
+      first: dividers.findIndex(near),
+      last: dividers.findLastIndex(near),
+      divider: null,
+      from,
+      place,
+    };
     bar.querySelectorAll<HTMLElement>(".divider")[this.drag.first]?.focus();
   }
 
@@ -94,7 +101,8 @@ export class ShareBar extends View {
         @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
         @dblclick=${() => model.resetInto(target)}>
         <div class="shares">${shares.map(
-          (share, source) => html`<i style=${partStyle(partColour(source), { "flex-grow": share.toFixed(5) })}></i>`,
+          (share, source) =>
+            html`<i style=${partStyle(partColour(source), { "flex-grow": share.toFixed(5) })}></i>`,
         )}</div>
         ${dividersOf(shares).map(
           (place, divider) => html`

@@ -29,7 +29,10 @@ describe("a divider", () => {
 
   it("moved to where it is changes nothing", () => {
     const place = dividersOf(sharesOf(alphas))[0]!;
-    expect(moveDivider(alphas, 0, place).map((alpha) => alpha.toFixed(9))).toEqual(["0.100000000", "0.300000000"]);
+    expect(moveDivider(alphas, 0, place).map((alpha) => alpha.toFixed(9))).toEqual([
+      "0.100000000",
+      "0.300000000",
+    ]);
   });
 
   it("stops at its neighbours, where one of the two is off, and keeps to the limits of alpha", () => {

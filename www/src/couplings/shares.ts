@@ -1,4 +1,5 @@
-// Who decides where a part goes next: the shares of its sources, and what moving the border between two of them means.
+// Who decides where a part goes next: the shares of its sources, and what moving the border between two of
+// them means.
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import { weight } from "../ui/format";
 
@@ -6,9 +7,10 @@ import { weight } from "../ui/format";
 const OFF = 0.01;
 
 /**
- * The weights w of the sources of one part, from their coupling variances: alpha^i / alpha^{ji} with alpha^i = 1 / sum_j 1 / alpha^{ji}.
- * The rule is the library's (`coupling_weights`); it stands here too because a bar follows its slider before the worker answers.
- * `tests/e2e/couplings.test.mjs` holds it to the weights of the rollout.
+ * The weights w of the sources of one part, from their coupling variances: alpha^i / alpha^{ji} with alpha^i
+ * = 1 / sum_j 1 / alpha^{ji}. The rule is the library's (`coupling_weights`); it stands here too because a
+ * bar follows its slider before the worker answers. `tests/e2e/couplings.test.mjs` holds it to the weights of
+ * the rollout.
  */
 export function sharesOf(alphas: readonly number[]): number[] {
   const combined = combinedOf(alphas);
@@ -34,9 +36,10 @@ export function dividersOf(shares: readonly number[]): number[] {
 }
 
 /**
- * The variances of the sources `divider` and `divider + 1` when the divider between them is moved to `place`, 0 to 1. The two share
- * out what they had together, w + w', so that 1 / alpha + 1 / alpha' = (w + w') / alpha^i stays, and with it alpha^i and the shares
- * of all others: only who decides changes, not how exact the prediction has to be.
+ * The variances of the sources `divider` and `divider + 1` when the divider between them is moved to `place`,
+ * 0 to 1. The two share out what they had together, w + w', so that 1 / alpha + 1 / alpha' = (w + w') /
+ * alpha^i stays, and with it alpha^i and the shares of all others: only who decides changes, not how exact
+ * the prediction has to be.
  */
 export function moveDivider(alphas: readonly number[], divider: number, place: number): [number, number] {
   const combined = combinedOf(alphas);

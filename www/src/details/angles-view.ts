@@ -57,7 +57,8 @@ export class AnglesView extends View {
   }
 
   override willUpdate(): void {
-    if (this.chosen === undefined) this.chosen = (this.channels.find(isKnee) ?? this.channels.at(-1))?.column ?? 0;
+    if (this.chosen === undefined)
+      this.chosen = (this.channels.find(isKnee) ?? this.channels.at(-1))?.column ?? 0;
   }
 
   override updated(): void {
@@ -117,7 +118,9 @@ export class AnglesView extends View {
       plot.right,
     );
     const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);
-    const placed = lines.map(({ x, y }) => y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]));
+    const placed = lines.map(({ x, y }) =>
+      y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]),
+    );
     this.places = placed[0] ?? [];
     const { x, y } = this.titles;
     // The one on the stage lies above the others.
@@ -142,7 +145,9 @@ export class AnglesView extends View {
       (joint) => html`<optgroup label=${joint}>
         ${this.channels.flatMap((of) =>
           of.joint === joint
-            ? [html`<option value=${of.column} ?selected=${of.column === selected}>${joint} ${of.channel}</option>`]
+            ? [
+                html`<option value=${of.column} ?selected=${of.column === selected}>${joint} ${of.channel}</option>`,
+              ]
             : [],
         )}</optgroup>`,
     );

@@ -5,7 +5,8 @@ const joints = [
   { name: "hips", parent: null, channels: ["Xposition", "Zrotation"] },
   { name: "knee", parent: 0, channels: ["Xrotation"] },
 ];
-const bvh = "HIERARCHY\nROOT hips\n{\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n1 170 10\n2 -175 20\n4 -160 40\n";
+const bvh =
+  "HIERARCHY\nROOT hips\n{\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n1 170 10\n2 -175 20\n4 -160 40\n";
 
 it("finds each channel's column and reads its numbers", () => {
   const channels = channelsOf(joints);

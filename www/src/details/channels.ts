@@ -40,7 +40,10 @@ export function courseOf({ rows }: Recorded, { column, isAngle }: Channel): numb
   });
 }
 
-/** Its speed for each second: half the difference of the frames before and after; at the ends, of the frame and its neighbour. */
+/**
+ * Its speed for each second: half the difference of the frames before and after; at the ends, of the frame
+ * and its neighbour.
+ */
 export function speedOf(course: readonly number[], frameTime: number): number[] {
   const last = course.length - 1;
   return course.map((_, t) => {
@@ -56,7 +59,10 @@ export function plottedCsv(
   titles: { x: string; y: string },
 ): string {
   const frames = Math.max(0, ...motions.map(({ y }) => y.length));
-  const header = motions.flatMap(({ name, x }) => [...(x ? [`${name}: ${titles.x}`] : []), `${name}: ${titles.y}`]);
+  const header = motions.flatMap(({ name, x }) => [
+    ...(x ? [`${name}: ${titles.x}`] : []),
+    `${name}: ${titles.y}`,
+  ]);
   const rows = Array.from({ length: frames }, (_, t) => [
     t,
     t * frameTime,

@@ -1,4 +1,5 @@
-// A closer look, in a dialog: the channels of the motion on the stage, or the kernels of the model. Loaded when it is asked for.
+// A closer look, in a dialog: the channels of the motion on the stage, or the kernels of the model. Loaded
+// when it is asked for.
 import { html, render, type TemplateResult } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { Engine, LoadedClip } from "../engine/protocol";
@@ -18,7 +19,10 @@ export interface Subject {
   engine: Engine;
   model: ModelStore;
   playback: Playback;
-  /** The clip on the stage, its frames from `first` up to, not including, `end`; null: the model's motion is there. */
+  /**
+   * The clip on the stage, its frames from `first` up to, not including, `end`; null: the model's motion is
+   * there.
+   */
   clip: { title: string; loaded: LoadedClip; first: number; end: number } | null;
 }
 
@@ -37,7 +41,8 @@ const TITLES = { angles: "Joint angles", kernels: "What was learned: kernels" };
 
 /** Opens it within `place`; it goes when it is closed. */
 export async function openDetails(what: Detail, subject: Subject, place: HTMLElement): Promise<void> {
-  const content = what === "angles" ? await angles(subject) : kernelTables(kernelsOf(await subject.engine.modelJson()));
+  const content =
+    what === "angles" ? await angles(subject) : kernelTables(kernelsOf(await subject.engine.modelJson()));
   const dialog = document.createElement("dialog");
   dialog.className = "details";
   dialog.setAttribute("aria-labelledby", "details-title");

@@ -21,7 +21,8 @@ export function kernelTables({ poses, experts, order }: Kernels) {
   const across = widest(poses);
   const inputs = widest(experts);
   /** Which of the earlier frames an input dimension belongs to, and which dimension of it. */
-  const history = (q: number) => `${(q % (inputs / order)) + 1}, t−${order - Math.floor((q * order) / inputs)}`;
+  const history = (q: number) =>
+    `${(q % (inputs / order)) + 1}, t−${order - Math.floor((q * order) / inputs)}`;
   const name = (part: number) => poses[part]?.part ?? "";
   return html`
     <section>

@@ -31,7 +31,11 @@ const figure = {
     { joint: 1, parent: 0, endSite: false },
   ],
 };
-const joints = ["hips", "chest"].map((name, joint) => ({ name, parent: joint === 0 ? null : 0, channels: [] }));
+const joints = ["hips", "chest"].map((name, joint) => ({
+  name,
+  parent: joint === 0 ? null : 0,
+  channels: [],
+}));
 const parts: PartSpec[] = [
   { name: "lower", joints: [0] },
   { name: "upper", joints: [1] },
@@ -241,7 +245,12 @@ export class FakeEngine implements Engine {
     const rows = request.frames - 2;
     const said = () => ({ means: new Float64Array(2 * rows), variances: new Float64Array(rows).fill(0.04) });
     const parts = [0, 1].map(() => ({ experts: [said(), said()], product: said() }));
-    return this.#answer("predictions", [request], { revision: this.#revision, request, firstFrame: 2, parts });
+    return this.#answer("predictions", [request], {
+      revision: this.#revision,
+      request,
+      firstFrame: 2,
+      parts,
+    });
   }
 
   futures(request: RolloutRequest, count: number, seed: number): Promise<RolloutResult[]> {
@@ -282,7 +291,10 @@ interface HeldTraining {
   /** Iterations to go on for; null: it begins. */
   more: number | null;
   signal: AbortSignal;
-  /** Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what the page did. */
+  /**
+   * Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what
+   * the page did.
+   */
   report(iteration: number, bound: number, model?: string, health?: Health): boolean;
   end(outcome: TrainingOutcome): void;
   fail(problem: Error): void;
@@ -335,13 +347,31 @@ export class FakeTrainers {
 export function progress(iteration: number, bound = 0): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
   const setbacks = { jittered: 0, turnedBack: 0 };
-  const rest = { terms, evaluations: iteration, phase: "everything" as const, setbacks, done: false, reason: null };
-  return { ...rest, iteration, maxIterations: 100, bound, best: bound, fraction: iteration / 100 } as TrainingProgress;
+  const rest = {
+    terms,
+    evaluations: iteration,
+    phase: "everything" as const,
+    setbacks,
+    done: false,
+    reason: null,
+  };
+  return {
+    ...rest,
+    iteration,
+    maxIterations: 100,
+    bound,
+    best: bound,
+    fraction: iteration / 100,
+  } as TrainingProgress;
 }
 
 /** What a start of the engine answers with. */
 export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): StartedEngine {
-  const samples = ["walk-1", "walk-2", "wave-1"].map((id) => ({ id, title: id, movement: id.split("-")[0] ?? "" }));
+  const samples = ["walk-1", "walk-2", "wave-1"].map((id) => ({
+    id,
+    title: id,
+    movement: id.split("-")[0] ?? "",
+  }));
   return { engine, pool: trainers.pool, version: "1.2.3", samples };
 }
 

@@ -4,7 +4,15 @@ import { messageOf } from "../ui/format";
 import { type Hired, Pool } from "./pool";
 import { loadPlayer, loadWhole, loadWholeWhenIdle } from "./programs";
 import { isTrap, SupervisedEngine, type SupervisedEvents } from "./supervised";
-import type { Engine, Report, SampleInfo, Trainee, TrainingJob, TrainingOutcome, Workbench } from "./protocol";
+import type {
+  Engine,
+  Report,
+  SampleInfo,
+  Trainee,
+  TrainingJob,
+  TrainingOutcome,
+  Workbench,
+} from "./protocol";
 
 /** Trains until it is done, or until the signal asks for the best so far. */
 export interface TrainingWorker {
@@ -23,9 +31,9 @@ export function workerTrouble(event: Pick<ErrorEvent, "message" | "lineno">): st
 export const nameOf = (what: string) => `vcgpdm ${what} ${Date.now()} ${Math.random()}`;
 
 /**
- * A worker, with a promise that fails when it dies. Some deaths send no event: but a worker that has started holds the lock of its name,
- * and the browser gives that to the next who waits for it. `started` is kept when the worker has it. (Only pages from https or from
- * this machine have locks.)
+ * A worker, with a promise that fails when it dies. Some deaths send no event: but a worker that has started
+ * holds the lock of its name, and the browser gives that to the next who waits for it. `started` is kept when
+ * the worker has it. (Only pages from https or from this machine have locks.)
  */
 export function watched(worker: Worker, name: string, started: Promise<unknown>) {
   const broken = new Promise<never>((_, fail) => {
@@ -41,7 +49,10 @@ export function watched(worker: Worker, name: string, started: Promise<unknown>)
 /** A worker of the whole program. */
 export function openWhole(what: string) {
   const name = nameOf(what);
-  return { name, worker: new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name }) };
+  return {
+    name,
+    worker: new Worker(new URL("../workers/whole.ts", import.meta.url), { type: "module", name }),
+  };
 }
 
 /** A trap of the wasm names an instruction, which is no news to a person. */
@@ -77,7 +88,8 @@ function hire(): Hired<TrainingWorker> {
   return {
     worker: {
       train: (job, report, signal) => heard(signal, () => remote.train(job, Comlink.proxy(report))),
-      goOn: (iterations, report, signal) => heard(signal, () => remote.goOn(iterations, Comlink.proxy(report))),
+      goOn: (iterations, report, signal) =>
+        heard(signal, () => remote.goOn(iterations, Comlink.proxy(report))),
     },
     ready,
     broken: watched(worker, name, ready),
@@ -103,7 +115,10 @@ async function startWorkbench(program: Promise<WebAssembly.Module>) {
   return { running: { remote, broken, dismiss: () => worker.terminate() }, ...said };
 }
 
-/** Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are missing. */
+/**
+ * Starts the worker that shows. The promise fails, with words for a person, where wasm or workers are
+ * missing.
+ */
 export async function startEngine(events: SupervisedEvents): Promise<StartedEngine> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
@@ -111,7 +126,9 @@ export async function startEngine(events: SupervisedEvents): Promise<StartedEngi
   const program = loadPlayer();
   const start = () =>
     startWorkbench(program).catch((problem: unknown) => {
-      throw new Error(`its program could not be loaded (${messageOf(problem)}). Reloading the page may help.`);
+      throw new Error(
+        `its program could not be loaded (${messageOf(problem)}). Reloading the page may help.`,
+      );
     });
   const { running, version, samples } = await start();
   const { engine } = new SupervisedEngine(running, async () => (await start()).running, events);

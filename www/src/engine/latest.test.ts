@@ -3,7 +3,8 @@ import { Latest } from "./latest";
 
 function slow() {
   const open: { request: number; answer: (value: number) => void; fail: (problem: Error) => void }[] = [];
-  const ask = (request: number) => new Promise<number>((answer, fail) => open.push({ request, answer, fail }));
+  const ask = (request: number) =>
+    new Promise<number>((answer, fail) => open.push({ request, answer, fail }));
   return { open, ask };
 }
 const settle = () => new Promise((resolve) => setTimeout(resolve, 0));

@@ -1,4 +1,5 @@
-// What the page and the workers of the whole program say to each other about libraries of primitives. Types only.
+// What the page and the workers of the whole program say to each other about libraries of primitives. Types
+// only.
 import type {
   CouplingsFrom,
   LibraryInfo,
@@ -8,7 +9,14 @@ import type {
   ModularityOutcome,
   PartMotion,
 } from "vcgpdm";
-import type { Couplings, Motion, TrainingClip, TrainingOutcome, TrainingProgress, TrainingSettings } from "./protocol";
+import type {
+  Couplings,
+  Motion,
+  TrainingClip,
+  TrainingOutcome,
+  TrainingProgress,
+  TrainingSettings,
+} from "./protocol";
 
 export type {
   CouplingsFrom,
@@ -24,7 +32,9 @@ export type {
 export type WalkChange =
   /** The part goes on with another of its primitives. */
   | { kind: "use"; part: number; primitive: number }
-  /** The predictions of the part become so much, 0 to 1, those of another of its primitives: little by little. */
+  /**
+   * The predictions of the part become so much, 0 to 1, those of another of its primitives: little by little.
+   */
   | { kind: "mix"; part: number; other: number; share: number }
   | { kind: "couplings"; alpha: Couplings }
   /** The couplings of a combination that nobody has fitted. */
@@ -74,13 +84,18 @@ export interface ImportJob {
   seed: number;
 }
 
-/** What came of it: the document of the library with them, and how much of each part's poses its pose maps do not show. */
+/**
+ * What came of it: the document of the library with them, and how much of each part's poses its pose maps do
+ * not show.
+ */
 export interface Imported {
   text: string;
   lost: number[];
 }
 
-/** A library with primitives of another file, and how many of them are new in it; or why they do not fit it. */
+/**
+ * A library with primitives of another file, and how many of them are new in it; or why they do not fit it.
+ */
 export type Addition = { text: string; info: LibraryInfo; added: number } | { misfit: Misfit };
 
 /** One row of the map of tempo and coupling. */
@@ -93,7 +108,10 @@ export interface LockingJob {
   strengths: number[];
 }
 
-/** What a worker does for libraries. It holds one library with one walk; what trains is told which library, and keeps nothing. */
+/**
+ * What a worker does for libraries. It holds one library with one walk; what trains is told which library,
+ * and keeps nothing.
+ */
 export interface LibraryWorker {
   /** Whether the document has a primitive of every part; else it can only be added to a library. */
   isWholeLibrary(text: string): boolean;
@@ -118,18 +136,24 @@ export interface LibraryWorker {
   primitivesText(primitives: number[]): string;
   /** Adds the primitives of another library; the walk goes on. Where they do not fit, nothing changes. */
   addPrimitives(text: string): Addition;
-  importPrimitives(job: ImportJob, report: (report: LibraryReport<Imported>) => void): Promise<TrainingOutcome>;
+  importPrimitives(
+    job: ImportJob,
+    report: (report: LibraryReport<Imported>) => void,
+  ): Promise<TrainingOutcome>;
   /** Begins an endless walk in the place of the one before. */
   startWalk(uses: number[]): void;
   /**
-   * Takes the last frames back, with what was changed since they were made, makes the changes, then computes the next frames. Throws when
-   * there is no walk.
+   * Takes the last frames back, with what was changed since they were made, makes the changes, then computes
+   * the next frames. Throws when there is no walk.
    */
   advanceWalk(back: number, changes: WalkChange[], frames: number): Motion;
   learnLibrary(job: LearningJob, report: (report: LibraryReport<string>) => void): Promise<TrainingOutcome>;
   fitCouplings(job: FittingJob, report: (report: LibraryReport<Fitted>) => void): Promise<TrainingOutcome>;
   /** One trial held out: what came of it comes with the last report, where it was not cancelled. */
-  holdOut(fold: ModularityFold, report: (report: LibraryReport<ModularityOutcome>) => void): Promise<TrainingOutcome>;
+  holdOut(
+    fold: ModularityFold,
+    report: (report: LibraryReport<ModularityOutcome>) => void,
+  ): Promise<TrainingOutcome>;
   cancelLibrary(): void;
   /** How well the target is locked to the source at each coupling, 0 to 1. */
   lockingRow(job: LockingJob): Float64Array;

@@ -44,7 +44,11 @@ export interface PendingTraining<Job, Found> {
   end(outcome: TrainingOutcome): void;
 }
 
-const joints = ["hips", "chest"].map((name, joint) => ({ name, parent: joint === 0 ? null : 0, channels: [] }));
+const joints = ["hips", "chest"].map((name, joint) => ({
+  name,
+  parent: joint === 0 ? null : 0,
+  channels: [],
+}));
 const figure = {
   nodes: [
     { joint: 0, parent: null, endSite: false },
@@ -52,8 +56,15 @@ const figure = {
   ],
 };
 
-/** A library's document: what it is called, its movements beside the two that were recorded, and primitives of the upper body beside the two. */
-export function libraryText(name: string, added: readonly string[] = [], arms: readonly string[] = []): string {
+/**
+ * A library's document: what it is called, its movements beside the two that were recorded, and primitives of
+ * the upper body beside the two.
+ */
+export function libraryText(
+  name: string,
+  added: readonly string[] = [],
+  arms: readonly string[] = [],
+): string {
   return JSON.stringify({ name, added, arms });
 }
 
@@ -79,7 +90,11 @@ function infoOf(text: string): LibraryInfo {
   });
   return {
     parts: ["lower", "upper"].map((name, joint) => ({ name, joints: [joint], latent: 2, poseIps: 4 })),
-    primitives: ["walk", "wave", "walk", "wave", ...arms].map((name, i) => ({ name, part: i < 2 ? 0 : 1, origin })),
+    primitives: ["walk", "wave", "walk", "wave", ...arms].map((name, i) => ({
+      name,
+      part: i < 2 ? 0 : 1,
+      origin,
+    })),
     movements: [
       movement("walk", [0, 2], true),
       movement("wave", [1, 3], true),
@@ -182,11 +197,13 @@ export class FakeLibraries {
         if (!uses) throw new Error("There is no walk: start one.");
         this.changes.push(...changes);
         this.advances.push({ back, frames });
-        if (back >= states.length) throw new Error(`expected frames to take back from 0 to ${states.length - 1}`);
+        if (back >= states.length)
+          throw new Error(`expected frames to take back from 0 to ${states.length - 1}`);
         if (back > 0) states = states.slice(0, -back);
         let now = back > 0 ? (states.at(-1) ?? uses) : uses;
         for (const change of changes)
-          if (change.kind === "use") now = now.map((one, part) => (part === change.part ? change.primitive : one));
+          if (change.kind === "use")
+            now = now.map((one, part) => (part === change.part ? change.primitive : one));
         uses = now;
         states.push(...Array.from({ length: frames }, () => now));
         return motion(uses, frames);

@@ -8,9 +8,18 @@ interface Fake {
 }
 
 /** A pool of workers that do nothing themselves, and the work it was given. */
-function scene(width: number, grace?: number, ready: (name: number) => Promise<unknown> = () => Promise.resolve()) {
+function scene(
+  width: number,
+  grace?: number,
+  ready: (name: number) => Promise<unknown> = () => Promise.resolve(),
+) {
   const workers: Fake[] = [];
-  const begun: { job: string; worker: Fake; end: (result: string) => void; fail: (problem: Error) => void }[] = [];
+  const begun: {
+    job: string;
+    worker: Fake;
+    end: (result: string) => void;
+    fail: (problem: Error) => void;
+  }[] = [];
   const listened: MockInstance[] = [];
   const hire = (): Hired<Fake> => {
     let die = (_: Error) => {};

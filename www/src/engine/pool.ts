@@ -1,4 +1,5 @@
-// Work for several workers: in the order in which it was asked for, on as many at once as the pool is wide. Knows no model.
+// Work for several workers: in the order in which it was asked for, on as many at once as the pool is wide.
+// Knows no model.
 
 /** A worker that the pool has started. */
 export interface Hired<Worker> {
@@ -29,8 +30,8 @@ export class Pool<Worker> {
   private waiting: Waiting<Worker>[] = [];
   private busy = 0;
   /**
-   * What the death of a worker at work fails. Its promise is listened to once: listeners of every piece of work would stay, and with them what
-   * came of it, for as long as the worker lives.
+   * What the death of a worker at work fails. Its promise is listened to once: listeners of every piece of
+   * work would stay, and with them what came of it, for as long as the worker lives.
    */
   private readonly atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
   /** Workers that hold something that may be asked for again. */
@@ -44,8 +45,9 @@ export class Pool<Worker> {
   ) {}
 
   /**
-   * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work under way is
-   * expected to hear the signal itself and to end early, with a result, before the grace is over. `on` names a worker that was kept.
+   * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work
+   * under way is expected to hear the signal itself and to end early, with a result, before the grace is
+   * over. `on` names a worker that was kept.
    */
   run<Result>(
     work: (worker: Worker) => Promise<Result>,
@@ -95,7 +97,9 @@ export class Pool<Worker> {
   private next(): void {
     while (this.busy < this.width) {
       // What waits for one worker that is at work does not keep others waiting.
-      const at = this.waiting.findIndex(({ on }) => on === null || this.idle.some(({ worker }) => worker === on));
+      const at = this.waiting.findIndex(
+        ({ on }) => on === null || this.idle.some(({ worker }) => worker === on),
+      );
       const [job] = at < 0 ? [] : this.waiting.splice(at, 1);
       if (!job) break;
       job.begun();
@@ -143,7 +147,10 @@ export class Pool<Worker> {
   }
 
   /** Fails when the worker dies. */
-  private async workOn<Result>(hired: Hired<Worker>, work: (worker: Worker) => Promise<Result>): Promise<Result> {
+  private async workOn<Result>(
+    hired: Hired<Worker>,
+    work: (worker: Worker) => Promise<Result>,
+  ): Promise<Result> {
     try {
       return await new Promise<Result>((resolve, reject) => {
         this.atWork.set(hired, reject);

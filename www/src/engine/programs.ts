@@ -1,4 +1,5 @@
-// The two wasm programs: one that shows, for the first visit, and the whole one, which trains and compares. No wasm import.
+// The two wasm programs: one that shows, for the first visit, and the whole one, which trains and compares.
+// No wasm import.
 import { messageOf } from "../ui/format";
 import { whenIdle } from "../ui/idle";
 
@@ -11,7 +12,8 @@ async function compile(place: URL): Promise<WebAssembly.Module> {
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
-export const loadPlayer = () => compile(new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url));
+export const loadPlayer = () =>
+  compile(new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url));
 
 let whole: Promise<WebAssembly.Module> | null = null;
 
@@ -27,7 +29,10 @@ export function loadWhole(): Promise<WebAssembly.Module> {
   return whole;
 }
 
-/** Loads the whole program when the page has nothing else to do; not where the visitor's connection is to be spared. */
+/**
+ * Loads the whole program when the page has nothing else to do; not where the visitor's connection is to be
+ * spared.
+ */
 export function loadWholeWhenIdle(): void {
   const { connection } = navigator as Navigator & { connection?: { saveData?: boolean } };
   if (connection?.saveData) return;

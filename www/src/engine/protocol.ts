@@ -73,7 +73,10 @@ export interface ModelView {
   poseInducing: Float64Array[];
   /** [source][target] */
   dynamicsInducing: DynamicsInducing[][];
-  /** Latent means of the training frames of each part [N x Q]; null for a model from a file. The page adds them. */
+  /**
+   * Latent means of the training frames of each part [N x Q]; null for a model from a file. The page adds
+   * them.
+   */
   trainingLatents: Float64Array[] | null;
 }
 
@@ -246,9 +249,15 @@ export interface Workbench {
   readClip(name: string, bytes: Uint8Array): LoadedClip;
   sampleClip(id: string): LoadedClip;
   dropClip(id: number): void;
-  /** Why these clips cannot be trained on together, all with the bones of the first where that is asked for; null: they can. */
+  /**
+   * Why these clips cannot be trained on together, all with the bones of the first where that is asked for;
+   * null: they can.
+   */
   checkTogether(ids: number[], firstBones: boolean): Clash | null;
-  /** Which of several models of the same data is to be shown, from the ranks of their rollouts' health and their bounds. */
+  /**
+   * Which of several models of the same data is to be shown, from the ranks of their rollouts' health and
+   * their bounds.
+   */
   bestToShow(ranks: number[], bounds: number[]): number;
   /** What a training would cost here. */
   trainingCost(question: CostQuestion): TrainingCost;

@@ -1,4 +1,5 @@
-// What the page and the workers of the whole program say to each other about time series that are no body. Types only.
+// What the page and the workers of the whole program say to each other about time series that are no body.
+// Types only.
 import type { AnyModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
 import type { LibraryReport } from "./library-protocol";
 import type { Couplings, Reading, TrainingOutcome } from "./protocol";
@@ -61,6 +62,9 @@ export interface SeriesWorker {
   rolloutSeries(request: SeriesRequest): SeriesRollout;
   /** The rollout as CSV: frame, time in seconds, and a column for each. */
   seriesCsv(request: SeriesRequest): string;
-  trainSeries(job: SeriesJob, report: (report: LibraryReport<TrainedSeries>) => void): Promise<TrainingOutcome>;
+  trainSeries(
+    job: SeriesJob,
+    report: (report: LibraryReport<TrainedSeries>) => void,
+  ): Promise<TrainingOutcome>;
   cancelSeries(): void;
 }

@@ -2,7 +2,14 @@
 import type { LibraryReport } from "./library-protocol";
 import type { PendingTraining } from "./library.fake";
 import type { Couplings } from "./protocol";
-import type { ReadTable, SeriesInfo, SeriesJob, SeriesRequest, TableSource, TrainedSeries } from "./series-protocol";
+import type {
+  ReadTable,
+  SeriesInfo,
+  SeriesJob,
+  SeriesRequest,
+  TableSource,
+  TrainedSeries,
+} from "./series-protocol";
 import type { WholeProgramWorker } from "./whole-engine";
 
 type SeriesCalls = "readTable" | "checkTables" | "openSeries" | "rolloutSeries" | "seriesCsv" | "trainSeries";
@@ -13,7 +20,8 @@ const LEARNED: Couplings = [
 ];
 
 /** A model's document: of tables with these names, or of another kind without couplings. */
-export const seriesText = (tables: readonly string[], { coupled = true } = {}) => JSON.stringify({ tables, coupled });
+export const seriesText = (tables: readonly string[], { coupled = true } = {}) =>
+  JSON.stringify({ tables, coupled });
 
 function infoOf(text: string): SeriesInfo {
   const { tables, coupled } = JSON.parse(text) as { tables: string[]; coupled: boolean };
@@ -38,7 +46,10 @@ async function read({ name, file }: TableSource): Promise<ReadTable> {
   const [head = "", ...rows] = (await file.text()).trim().split("\n");
   if (rows.length < 2) throw new Error(`${name}, line 1: expected at least two rows of numbers`);
   const values = Float64Array.from(rows.flatMap((row) => row.split(",").map(Number)));
-  return { info: { name, sha256: name, columns: head.split(","), rows: rows.length, frameTime: 0.1 }, values };
+  return {
+    info: { name, sha256: name, columns: head.split(","), rows: rows.length, frameTime: 0.1 },
+    values,
+  };
 }
 
 export class FakeSeries {

@@ -40,7 +40,12 @@ function supervised() {
     return Promise.resolve(workers[at]!.running);
   });
   const { engine } = new SupervisedEngine(workers[0]!.running, start, events);
-  return { engine, workers: workers as [ReturnType<typeof worker>, ...ReturnType<typeof worker>[]], events, start };
+  return {
+    engine,
+    workers: workers as [ReturnType<typeof worker>, ...ReturnType<typeof worker>[]],
+    events,
+    start,
+  };
 }
 
 const settle = () => new Promise((done) => setTimeout(done));
@@ -92,7 +97,9 @@ describe("a worker that dies", () => {
   it("is replaced too when its program traps, and what trapped is not asked again", async () => {
     const { engine, workers, events } = supervised();
     workers[0].remote.modelJson.mockRejectedValue(trap());
-    await expect(engine.modelJson()).rejects.toThrow(/the program stopped \(unreachable\), perhaps for want of memory/);
+    await expect(engine.modelJson()).rejects.toThrow(
+      /the program stopped \(unreachable\), perhaps for want of memory/,
+    );
     expect(await engine.modelJson()).toBe("model");
     expect(workers[1]!.remote.modelJson).toHaveBeenCalledOnce();
     expect(events.restarted).toHaveBeenCalledOnce();

@@ -1,4 +1,5 @@
-// The worker that shows, kept alive: when it dies it is started anew, with the clips and the model that it held. Knows no worker.
+// The worker that shows, kept alive: when it dies it is started anew, with the clips and the model that it
+// held. Knows no worker.
 import type { Engine, LoadedClip, Workbench } from "./protocol";
 
 /** Each call to the worker answers with a promise. */
@@ -57,7 +58,10 @@ export class SupervisedEngine {
   readonly #events: SupervisedEvents;
   #worker: Promise<RunningWorkbench>;
   /** The clips by the page's numbers, which stay when another worker gives them others. */
-  readonly #clips = new Map<number, { inWorker: number; read(remote: RemoteWorkbench): Promise<LoadedClip> }>();
+  readonly #clips = new Map<
+    number,
+    { inWorker: number; read(remote: RemoteWorkbench): Promise<LoadedClip> }
+  >();
   #lastClip = 0;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
@@ -78,7 +82,9 @@ export class SupervisedEngine {
       ...(Object.fromEntries(calls.map((call) => [call, ask(call)])) as Pick<Engine, keyof typeof STATELESS>),
       readClip: (name, bytes) => {
         const file = new Blob([bytes as Uint8Array<ArrayBuffer>]);
-        return this.#addClip(async (remote) => remote.readClip(name, new Uint8Array(await file.arrayBuffer())));
+        return this.#addClip(async (remote) =>
+          remote.readClip(name, new Uint8Array(await file.arrayBuffer())),
+        );
       },
       sampleClip: (id) => this.#addClip((remote) => remote.sampleClip(id)),
       dropClip: async (id) => {
@@ -112,7 +118,9 @@ export class SupervisedEngine {
     return opened;
   }
 
-  /** Asks the worker. A question during which it dies is asked once more; one that stops the program is not. */
+  /**
+   * Asks the worker. A question during which it dies is asked once more; one that stops the program is not.
+   */
   async #ask<Answer>(question: (remote: RemoteWorkbench) => Promise<Answer>, again = true): Promise<Answer> {
     const worker = await this.#worker;
     let fail: (problem: Died) => void = () => {};

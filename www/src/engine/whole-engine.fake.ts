@@ -54,7 +54,12 @@ export const evaluated: Evaluated = {
   frameTime: 0.1,
 };
 
-export const clip = (id: number): TrainingClip => ({ id, source: { sample: `clip ${id}` }, first: 0, end: 100 });
+export const clip = (id: number): TrainingClip => ({
+  id,
+  source: { sample: `clip ${id}` },
+  first: 0,
+  end: 100,
+});
 
 const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>
   `${candidate.model} ${heldOut} of ${trainingTrials} seed ${seed}`;
@@ -65,7 +70,9 @@ function settingOf(clips: readonly TrainingClip[], { parts, framesPerSecond }: C
 }
 
 const candidateOf = (model: ModelKind): Job["candidate"] =>
-  model === "dmp-discrete" || model === "dmp-rhythmic" ? { model, bases: 20 } : { model: "tmp", primitives: null };
+  model === "dmp-discrete" || model === "dmp-rhythmic"
+    ? { model, bases: 20 }
+    : { model: "tmp", primitives: null };
 
 function jobsOf(plan: Plan, trials: number): Job[] {
   const folds = plan.heldOut.length > 0 ? plan.heldOut : Array.from({ length: trials }, (_, k) => k + 1);
@@ -81,7 +88,13 @@ function jobsOf(plan: Plan, trials: number): Job[] {
 
 /** Results with these jobs finished. */
 export function resultsOf(setting: Setting, jobs: readonly Job[]): ResultsView {
-  const finished: FinishedJob[] = jobs.map((job) => ({ id: idOf(job), job, engine: "fake", outcome, failure: null }));
+  const finished: FinishedJob[] = jobs.map((job) => ({
+    id: idOf(job),
+    job,
+    engine: "fake",
+    outcome,
+    failure: null,
+  }));
   const comparison = { parts: [], models: [], correlations: [], growth: [], evidence: [], claims: [] };
   return { text: JSON.stringify({ setting, jobs }), setting, finished, comparison };
 }
@@ -110,7 +123,10 @@ export function refusal(message: string): Error {
   return error;
 }
 
-/** The study that a fake program takes a text for: its title is the text, and it has so many trials in one block. */
+/**
+ * The study that a fake program takes a text for: its title is the text, and it has so many trials in one
+ * block.
+ */
 export interface FakeStudies {
   study: StudyInfo;
   trials: StudyTrial[];

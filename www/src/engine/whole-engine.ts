@@ -62,8 +62,8 @@ type Cancellable<Call> = Call extends (job: infer Job, report: infer Report) => 
   : never;
 
 /**
- * What the page asks of a worker of the whole program. When the signal comes, trainings keep the best so far; an evaluation answers
- * null, and a fold finds nothing.
+ * What the page asks of a worker of the whole program. When the signal comes, trainings keep the best so far;
+ * an evaluation answers null, and a fold finds nothing.
  */
 export type WholeProgramWorker = { [Question in Questions]: Remote<WholeWorker[Question]> } & {
   [Task in Tasks]: Cancellable<WholeWorker[Task]>;

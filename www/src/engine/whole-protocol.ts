@@ -110,12 +110,18 @@ export interface ExperimentReport {
   findings: SyntheticFindings;
 }
 
-/** What a worker does for comparisons. It keeps nothing between two calls, so that one that dies loses nothing. */
+/**
+ * What a worker does for comparisons. It keeps nothing between two calls, so that one that dies loses
+ * nothing.
+ */
 export interface ComparisonWorker {
   /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
   evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;
   cancelEvaluation(): void;
-  /** The jobs of a plan on these clips. `known`: the text of results that are gone on with if they are of the same setting. */
+  /**
+   * The jobs of a plan on these clips. `known`: the text of results that are gone on with if they are of the
+   * same setting.
+   */
   planComparison(
     clips: TrainingClip[],
     settings: ComparisonSettings,
@@ -133,7 +139,10 @@ export interface ExperimentWorker {
   /** The data of an experiment, and the truth about them. */
   drawExperiment(experiment: Experiment): SyntheticTruth;
   /** Trains until it is done or cancelled; the best so far comes with the last report. */
-  trainExperiment(experiment: Experiment, report: (report: ExperimentReport) => void): Promise<TrainingOutcome>;
+  trainExperiment(
+    experiment: Experiment,
+    report: (report: ExperimentReport) => void,
+  ): Promise<TrainingOutcome>;
   cancelExperiment(): void;
 }
 

@@ -1,4 +1,5 @@
-// The synthetic experiment, step by step: what was made, what the model sees, what training finds, and with how many seeds.
+// The synthetic experiment, step by step: what was made, what the model sees, what training finds, and with
+// how many seeds.
 import { html, nothing } from "lit";
 import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
@@ -40,12 +41,15 @@ export class ExperimentPage extends View {
       const [first] = asked;
       const over = asked.filter(({ state }) => state === "done" || state === "failed").length;
       const where =
-        first && asked.length === 1 ? `Iteration ${first.iteration}` : `${over} of ${asked.length} seeds done`;
+        first && asked.length === 1
+          ? `Iteration ${first.iteration}`
+          : `${over} of ${asked.length} seeds done`;
       return html`<span>${where}</span><span>${sentence(timeLeft(restOf(asked, width)))}</span>`;
     }
     if (shown?.state === "failed")
       return html`<span class="bad">${sentence(`Training failed: ${shown.ending}`)}</span>`;
-    if (shown?.ending) return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(shown.ending)}</span>`;
+    if (shown?.ending)
+      return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(shown.ending)}</span>`;
     return "The seed decides the data and the training.";
   }
 
@@ -55,7 +59,9 @@ export class ExperimentPage extends View {
     if (status === "running") return `Training, ${Math.floor(shareOf(asked) * 10) * 10} per cent done`;
     if (busy) return "Stopping";
     if (asked.length > 1) return `Training ended. ${tally(runs)}`;
-    return shown?.findings && shown.ending ? `Training ended. ${headline(shown.findings, shown.driving)}` : "";
+    return shown?.findings && shown.ending
+      ? `Training ended. ${headline(shown.findings, shown.driving)}`
+      : "";
   }
 
   /** One button, so that it keeps the focus while what it does changes. */

@@ -102,7 +102,10 @@ describe("a training", () => {
     expect(experiments.status).toBe("cancelling");
     await over;
     expect(states()).toEqual(["0 cancelled", "1 cancelled"]);
-    expect(experiments.runs[0]).toMatchObject({ iteration: 5, ending: "You cancelled; this is the best so far." });
+    expect(experiments.runs[0]).toMatchObject({
+      iteration: 5,
+      ending: "You cancelled; this is the best so far.",
+    });
     expect(experiments.open(seeds(0))).toEqual(seeds(0));
   });
 

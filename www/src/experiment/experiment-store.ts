@@ -90,7 +90,10 @@ export class ExperimentStore extends Store {
     return experiments.filter((experiment) => this.#find(experiment)?.state !== "done");
   }
 
-  /** Draws the experiment that the settings name, whenever it is another one, until the answer is called. Loads the program. */
+  /**
+   * Draws the experiment that the settings name, whenever it is another one, until the answer is called.
+   * Loads the program.
+   */
   follow(): () => void {
     const draw = () => {
       if (!this.#wanted || !isSame(this.#wanted, this.experiment)) this.draw();
@@ -106,7 +109,9 @@ export class ExperimentStore extends Store {
     this.changed();
   }
 
-  /** Trains those of these experiments that were not trained to the end: a training would find the same again. */
+  /**
+   * Trains those of these experiments that were not trained to the end: a training would find the same again.
+   */
   async train(experiments: readonly Experiment[]): Promise<void> {
     const runs = this.open(experiments).map(newRun);
     if (this.busy || runs.length === 0) return;

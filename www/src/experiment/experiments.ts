@@ -16,7 +16,16 @@ export interface ExperimentRun extends Experiment, Course {
 export const TEN_SEEDS = Array.from({ length: 10 }, (_, seed) => seed);
 
 export function newRun({ seed, driving }: Experiment): ExperimentRun {
-  return { seed, driving, state: "waiting", elapsed: 0, fraction: 0, iteration: 0, findings: null, ending: "" };
+  return {
+    seed,
+    driving,
+    state: "waiting",
+    elapsed: 0,
+    fraction: 0,
+    iteration: 0,
+    findings: null,
+    ending: "",
+  };
 }
 
 export const isSame = (a: Experiment, b: Experiment): boolean => a.seed === b.seed && a.driving === b.driving;
@@ -27,7 +36,8 @@ export function inOrder(runs: readonly ExperimentRun[]): ExperimentRun[] {
 }
 
 /** Whether the couplings say the truth about who drives whom. */
-export const isFound = ({ verdict }: SyntheticFindings): boolean => verdict.backIsRight && verdict.forthIsRight;
+export const isFound = ({ verdict }: SyntheticFindings): boolean =>
+  verdict.backIsRight && verdict.forthIsRight;
 
 /** What the couplings say of each direction, and whether it is true. */
 export function readings(

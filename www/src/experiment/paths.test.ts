@@ -18,11 +18,19 @@ describe("points of a plane", () => {
 
 describe("curves over time", () => {
   it("have a row each, one scale, and as many frames as asked for", () => {
-    const paths = curvePaths({ values: [1, 0, -1, 0.5, 9, 9], columns: 2, frames: 2, width: 100, height: 40 });
+    const paths = curvePaths({
+      values: [1, 0, -1, 0.5, 9, 9],
+      columns: 2,
+      frames: 2,
+      width: 100,
+      height: 40,
+    });
     expect(paths).toEqual(["M0 -6L100 26", "M0 30L100 22"]);
   });
 
   it("that are flat stay flat", () => {
-    expect(curvePaths({ values: [0, 0, 0], columns: 1, frames: 3, width: 10, height: 10 })).toEqual(["M0 5L5 5L10 5"]);
+    expect(curvePaths({ values: [0, 0, 0], columns: 1, frames: 3, width: 10, height: 10 })).toEqual([
+      "M0 5L5 5L10 5",
+    ]);
   });
 });

@@ -36,7 +36,13 @@ export function latentPicture(
 export function curvesPicture(part: number, truth: SyntheticTruth | null) {
   const [width, height] = [300, 130];
   const paths = truth
-    ? curvePaths({ values: truth.observed[part] ?? [], columns: truth.columns, frames: CURVE_FRAMES, width, height })
+    ? curvePaths({
+        values: truth.observed[part] ?? [],
+        columns: truth.columns,
+        frames: CURVE_FRAMES,
+        width,
+        height,
+      })
     : [];
   return html`
     <figure class="curves-picture" style=${partStyle(partColour(part))}>

@@ -1,5 +1,5 @@
-// Axes, lines and error bars in SVG. One unit is one pixel; colours come from the stylesheet, that of a series of data from
-// `--series`.
+// Axes, lines and error bars in SVG. One unit is one pixel; colours come from the stylesheet, that of a
+// series of data from `--series`.
 import { nothing, svg } from "lit";
 import type { Scale, Tick } from "./scale";
 import { textWidth } from "./text-width";
@@ -13,7 +13,8 @@ export interface Plot {
 }
 
 /** The width of the widest label. */
-const widest = (ticks: Tick[], type: number) => Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
+const widest = (ticks: Tick[], type: number) =>
+  Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
 
 /** The ticks of a horizontal axis: as many as stand beside each other. */
 export function ticksAcross(scale: Scale, room: number, type: number): Tick[] {

@@ -15,7 +15,9 @@ it("quotes what would be read as something else, and ends each line as the stand
 
 it("keeps full precision, and leaves out what is not known", () => {
   const value = 0.1 + 0.2;
-  const [, row] = csv({ header: ["a", "b", "c", "d"], rows: [[value, 1e-9, null, Number.NaN]] }).split("\r\n");
+  const [, row] = csv({ header: ["a", "b", "c", "d"], rows: [[value, 1e-9, null, Number.NaN]] }).split(
+    "\r\n",
+  );
   expect(row).toBe("0.30000000000000004,1e-9,,");
   expect(Number(row!.split(",")[0])).toBe(value);
 });

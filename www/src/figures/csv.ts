@@ -11,7 +11,8 @@ export interface Table {
 function written(field: Field): string {
   if (field === null) return "";
   if (typeof field === "number") return Number.isFinite(field) ? String(field) : "";
-  // A spreadsheet would compute what begins so, and names come from strangers' files. With an apostrophe before it, it is a text.
+  // A spreadsheet would compute what begins so, and names come from strangers' files. With an apostrophe
+  // before it, it is a text.
   if (/^[=+@\t-]/.test(field)) return written(`'${field}`);
   return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
 }

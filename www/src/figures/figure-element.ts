@@ -87,7 +87,9 @@ export abstract class FigureElement<Data> extends LitElement {
       download(name, content);
     } catch (problem) {
       const detail: SaveFailure = { name, message: messageOf(problem) };
-      this.dispatchEvent(new CustomEvent<SaveFailure>("save-failed", { detail, bubbles: true, composed: true }));
+      this.dispatchEvent(
+        new CustomEvent<SaveFailure>("save-failed", { detail, bubbles: true, composed: true }),
+      );
     }
   }
 

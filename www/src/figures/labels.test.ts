@@ -77,7 +77,9 @@ it("leaves a label out rather than lay it over another one", () => {
   expect(placed.length).toBeLessThan(12);
   for (const [i, a] of placed.entries())
     for (const b of placed.slice(i + 1))
-      expect(a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y).toBe(true);
+      expect(
+        a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y,
+      ).toBe(true);
 });
 
 describe("labels in short", () => {
@@ -88,13 +90,18 @@ describe("labels in short", () => {
       all: "",
     });
     expect(inShort(["4 + 8 inducing points", "8 + 8 inducing points"]).short).toEqual(["4 + 8", "8 + 8"]);
-    expect(inShort(["12 + 12 inducing points, 800 iterations", "12 + 12 inducing points, 150 iterations"])).toEqual({
+    expect(
+      inShort(["12 + 12 inducing points, 800 iterations", "12 + 12 inducing points, 150 iterations"]),
+    ).toEqual({
       short: ["800", "150"],
       units: "iterations",
       all: "12 + 12 inducing points",
     });
     expect(
-      inShort(["8 + 8 inducing points, Q = 3, 800 iterations", "4 + 4 inducing points, Q = 2, 800 iterations"]),
+      inShort([
+        "8 + 8 inducing points, Q = 3, 800 iterations",
+        "4 + 4 inducing points, Q = 2, 800 iterations",
+      ]),
     ).toEqual({
       short: ["8 + 8, Q = 3", "4 + 4, Q = 2"],
       units: "inducing points",

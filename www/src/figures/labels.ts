@@ -1,14 +1,15 @@
 // Where labels go so that they can be read.
 
 /**
- * Places in the order of the wanted ones, at least `gap` apart and within [low, high], as near to the wanted ones as that allows
- * (least squares). Too many for the room lie evenly over it.
+ * Places in the order of the wanted ones, at least `gap` apart and within [low, high], as near to the wanted
+ * ones as that allows (least squares). Too many for the room lie evenly over it.
  */
 export function spread(wanted: readonly number[], gap: number, low: number, high: number): number[] {
   const steps = Math.max(1, wanted.length - 1);
   const step = Math.min(gap, (high - low) / steps);
   const ascending = wanted.map((place, index) => ({ place, index })).sort((a, b) => a.place - b.place);
-  // With i steps taken off the i-th, what is left only has to ascend: neighbours that do not are pooled at their mean.
+  // With i steps taken off the i-th, what is left only has to ascend: neighbours that do not are pooled at
+  // their mean.
   const pools: { sum: number; count: number }[] = [];
   const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
   ascending.forEach(({ place }, rank) => {
@@ -20,7 +21,9 @@ export function spread(wanted: readonly number[], gap: number, low: number, high
     pools.push(pool);
   });
   const most = high - (wanted.length - 1) * step;
-  const starts = pools.flatMap((pool) => new Array<number>(pool.count).fill(Math.min(Math.max(mean(pool), low), most)));
+  const starts = pools.flatMap((pool) =>
+    new Array<number>(pool.count).fill(Math.min(Math.max(mean(pool), low), most)),
+  );
   const places = new Array<number>(wanted.length).fill(low);
   ascending.forEach(({ index }, rank) => {
     places[index] = (starts[rank] ?? low) + rank * step;
@@ -54,7 +57,10 @@ const CLEAR = 4;
 /** A label may lie so many square pixels over something else, by rounding. */
 const TOUCH = 2;
 
-/** A box for the label of each point, beside it where nothing else is; null where there is no such place. `reach` is a mark's half width. */
+/**
+ * A box for the label of each point, beside it where nothing else is; null where there is no such place.
+ * `reach` is a mark's half width.
+ */
 export function beside(
   points: readonly Point[],
   widths: readonly number[],
@@ -63,7 +69,12 @@ export function beside(
   within: Box,
 ): (Box | null)[] {
   const around = reach + CLEAR;
-  const marks = points.map(({ x, y }) => ({ x: x - around, y: y - around, width: 2 * around, height: 2 * around }));
+  const marks = points.map(({ x, y }) => ({
+    x: x - around,
+    y: y - around,
+    width: 2 * around,
+    height: 2 * around,
+  }));
   const choices = points.map(({ x, y }, i) => {
     const width = widths[i] ?? 0;
     const [right, left] = [x + reach + 3, x - reach - 3 - width];
@@ -115,8 +126,8 @@ export interface ShortLabels {
 }
 
 /**
- * Labels are clauses: "4 + 4 inducing points, 800 iterations". A clause that all have says nothing, and of one in which they differ
- * the words that all end in are its unit: "4 + 4" is left.
+ * Labels are clauses: "4 + 4 inducing points, 800 iterations". A clause that all have says nothing, and of
+ * one in which they differ the words that all end in are its unit: "4 + 4" is left.
  */
 export function inShort(labels: readonly string[]): ShortLabels {
   const clauses = labels.map((label) => label.split(", "));
@@ -142,7 +153,8 @@ function withoutUnit(clauses: readonly string[]): { short: string[]; unit: strin
   const [first = []] = words;
   const most = Math.min(...words.map(({ length }) => length)) - 1;
   let common = 0;
-  const isShared = (word: string) => /^\p{L}/u.test(word) && words.every((own) => own.at(-1 - common) === word);
+  const isShared = (word: string) =>
+    /^\p{L}/u.test(word) && words.every((own) => own.at(-1 - common) === word);
   while (common < most && isShared(first.at(-1 - common) ?? "")) common++;
   return {
     short: words.map((own) => own.slice(0, own.length - common).join(" ")),

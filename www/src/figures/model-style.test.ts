@@ -13,7 +13,8 @@ function linear(colour: string): Triple {
   return [channel(1), channel(3), channel(5)];
 }
 
-const times = (matrix: Triple[], [a, b, c]: Triple) => matrix.map(([x, y, z]) => x * a + y * b + z * c) as Triple;
+const times = (matrix: Triple[], [a, b, c]: Triple) =>
+  matrix.map(([x, y, z]) => x * a + y * b + z * c) as Triple;
 
 /** Contrast as WCAG defines it. */
 function contrast(a: string, b: string): number {
@@ -80,8 +81,13 @@ it.each([
 it.each(Object.keys(EYES))("can be told from each other: %s", (eye) => {
   for (const shade of ["light", "dark"] as const) {
     for (const [a, b] of PAIRS) {
-      const [p, q] = [a, b].map((id) => oklab(times(EYES[eye]!, linear(LOOKS[id][shade])))) as [Triple, Triple];
-      expect(Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), `${a} and ${b}, ${shade}`).toBeGreaterThan(0.1);
+      const [p, q] = [a, b].map((id) => oklab(times(EYES[eye]!, linear(LOOKS[id][shade])))) as [
+        Triple,
+        Triple,
+      ];
+      expect(Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), `${a} and ${b}, ${shade}`).toBeGreaterThan(
+        0.1,
+      );
     }
   }
 });
@@ -90,5 +96,9 @@ it("has a name, a colour and a mark of its own for each model", () => {
   const styles = IDS.map(modelStyle);
   for (const key of ["name", "colour", "mark"] as const)
     expect(new Set(styles.map((style) => style[key])).size).toBe(IDS.length);
-  expect(modelStyle("vcgpdm")).toEqual({ name: "vCGPDM", colour: "light-dark(#075cb1, #639bdb)", mark: "circle" });
+  expect(modelStyle("vcgpdm")).toEqual({
+    name: "vCGPDM",
+    colour: "light-dark(#075cb1, #639bdb)",
+    mark: "circle",
+  });
 });

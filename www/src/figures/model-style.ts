@@ -1,6 +1,6 @@
-// One name, one colour and one mark for each kind of model, in every figure. The colours are near those of Okabe and Ito;
-// lightness and hue are chosen so that any two differ for colour-blind people too, and that each stands out on the page, light
-// and dark.
+// One name, one colour and one mark for each kind of model, in every figure. The colours are near those of
+// Okabe and Ito; lightness and hue are chosen so that any two differ for colour-blind people too, and that
+// each stands out on the page, light and dark.
 import type { ModelKind } from "../engine/whole-protocol";
 import { type MarkShape, markAt } from "./marks";
 import { styled } from "../ui/styled";

@@ -17,7 +17,8 @@ it.each([
 ])("writes %s as %s", (value, words) => expect(plain(value)).toBe(words));
 
 it("writes a mean with as many digits as its standard error leaves", () => {
-  const words = (mean: number, standardError: number | null, count = 10) => spreadWords({ mean, standardError, count });
+  const words = (mean: number, standardError: number | null, count = 10) =>
+    spreadWords({ mean, standardError, count });
   expect(words(0.0015394, 0.000123)).toEqual({ mean: "0.00154", error: "± 0.00012" });
   expect(words(0.0015394, 0.0000996)).toEqual({ mean: "0.00154", error: "± 0.00010" });
   expect(words(28990.4, 398.7)).toEqual({ mean: "28,990", error: "± 399" });
@@ -28,9 +29,18 @@ it("writes a mean with as many digits as its standard error leaves", () => {
 });
 
 it("says where no standard error is known", () => {
-  expect(spreadWords({ mean: 0.0104, standardError: null, count: 1 })).toEqual({ mean: "0.0104", error: "one trial" });
-  expect(spreadWords({ mean: 0.0104, standardError: Number.NaN, count: 3 })).toEqual({ mean: "0.0104", error: "" });
-  expect(spreadWords({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({ mean: "unknown", error: "" });
+  expect(spreadWords({ mean: 0.0104, standardError: null, count: 1 })).toEqual({
+    mean: "0.0104",
+    error: "one trial",
+  });
+  expect(spreadWords({ mean: 0.0104, standardError: Number.NaN, count: 3 })).toEqual({
+    mean: "0.0104",
+    error: "",
+  });
+  expect(spreadWords({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({
+    mean: "unknown",
+    error: "",
+  });
 });
 
 it("labels even steps alike, and powers each by itself", () => {

@@ -26,7 +26,9 @@ function superscript(power: number): string {
 export function plain(value: number): string {
   if (!Number.isFinite(value)) return "unknown";
   const size = magnitude(value);
-  return size < -6 || size > 11 ? byPower(value, 3) : grouped(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
+  return size < -6 || size > 11
+    ? byPower(value, 3)
+    : grouped(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
 }
 
 /** A mean, and what is known about its error: as many digits as the error leaves. */
@@ -37,7 +39,10 @@ export function spreadWords({ mean, standardError, count }: Estimate): { mean: s
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
   const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
   if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };
-  return { mean: grouped(mean, Math.max(0, decimals)), error: `± ${grouped(standardError, Math.max(0, decimals))}` };
+  return {
+    mean: grouped(mean, Math.max(0, decimals)),
+    error: `± ${grouped(standardError, Math.max(0, decimals))}`,
+  };
 }
 
 /** Labels of values with equal steps between them: all with as many decimals as one of them needs. */

@@ -1,4 +1,5 @@
-// A picture of a part of the page: its elements with the styles that they have now, drawn by the browser itself.
+// A picture of a part of the page: its elements with the styles that they have now, drawn by the browser
+// itself.
 
 const SIDES = ["top", "right", "bottom", "left"];
 
@@ -110,7 +111,10 @@ function heightAt(copy: HTMLElement, width: number): number {
   return height;
 }
 
-/** The element as a PNG, `scale` pixels of it for one of the page, with a margin and the page's ground. Fails in words. */
+/**
+ * The element as a PNG, `scale` pixels of it for one of the page, with a margin and the page's ground. Fails
+ * in words.
+ */
 export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): Promise<Blob> {
   const width = wholeWidth(element);
   const copy = styled(element) as HTMLElement | null;

@@ -27,7 +27,13 @@ describe("a linear scale", () => {
       "0.012",
     ]);
     expect(labels(linearScale([-1, 1], 0, 1), 5)).toEqual(["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
-    expect(labels(linearScale([21034.3, 30344], 0, 1), 5)).toEqual(["22,000", "24,000", "26,000", "28,000", "30,000"]);
+    expect(labels(linearScale([21034.3, 30344], 0, 1), 5)).toEqual([
+      "22,000",
+      "24,000",
+      "26,000",
+      "28,000",
+      "30,000",
+    ]);
   });
 
   it("names never more than there is room for, and two where there is room for two", () => {

@@ -32,7 +32,9 @@ function placed(value: number, low: number, high: number, from: number, to: numb
 /** Multiples of the finest round step (1, 2 or 5 times a power of ten) for which there is room. */
 function evenly(low: number, high: number, most: number): number[] {
   const fine = Math.floor(Math.log10((high - low) / most)) - 1;
-  const steps = Array.from({ length: 4 }, (_, i) => [1, 2, 5].map((times) => Number(`${times}e${fine + i}`))).flat();
+  const steps = Array.from({ length: 4 }, (_, i) =>
+    [1, 2, 5].map((times) => Number(`${times}e${fine + i}`)),
+  ).flat();
   const multiples = (step: number) => {
     const first = Math.ceil(low / step);
     return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) =>
@@ -53,7 +55,11 @@ function byPowers(low: number, high: number, most: number): number[] {
     return values.filter((_, i) => i % every === 0);
   };
   const fewest = Math.ceil((last - first + 1) / most);
-  const choices = [dense([1, 2, 5], 1), dense([1, 3], 1), ...[1, 2, 3, 4, 6, fewest].map((every) => dense([1], every))];
+  const choices = [
+    dense([1, 2, 5], 1),
+    dense([1, 3], 1),
+    ...[1, 2, 3, 4, 6, fewest].map((every) => dense([1], every)),
+  ];
   return choices.find((values) => values.length <= most) ?? [];
 }
 

@@ -110,7 +110,12 @@ function drawTraining(
   }
 }
 
-function drawLearned(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, points: Float64Array): void {
+function drawLearned(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  points: Float64Array,
+): void {
   draw.strokeStyle = theme().ghost;
   draw.globalAlpha = 0.5;
   draw.lineWidth = 1.25;
@@ -148,7 +153,12 @@ function tracePath(draw: CanvasRenderingContext2D, plane: Plane, path: Float64Ar
   draw.stroke();
 }
 
-function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, light: Float64Array): void {
+function drawLit(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  light: Float64Array,
+): void {
   draw.fillStyle = picture.colour;
   const count = Math.min(light.length, rows(picture.rollout, picture));
   for (let t = 0; t < count; t++) {
@@ -161,7 +171,10 @@ function drawLit(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   }
 }
 
-/** Where an inducing point lies outside the plot: an arrow at the edge, which points to it. Answers whether it does. */
+/**
+ * Where an inducing point lies outside the plot: an arrow at the edge, which points to it. Answers whether it
+ * does.
+ */
 function drawBeyond(draw: CanvasRenderingContext2D, plane: Plane, x: number, y: number): boolean {
   const [atX, atY] = plane.inFrame(x, y);
   const away = Math.hypot(x - atX, y - atY);
@@ -205,7 +218,12 @@ function drawPairs(
   }
 }
 
-function drawOutgoing(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, between: Between): void {
+function drawOutgoing(
+  draw: CanvasRenderingContext2D,
+  picture: LatentPicture,
+  plane: Plane,
+  between: Between,
+): void {
   const { order } = picture;
   draw.strokeStyle = between.colour;
   draw.fillStyle = between.colour;
@@ -278,7 +296,9 @@ export function placeNow(picture: LatentPicture, plane: Plane): [number, number]
   return [x, y];
 }
 
-/** With predictions around it the marker is small, and without its halo, which could be taken for one of them. */
+/**
+ * With predictions around it the marker is small, and without its halo, which could be taken for one of them.
+ */
 function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, small: boolean): void {
   const now = placeNow(picture, plane);
   if (!now) return;

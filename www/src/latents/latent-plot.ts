@@ -1,4 +1,5 @@
-// The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and keyboard.
+// The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and
+// keyboard.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
@@ -98,8 +99,8 @@ export class LatentPlot extends View {
   }
 
   /**
-   * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing points do not: some lie
-   * far away, and would shrink the rest. These are drawn at the edge.
+   * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing
+   * points do not: some lie far away, and would shrink the rest. These are drawn at the edge.
    */
   private cloud(q: number): Float64Array {
     const { model, learned } = this.model;
@@ -147,8 +148,9 @@ export class LatentPlot extends View {
   }
 
   /**
-   * Once before the next picture of the page, whatever changes until then: a slider's new motion does not wait for drawings. What is
-   * asked for stays asked for: the clock ticks before each picture, and would put it off for ever.
+   * Once before the next picture of the page, whatever changes until then: a slider's new motion does not
+   * wait for drawings. What is asked for stays asked for: the clock ticks before each picture, and would put
+   * it off for ever.
    */
   private paintSoon(): void {
     if (this.frame !== 0) return;
@@ -165,7 +167,8 @@ export class LatentPlot extends View {
     const { model, rollout, learned, altered } = this.model;
     const { live } = this.stage;
     const latents = live?.latents(part) ?? rollout?.latents[part];
-    if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent) return null;
+    if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent)
+      return null;
     const { report } = this.pointing;
     const said = this.predictions.report;
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
@@ -193,9 +196,12 @@ export class LatentPlot extends View {
       frame: playback.frame - (live?.first ?? 0),
       live: this.stage.shown?.kind === "model",
       report,
-      lit: report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
+      lit:
+        report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
       predicted:
-        !said || live || !rollout ? null : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+        !said || live || !rollout
+          ? null
+          : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
       band: this.band,
       behind: live ? null : this.behind,
     };
@@ -211,7 +217,10 @@ export class LatentPlot extends View {
       draw.clearRect(0, 0, canvas.width, canvas.height);
       return;
     }
-    const [width, height] = [Math.round(picture.width * picture.ratio), Math.round(picture.height * picture.ratio)];
+    const [width, height] = [
+      Math.round(picture.width * picture.ratio),
+      Math.round(picture.height * picture.ratio),
+    ];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.tell(canvas, drawLatents(draw, picture));
     const handle = this.querySelector<PushHandle>("pg-push-handle");

@@ -24,7 +24,10 @@ export class LatentsView extends View {
   declare stage: StageStore;
   declare playback: Playback;
   /** Loads what is behind "futures" and "uncertainty"; null where it cannot be loaded. */
-  declare openOutlook: () => Promise<{ store: OutlookStore; behindPath(store: OutlookStore): Behind | null } | null>;
+  declare openOutlook: () => Promise<{
+    store: OutlookStore;
+    behindPath(store: OutlookStore): Behind | null;
+  } | null>;
   static override properties = { layers: { state: true }, behind: { state: true } };
   declare layers: Layers;
   declare behind: Behind | null;

@@ -18,7 +18,10 @@ it("finds the Gaussian of a time in means and covariances", () => {
     dimensions: 2,
   };
   const plane = new Plane({ width: 100, height: 100, projection, turn: { about: 0, tilt: 0 } });
-  const moments = { means: Float64Array.of(0, 0, 1, 0), covariances: Float64Array.of(0, 0, 0, 0, 2, 0, 0, 8) };
+  const moments = {
+    means: Float64Array.of(0, 0, 1, 0),
+    covariances: Float64Array.of(0, 0, 0, 0, 2, 0, 0, 8),
+  };
   const { x, y, spread } = knownAt(plane, moments, 0.5);
   expect([x, y]).toEqual([50 + 0.5 * 41, 50]);
   const { major, minor } = ellipseOf([x, y], spread);

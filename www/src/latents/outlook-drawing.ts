@@ -30,7 +30,9 @@ export function drawFutures(
     const path = latents[part];
     if (!path) continue;
     const dimensions = path.length / request.frames;
-    const points = trailTimes(frame, request.frames - 1).map((time) => plane.place(between(path, time, dimensions), 0));
+    const points = trailTimes(frame, request.frames - 1).map((time) =>
+      plane.place(between(path, time, dimensions), 0),
+    );
     draw.globalAlpha = 0.4;
     draw.beginPath();
     for (const [x, y] of points) draw.lineTo(x, y);
@@ -51,7 +53,12 @@ export function knownAt(plane: Plane, { means, covariances }: PartMoments, time:
   return { x, y, spread: plane.spread(between(covariances, time, dimensions * dimensions), 0) };
 }
 
-export function drawMoments(draw: CanvasRenderingContext2D, plane: Plane, frame: number, moments: PartMoments): void {
+export function drawMoments(
+  draw: CanvasRenderingContext2D,
+  plane: Plane,
+  frame: number,
+  moments: PartMoments,
+): void {
   const frames = moments.means.length ** 2 / Math.max(1, moments.covariances.length);
   const band = trailTimes(frame, frames - 1).map((time) => knownAt(plane, moments, time));
   const now = band.at(-1);

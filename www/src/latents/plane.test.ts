@@ -6,7 +6,13 @@ import { principalAxes, type Turn } from "./projection";
 function plane(q: number, turn: Turn = { about: 0, tilt: 0 }): Plane {
   const axes = new Float64Array(3 * q);
   for (let k = 0; k < Math.min(3, q); k++) axes[k * q + k] = 1;
-  const projection = { centre: new Float64Array(q), axes, reach: 1, flat: [1, 1] as [number, number], dimensions: q };
+  const projection = {
+    centre: new Float64Array(q),
+    axes,
+    reach: 1,
+    flat: [1, 1] as [number, number],
+    dimensions: q,
+  };
   return new Plane({ width: 100, height: 200, projection, turn });
 }
 
@@ -29,7 +35,12 @@ describe("a Gaussian in a plot", () => {
   it("is a circle in the principal axes of five dimensions", () => {
     const points = Float64Array.from({ length: 100 }, (_, i) => Math.sin(i * i));
     const projection = principalAxes(points, 5);
-    const seen = new Plane({ width: 100, height: 100, projection, turn: { about: 0.4, tilt: 0.2 } }).roundSpread(4);
+    const seen = new Plane({
+      width: 100,
+      height: 100,
+      projection,
+      turn: { about: 0.4, tilt: 0.2 },
+    }).roundSpread(4);
     const { major, minor } = ellipseOf([0, 0], seen);
     expect(major).toBeCloseTo((2 * 41) / projection.reach, 8);
     expect(minor).toBeCloseTo(major, 8);
@@ -44,7 +55,29 @@ describe("a Gaussian in a plot", () => {
 
   it("is an ellipse along its longest deviation, where dimensions differ", () => {
     // Long along the first diagonal, which goes up on the page.
-    const covariances = Float64Array.of(9, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2.5, 1.5, 0, 1.5, 2.5, 0, 0, 0, 7);
+    const covariances = Float64Array.of(
+      9,
+      9,
+      9,
+      1,
+      0,
+      0,
+      0,
+      1,
+      0,
+      0,
+      0,
+      1,
+      2.5,
+      1.5,
+      0,
+      1.5,
+      2.5,
+      0,
+      0,
+      0,
+      7,
+    );
     const seen = plane(3).spread(covariances.slice(3), 1);
     const { major, minor, angle } = ellipseOf([0, 0], seen);
     expect(major).toBeCloseTo(2 * 41, 8);

@@ -1,4 +1,5 @@
-// The plane of a plot: where the points and the Gaussians of a latent space lie in it, in pixels. Drawing only.
+// The plane of a plot: where the points and the Gaussians of a latent space lie in it, in pixels. Drawing
+// only.
 import { project, type Projection, type Turn, turned } from "./projection";
 
 /** A Gaussian as the plot shows it: the ellipse of one standard deviation. */
@@ -60,7 +61,12 @@ export class Plane {
   }
 
   /** State `step` of row `index` of histories [n x order*Q]. */
-  placeInHistory(histories: Float64Array, order: number, index: number, step: number): [number, number, number] {
+  placeInHistory(
+    histories: Float64Array,
+    order: number,
+    index: number,
+    step: number,
+  ): [number, number, number] {
     return this.place(histories, index * order + step);
   }
 
@@ -84,12 +90,15 @@ export class Plane {
     const q = this.view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
     for (let a = 0; a < q; a++)
-      for (let b = 0; b < q; b++) addProduct(seen, this.steps, q, a, b, covariances[(index * q + a) * q + b]!);
+      for (let b = 0; b < q; b++)
+        addProduct(seen, this.steps, q, a, b, covariances[(index * q + a) * q + b]!);
     return seen;
   }
 }
 
-/** Pixels for a step of 1: the cloud fills the plot as it lies, or, where it is turned, whichever way it is. */
+/**
+ * Pixels for a step of 1: the cloud fills the plot as it lies, or, where it is turned, whichever way it is.
+ */
 function scaleOf({ projection, turn, width, height }: PlotView): number {
   const { reach, flat } = projection;
   if (turn.about !== 0 || turn.tilt !== 0) return (FILLED * Math.min(width, height)) / reach;
@@ -98,7 +107,14 @@ function scaleOf({ projection, turn, width, height }: PlotView): number {
   return FILLED * Math.min(width / right, height / up);
 }
 
-function addProduct(seen: Spread, steps: Float64Array, q: number, a: number, b: number, covariance: number): void {
+function addProduct(
+  seen: Spread,
+  steps: Float64Array,
+  q: number,
+  a: number,
+  b: number,
+  covariance: number,
+): void {
   seen[0] += covariance * steps[a]! * steps[b]!;
   seen[1] += covariance * steps[a]! * steps[q + b]!;
   seen[2] += covariance * steps[q + a]! * steps[q + b]!;

@@ -26,7 +26,10 @@ export function between(points: Float64Array, index: number, dimensions: number)
   });
 }
 
-/** What is said about a part at a frame; null where nothing is predicted: in the frames that a rollout begins with, and behind its end. */
+/**
+ * What is said about a part at a frame; null where nothing is predicted: in the frames that a rollout begins
+ * with, and behind its end.
+ */
 export function predictedAt(
   report: PredictionsReport,
   part: number,

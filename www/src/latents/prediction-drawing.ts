@@ -1,4 +1,5 @@
-// Draws the product of experts at one time: what each part predicts, what their product is, and the step that is taken.
+// Draws the product of experts at one time: what each part predicts, what their product is, and the step that
+// is taken.
 import type { PredictionsReport } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
@@ -33,7 +34,8 @@ export function layOut(plane: Plane, picture: PredictionPicture): DrawnPredictio
   const { report, part, dimensions, frame, path } = picture;
   const said: PredictedPart | null = predictedAt(report, part, frame, dimensions);
   if (!said) return null;
-  const seen = ({ mean, variance }: Predicted) => ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
+  const seen = ({ mean, variance }: Predicted) =>
+    ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
   const state = (time: number): [number, number] => {
     const [x, y] = plane.place(between(path, time, dimensions), 0);
     return [x, y];
@@ -53,8 +55,8 @@ export interface BandLook {
 }
 
 /**
- * The path as wide as the model is sure of each step: one standard deviation of the product to each side. It stays the same while
- * time goes on, so it is drawn once, on a canvas of its own.
+ * The path as wide as the model is sure of each step: one standard deviation of the product to each side. It
+ * stays the same while time goes on, so it is drawn once, on a canvas of its own.
  */
 export class StepBand {
   private canvas: HTMLCanvasElement | null = null;
@@ -113,7 +115,9 @@ export function drawPredictions(
   weights: readonly number[],
 ): void {
   const { ink, dark } = theme();
-  experts.forEach((expert, source) => drawExpert(draw, expert, product, weights[source] ?? 0, partColourNow(source)));
+  experts.forEach((expert, source) =>
+    drawExpert(draw, expert, product, weights[source] ?? 0, partColourNow(source)),
+  );
   const [from, to] = step;
   draw.globalAlpha = 1;
   draw.strokeStyle = draw.fillStyle = ink;

@@ -6,7 +6,10 @@ import { Latest } from "../engine/latest";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
 
-/** Milliseconds without a new rollout before it is asked about: while a slider is dragged its rollouts come first. */
+/**
+ * Milliseconds without a new rollout before it is asked about: while a slider is dragged its rollouts come
+ * first.
+ */
 const QUIET = 80;
 /** Milliseconds after which it is asked all the same, so that a dragged slider is followed. */
 const LONGEST = 300;
@@ -39,8 +42,8 @@ export class PredictionsStore extends Store {
   }
 
   /**
-   * Of the rollout on the stage, or, while a coupling moves, of the one just before it; null until they are known, and while they are
-   * not shown.
+   * Of the rollout on the stage, or, while a coupling moves, of the one just before it; null until they are
+   * known, and while they are not shown.
    */
   get report(): PredictionsReport | null {
     return this.#report;

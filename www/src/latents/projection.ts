@@ -12,7 +12,10 @@ export interface Projection {
   dimensions: number;
 }
 
-/** Principal axes of points [n x q]. Axes keep the side of `before`, so that a plot does not flip while a model trains. */
+/**
+ * Principal axes of points [n x q]. Axes keep the side of `before`, so that a plot does not flip while a
+ * model trains.
+ */
 export function principalAxes(points: Float64Array, q: number, before?: Projection | null): Projection {
   const n = q > 0 ? Math.floor(points.length / q) : 0;
   const centre = new Float64Array(q);
@@ -69,7 +72,12 @@ function alignAxes(axes: Float64Array, before: Float64Array, q: number): void {
 }
 
 /** Row `index` of points [n x q] on the three axes. */
-export function project(projection: Projection, points: Float64Array, index: number, out: Float64Array): Float64Array {
+export function project(
+  projection: Projection,
+  points: Float64Array,
+  index: number,
+  out: Float64Array,
+): Float64Array {
   const { centre, axes, dimensions: q } = projection;
   for (let k = 0; k < 3; k++) {
     let sum = 0;
@@ -80,7 +88,10 @@ export function project(projection: Projection, points: Float64Array, index: num
 }
 
 /** Eigenvalues and eigenvectors (columns) of a symmetric matrix [q x q], by Jacobi rotations. */
-export function symmetricEigen(matrix: Float64Array, q: number): { values: Float64Array; vectors: Float64Array } {
+export function symmetricEigen(
+  matrix: Float64Array,
+  q: number,
+): { values: Float64Array; vectors: Float64Array } {
   const m = matrix.slice();
   const vectors = new Float64Array(q * q);
   for (let i = 0; i < q; i++) vectors[i * q + i] = 1;

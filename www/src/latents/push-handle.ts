@@ -1,4 +1,5 @@
-// On the marker of a plot while the motion is live: drag it, or press an arrow key, and the part is pushed. Loaded with the live motion.
+// On the marker of a plot while the motion is live: drag it, or press an arrow key, and the part is pushed.
+// Loaded with the live motion.
 import { html } from "lit";
 import { View } from "../ui/view";
 import type { Plane } from "./plane";

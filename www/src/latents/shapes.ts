@@ -23,13 +23,18 @@ export interface BandPoint {
   spread: Spread;
 }
 
-/** A band of so many deviations to each side of a path, as one shape: where it crosses itself it is no darker. */
+/**
+ * A band of so many deviations to each side of a path, as one shape: where it crosses itself it is no darker.
+ */
 export function traceBand(draw: CanvasPath, points: readonly BandPoint[], times = 1): void {
   let before: BandPoint | null = null;
   for (const point of points) {
     const { x, y, spread } = point;
     const start = ellipseOf([x, y], spread);
-    draw.moveTo(x + times * start.major * Math.cos(start.angle), y + times * start.major * Math.sin(start.angle));
+    draw.moveTo(
+      x + times * start.major * Math.cos(start.angle),
+      y + times * start.major * Math.sin(start.angle),
+    );
     traceEllipse(draw, start, times);
     if (before) {
       const [dx, dy] = [x - before.x, y - before.y];

@@ -1,4 +1,5 @@
-// The live rollout: the model goes on from where the figure stands, while couplings are cut and parts are pushed.
+// The live rollout: the model goes on from where the figure stands, while couplings are cut and parts are
+// pushed.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { Engine, LiveChange, LiveFrames, ModelInfo } from "../engine/protocol";
@@ -153,7 +154,9 @@ export class LiveStore extends Store {
     if (!this.#track) return;
     const from = this.#track.last + 1;
     if (held) {
-      const others = this.#model.model?.info.parts.some((_, other) => other !== source && !this.isCut(other, target));
+      const others = this.#model.model?.info.parts.some(
+        (_, other) => other !== source && !this.isCut(other, target),
+      );
       if (!others) {
         this.#notices.addError("This coupling stays", "Nothing else would say where the part goes next.");
         return;
@@ -264,6 +267,8 @@ export class LiveStore extends Store {
     }
     if (this.#trace.length > kept) this.#trace.splice(0, this.#trace.length - kept);
     const first = this.#trace[0]?.frame ?? 0;
-    this.#marks = this.#marks.filter((mark) => (mark.kind === "cut" ? (mark.to ?? Infinity) : mark.from) >= first);
+    this.#marks = this.#marks.filter(
+      (mark) => (mark.kind === "cut" ? (mark.to ?? Infinity) : mark.from) >= first,
+    );
   }
 }

@@ -1,4 +1,5 @@
-// Over the stage while it is live: what was done to the model, and a strip chart of phases and distances; limbs can be dragged.
+// Over the stage while it is live: what was done to the model, and a strip chart of phases and distances;
+// limbs can be dragged.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
@@ -147,7 +148,11 @@ function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number
         );
     });
   lines(phaseLines(live.trace), 1, (value) => half / 2 - value * (half - 6));
-  lines(distanceLines(live.trace), 0, (value) => height - 2 - (Math.min(value, FARTHEST) / FARTHEST) * (half - 8));
+  lines(
+    distanceLines(live.trace),
+    0,
+    (value) => height - 2 - (Math.min(value, FARTHEST) / FARTHEST) * (half - 8),
+  );
 }
 
 function drawMark(

@@ -2,7 +2,11 @@ import { expect, it } from "vitest";
 import type { TracePoint } from "./live-store";
 import { distanceLines, phaseDifference, phaseLines, wordsOf } from "./strip";
 
-const point = (frame: number, ...phases: number[]): TracePoint => ({ frame, phases, distances: phases.map(() => 0.1) });
+const point = (frame: number, ...phases: number[]): TracePoint => ({
+  frame,
+  phases,
+  distances: phases.map(() => 0.1),
+});
 
 it("takes the shorter way round between two phases", () => {
   expect(phaseDifference(0.9, 0.1)).toBeCloseTo(-0.2);

@@ -44,5 +44,7 @@ export function wordsOf(marks: readonly Mark[], names: readonly string[]): strin
   const [cut] = cuts;
   if (!cut) return null;
   const of = (part: number) => names[part] ?? "";
-  return cuts.length > 1 ? `${cuts.length} couplings are cut` : `${of(cut.target)} does not hear ${of(cut.source)}`;
+  return cuts.length > 1
+    ? `${cuts.length} couplings are cut`
+    : `${of(cut.target)} does not hear ${of(cut.source)}`;
 }

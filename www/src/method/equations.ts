@@ -1,4 +1,5 @@
-// The equations of the model in MathML, which browsers draw themselves. Constants of the page: no text of a visitor is in them.
+// The equations of the model in MathML, which browsers draw themselves. Constants of the page: no text of a
+// visitor is in them.
 
 const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
 const row = (...parts: string[]) => tag("mrow", parts.join(""));

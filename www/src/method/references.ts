@@ -1,4 +1,5 @@
-// The works that the model, and what it is compared with, come from. CITATION.cff says the same for programs; a test holds them equal.
+// The works that the model, and what it is compared with, come from. CITATION.cff says the same for programs;
+// a test holds them equal.
 
 export interface Work {
   /** The key of its BibTeX entry. */
@@ -29,7 +30,8 @@ export const MODEL_PAPERS: Work[] = [
     key: "velychko2018",
     type: "article",
     authors: [velychko, knopp, endres],
-    title: "Making the Coupled Gaussian Process Dynamical Model Modular and Scalable with Variational Approximations",
+    title:
+      "Making the Coupled Gaussian Process Dynamical Model Modular and Scalable with Variational Approximations",
     year: 2018,
     where: "Entropy",
     volume: "20",
@@ -56,7 +58,8 @@ export const MODEL_PAPERS: Work[] = [
     key: "knopp2019",
     type: "article",
     authors: [knopp, velychko, { family: "Dreibrodt", given: "Johannes" }, endres],
-    title: "Predicting Perceived Naturalness of Human Animations Based on Generative Movement Primitive Models",
+    title:
+      "Predicting Perceived Naturalness of Human Animations Based on Generative Movement Primitive Models",
     year: 2019,
     where: "ACM Transactions on Applied Perception",
     volume: "16",
@@ -102,7 +105,8 @@ export const FURTHER_WORKS: Work[] = [
     ],
     title: "Bayesian Gaussian Process Latent Variable Model",
     year: 2010,
-    where: "Proceedings of the Thirteenth International Conference on Artificial Intelligence and Statistics (AISTATS)",
+    where:
+      "Proceedings of the Thirteenth International Conference on Artificial Intelligence and Statistics (AISTATS)",
     start: "844",
     end: "851",
   },

@@ -4,7 +4,10 @@ import type { SYMBOLS } from "./equations";
 export interface SymbolRow {
   symbol: keyof typeof SYMBOLS;
   meaning: string;
-  /** The name of a place on the page, as the page knows it, and what is to be found there; absent: nothing shows it. */
+  /**
+   * The name of a place on the page, as the page knows it, and what is to be found there; absent: nothing
+   * shows it.
+   */
   place?: string;
   there?: string;
 }
@@ -74,8 +77,18 @@ export const SYMBOL_ROWS: SymbolRow[] = [
     place: "points",
     there: "the diamonds in the plots",
   },
-  { symbol: "poseCount", meaning: "how many of them each pose map has", place: "pose points", there: "Pose points" },
+  {
+    symbol: "poseCount",
+    meaning: "how many of them each pose map has",
+    place: "pose points",
+    there: "Pose points",
+  },
   { symbol: "noise", meaning: "variance of the noise of part i’s poses" },
   { symbol: "lengths", meaning: "squared lengthscale: how far apart two latents are still alike" },
-  { symbol: "bound", meaning: "evidence lower bound, in nats", place: "train", there: "the chart under Train" },
+  {
+    symbol: "bound",
+    meaning: "evidence lower bound, in nats",
+    place: "train",
+    there: "the chart under Train",
+  },
 ];

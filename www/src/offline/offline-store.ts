@@ -23,7 +23,10 @@ export class OfflineStore extends Store {
     return this.#state === "waiting" || this.#state === "taken";
   }
 
-  /** Keeps the files from now on, and looks for a new version. Where that cannot be, the page works as long as there is a network. */
+  /**
+   * Keeps the files from now on, and looks for a new version. Where that cannot be, the page works as long as
+   * there is a network.
+   */
   async begin(load: () => Promise<ServiceWorkers>): Promise<void> {
     try {
       this.#workers = await load();

@@ -2,4 +2,5 @@
 import { Workbox } from "workbox-window";
 import type { ServiceWorkers } from "./offline-store";
 
-export const serviceWorkers = () => new Workbox(new URL("service.js", document.baseURI).href) as ServiceWorkers;
+export const serviceWorkers = () =>
+  new Workbox(new URL("service.js", document.baseURI).href) as ServiceWorkers;

@@ -1,5 +1,5 @@
-// The service worker: it keeps every file of the page, so that the page works without a network. A program of its own; a new version of it
-// waits until the visitor asks for it. No DOM.
+// The service worker: it keeps every file of the page, so that the page works without a network. A program of
+// its own; a new version of it waits until the visitor asks for it. No DOM.
 import { clientsClaim } from "workbox-core";
 import { type PrecacheEntry, precacheAndRoute } from "workbox-precaching";
 

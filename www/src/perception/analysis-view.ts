@@ -33,7 +33,8 @@ export const readAnswers = (files: readonly File[]): Promise<AnswersFile[]> =>
 const COLUMNS = ["Participant", "Answers", "Attention checks passed", "Median answer, s", "Left", "Counts"];
 
 function participantRow(participant: Participant) {
-  const { name, comparisons, unanswered, attentionChecks, attentionHits, excluded, left, medianRt } = participant;
+  const { name, comparisons, unanswered, attentionChecks, attentionHits, excluded, left, medianRt } =
+    participant;
   return html`
     <tr class=${excluded ? "left-out" : ""} data-testid="analysed">
       <th scope="row">${name}</th>
@@ -45,12 +46,16 @@ function participantRow(participant: Participant) {
     </tr>`;
 }
 
-/** In one sentence: how many answers of how many participants count, and how often the generated movement was taken for the natural one. */
+/**
+ * In one sentence: how many answers of how many participants count, and how often the generated movement was
+ * taken for the natural one.
+ */
 function countWords({ participants, all, options }: PerceptionResults): string {
   const out = participants.filter(({ excluded }) => excluded).length;
   const counted = participants.length - out;
   const people = `${counted} ${counted === 1 ? "participant" : "participants"}`;
-  const excluded = out > 0 ? ` ${out} left out, below ${percent(options.attention)} of the attention checks.` : "";
+  const excluded =
+    out > 0 ? ` ${out} left out, below ${percent(options.attention)} of the attention checks.` : "";
   return `${all.trials} answers of ${people}: the model’s movement was taken for the natural one in ${percent(all.hits / all.trials)}.${excluded}`;
 }
 
@@ -86,7 +91,9 @@ export class AnalysisView extends View {
   /** Those on this machine who have answered the study that is open. */
   #here() {
     const { kept, study } = this.perception;
-    return kept.filter((participation) => participation.study === study?.info.hash && answered(participation) > 0);
+    return kept.filter(
+      (participation) => participation.study === study?.info.hash && answered(participation) > 0,
+    );
   }
 
   #analyseHere(): void {

@@ -23,7 +23,9 @@ export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
   { score: "pose", name: "pose part of the bound", axis: "Pose part, nats" },
 ];
 
-/** The rate over a score, of one kind of model or, without one, of all; null where too few settings have it. */
+/**
+ * The rate over a score, of one kind of model or, without one, of all; null where too few settings have it.
+ */
 export const regressionOf = (
   { regressions }: PerceptionResults,
   model: Regression["model"],
@@ -36,7 +38,11 @@ export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
   curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
 
 /** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
-export function evidenceWords({ logBayesFactor: mean, logBayesFactorError: standardError, folds }: Regression): string {
+export function evidenceWords({
+  logBayesFactor: mean,
+  logBayesFactorError: standardError,
+  folds,
+}: Regression): string {
   if (mean === null) return "ln K needs more answers";
   const words = spreadWords({ mean, standardError, count: folds });
   return `ln K = ${words.mean} ${words.error}`.trim();

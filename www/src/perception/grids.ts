@@ -18,7 +18,9 @@ export function gridsOf(settings: readonly SettingResult[]): Grid[] {
   return models.flatMap((model) => {
     const placed = settings.flatMap((setting) => {
       const { poseIps: pose, dynamicsIps: dynamics } = setting.size;
-      return setting.model === model && pose !== null && dynamics !== null ? [{ pose, dynamics, setting }] : [];
+      return setting.model === model && pose !== null && dynamics !== null
+        ? [{ pose, dynamics, setting }]
+        : [];
     });
     if (placed.length === 0) return [];
     return [

@@ -64,7 +64,14 @@ export class HeatMapsFigure extends FigureElement<PerceptionResults> {
 
   protected table({ settings }: PerceptionResults) {
     return {
-      header: ["model", "pose inducing points", "dynamics inducing points", "failed", ...RATE_TITLES, MSE_TITLE],
+      header: [
+        "model",
+        "pose inducing points",
+        "dynamics inducing points",
+        "failed",
+        ...RATE_TITLES,
+        MSE_TITLE,
+      ],
       rows: gridsOf(settings).flatMap(({ model, pose, dynamics, at }) =>
         dynamics.flatMap((row) =>
           pose.flatMap((column) => {
@@ -72,7 +79,9 @@ export class HeatMapsFigure extends FigureElement<PerceptionResults> {
             if (!setting) return [];
             const { scores, confusion } = setting;
             const rate = confusion ? rateFields(confusion) : RATE_TITLES.map(() => null);
-            return [[modelStyle(model).name, column, row, scores ? "no" : "yes", ...rate, scores?.mse ?? null]];
+            return [
+              [modelStyle(model).name, column, row, scores ? "no" : "yes", ...rate, scores?.mse ?? null],
+            ];
           }),
         ),
       ),

@@ -1,4 +1,5 @@
-// What inducing points do to people's answers, to the error and to the bound (figure 6 of Velychko et al. 2018).
+// What inducing points do to people's answers, to the error and to the bound (figure 6 of Velychko et al.
+// 2018).
 import { html } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
@@ -140,7 +141,14 @@ export class InducingFigure extends FigureElement<PerceptionResults> {
       ],
       rows: gridsOf(results.settings).flatMap((grid) =>
         settingsOf(grid, results).map(({ pose, dynamics, setting: { scores, confusion } }) => [
-          ...[modelStyle(grid.model).name, pose, dynamics, ...rateFields(confusion), scores.mse, scores.bound],
+          ...[
+            modelStyle(grid.model).name,
+            pose,
+            dynamics,
+            ...rateFields(confusion),
+            scores.mse,
+            scores.bound,
+          ],
         ]),
       ),
     };

@@ -6,7 +6,10 @@ const FRAME = 1000 / 60;
 /** Asks at each of these display frames, and answers how often each phase came. */
 function run(clock: PairClock, times: readonly number[]) {
   const phases = times.map((now) => clock.at(now).phase);
-  return { cross: phases.filter((p) => p === "cross").length, movement: phases.filter((p) => p === "movement").length };
+  return {
+    cross: phases.filter((p) => p === "cross").length,
+    movement: phases.filter((p) => p === "movement").length,
+  };
 }
 const steady = (count: number, frame = FRAME) => Array.from({ length: count }, (_, i) => 100 + i * frame);
 
@@ -39,7 +42,9 @@ describe("the clock of a trial", () => {
         // A picture takes its time; without one the display goes on at its own pace.
         now += phase === "movement" && !shown.hold ? taken * FRAME : FRAME;
       }
-      expect(Math.abs((clock.shown.lasted ?? 0) - 3500), `${taken} frames`).toBeLessThanOrEqual(FRAME / 2 + 1e-6);
+      expect(Math.abs((clock.shown.lasted ?? 0) - 3500), `${taken} frames`).toBeLessThanOrEqual(
+        FRAME / 2 + 1e-6,
+      );
       expect(held).toBeGreaterThan(0);
       expect(held).toBeLessThanOrEqual(1.5 * taken + 1);
     }

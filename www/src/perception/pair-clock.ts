@@ -1,5 +1,5 @@
-// The one clock of a trial: the cross, then both movements, then nothing. It is asked once a display frame, and knows afterwards how
-// long all that took. No rendering.
+// The one clock of a trial: the cross, then both movements, then nothing. It is asked once a display frame,
+// and knows afterwards how long all that took. No rendering.
 
 /** What a trial shows at a display frame. */
 export type Phase = "cross" | "movement" | "over";
@@ -16,9 +16,15 @@ export interface Shown {
   dropped: number;
 }
 
-/** So many of the last pictures say how long the next will take: a busy machine draws fewer than its display shows. */
+/**
+ * So many of the last pictures say how long the next will take: a busy machine draws fewer than its display
+ * shows.
+ */
 const RECENT = 5;
-/** A machine is busy when a picture takes so many display frames; none is drawn that might take so many times as long as there is time. */
+/**
+ * A machine is busy when a picture takes so many display frames; none is drawn that might take so many times
+ * as long as there is time.
+ */
 const SLOW = 1.5;
 
 const median = (values: readonly number[]) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? null;
@@ -43,8 +49,9 @@ export class PairClock {
   }
 
   /**
-   * What to show at a display frame, `now` milliseconds, and how far the movement is in seconds. `hold`: a busy machine would draw the
-   * next picture beyond the end, so that the last one stays, and the end is on time.
+   * What to show at a display frame, `now` milliseconds, and how far the movement is in seconds. `hold`: a
+   * busy machine would draw the next picture beyond the end, so that the last one stays, and the end is on
+   * time.
    */
   at(now: number): { phase: Phase; seconds: number; hold: boolean } {
     const since = this.#before === null ? 0 : now - this.#before;
@@ -54,7 +61,8 @@ export class PairClock {
     if (this.#movesSince === null) {
       if (since > 0) this.#intervals.push(since);
       // A phase ends with the display frame that is nearest to its end.
-      if (now - this.#crossSince < this.#cross - this.#half()) return { phase: "cross", seconds: 0, hold: false };
+      if (now - this.#crossSince < this.#cross - this.#half())
+        return { phase: "cross", seconds: 0, hold: false };
       this.#movesSince = now;
       this.#recent = [];
       return { phase: "movement", seconds: 0, hold: false };

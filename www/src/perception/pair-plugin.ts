@@ -1,4 +1,5 @@
-// jsPsych's plugin for a trial: a cross, two movements on one clock, and the question on which side the more natural one was.
+// jsPsych's plugin for a trial: a cross, two movements on one clock, and the question on which side the more
+// natural one was.
 import { type JsPsych, type JsPsychPlugin, ParameterType, type TrialType } from "jspsych";
 import type { StudyTrial } from "../engine/whole-protocol";
 import { PairClock } from "./pair-clock";
@@ -71,7 +72,12 @@ export function pairPlugin(stage: PairStage) {
       return this.#run(display, pair, loaded, () => {});
     }
 
-    simulate(pair: Pair, mode: "visual" | "data-only", options: { data?: Partial<Answer> }, loaded?: () => void) {
+    simulate(
+      pair: Pair,
+      mode: "visual" | "data-only",
+      options: { data?: Partial<Answer> },
+      loaded?: () => void,
+    ) {
       const { pluginAPI } = this.#jsPsych;
       const { movement = 3.5 } = pair;
       const chance: Side = Math.random() < 0.5 ? "left" : "right";
@@ -83,7 +89,9 @@ export function pairPlugin(stage: PairStage) {
         return Promise.resolve({ ...answer, ...untimed });
       }
       const key = answer.response === "left" ? "ArrowLeft" : "ArrowRight";
-      return this.#run(this.#jsPsych.getDisplayElement(), pair, loaded, () => pluginAPI.pressKey(key, SIMULATED_WAIT));
+      return this.#run(this.#jsPsych.getDisplayElement(), pair, loaded, () =>
+        pluginAPI.pressKey(key, SIMULATED_WAIT),
+      );
     }
 
     /** `asked` is called when answers begin to be taken. */

@@ -41,7 +41,10 @@ export class CanvasPair implements PairStage {
   #before = 0;
 
   /** Throws where the browser has no WebGL. */
-  constructor({ skeleton, look, framesPerSecond, stimuli }: StudyInfo, motionOf: (stimulus: number) => Motion) {
+  constructor(
+    { skeleton, look, framesPerSecond, stimuli }: StudyInfo,
+    motionOf: (stimulus: number) => Motion,
+  ) {
     this.element.className = "pair-stage";
     const canvas = document.createElement("canvas");
     canvas.setAttribute("aria-hidden", "true");

@@ -16,7 +16,10 @@ export interface PanelPoint {
   /** The ends of its error bar; without one the same as y. */
   low: number;
   high: number;
-  /** Half width and half height of an ellipse that is drawn in place of the model's mark, in shares of the type's size. */
+  /**
+   * Half width and half height of an ellipse that is drawn in place of the model's mark, in shares of the
+   * type's size.
+   */
   ellipse?: readonly [number, number];
 }
 
@@ -57,7 +60,11 @@ function mark(model: ModelKind, x: number, y: number, type: number, ellipse: Pan
   return svg`<ellipse class="dot hollow" cx=${x} cy=${y} rx=${ellipse[0] * type} ry=${ellipse[1] * type}></ellipse>`;
 }
 
-export function panel({ heading, words, x, y, points, lines, references }: Panel, width: number, type: number) {
+export function panel(
+  { heading, words, x, y, points, lines, references }: Panel,
+  width: number,
+  type: number,
+) {
   const height = Math.round(Math.min(0.72 * width, 240) + 2 * type);
   const labelled = Math.max(0, ...lines.map(({ label = "" }) => textWidth(label, type)));
   const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10 - labelled];

@@ -8,7 +8,10 @@ import { answered, isComplete, type KeptParticipation } from "./participation";
 import type { PerceptionStore } from "./perception-store";
 
 const save = ({ name, text }: AnswersFile) =>
-  download(name, new Blob([text], { type: name.endsWith(".csv") ? "text/csv;charset=utf-8" : "application/json" }));
+  download(
+    name,
+    new Blob([text], { type: name.endsWith(".csv") ? "text/csv;charset=utf-8" : "application/json" }),
+  );
 
 const COLUMNS = ["Participant", "Study", "Answered", ""];
 
@@ -18,7 +21,9 @@ function row(store: PerceptionStore, kept: KeptParticipation) {
   const forget = () => {
     if (
       done === 0 ||
-      confirm(`Forget the ${done} answers of ${participant}? They are on no other machine, unless you saved them.`)
+      confirm(
+        `Forget the ${done} answers of ${participant}? They are on no other machine, unless you saved them.`,
+      )
     )
       void store.forget(key);
   };

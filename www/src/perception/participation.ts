@@ -59,9 +59,13 @@ const SIGNS = "23456789abcdefghjkmnpqrstuvwxyz";
 const drawn = (count: number) => [...crypto.getRandomValues(new Uint32Array(count))];
 
 /** A name at random. */
-export const newName = (): string => drawn(6).reduce((name, number) => name + SIGNS[number % SIGNS.length], "");
+export const newName = (): string =>
+  drawn(6).reduce((name, number) => name + SIGNS[number % SIGNS.length], "");
 
-/** The name, or, where somebody is called so already, with a number after it: a file tells participants apart by their names. */
+/**
+ * The name, or, where somebody is called so already, with a number after it: a file tells participants apart
+ * by their names.
+ */
 export function freeName(name: string, taken: ReadonlySet<string>): string {
   let free = name;
   for (let number = 2; taken.has(free); number++) free = `${name}-${number}`;

@@ -43,7 +43,8 @@ export class PerceptionPage extends View {
     await this.perception.openStudy(() => chosenStudy(file));
     await this.updateComplete;
     // The button was disabled meanwhile.
-    if (document.activeElement === document.body) this.querySelector<HTMLElement>("[data-testid=open-study]")?.focus();
+    if (document.activeElement === document.body)
+      this.querySelector<HTMLElement>("[data-testid=open-study]")?.focus();
   }
 
   #begin(simulated: boolean): void {

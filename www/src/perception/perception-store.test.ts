@@ -17,7 +17,10 @@ class FakeShelf implements AnswerShelf {
   full = false;
 
   async all() {
-    return [...this.participations.values()].map((about) => ({ ...about, rows: this.rows.get(about.key) ?? [] }));
+    return [...this.participations.values()].map((about) => ({
+      ...about,
+      rows: this.rows.get(about.key) ?? [],
+    }));
   }
   async study(key: string) {
     return this.studies.get(key) ?? null;
@@ -47,7 +50,12 @@ let program: FakeProgram;
 let shelf: FakeShelf;
 let store: PerceptionStore;
 
-const answer = (position: number): Row => ({ kind: "comparison", position, response: "left", trial_index: 7 });
+const answer = (position: number): Row => ({
+  kind: "comparison",
+  position,
+  response: "left",
+  trial_index: 7,
+});
 const page: Row = { page: "consent" };
 
 /** What is left to do for who sits there. */

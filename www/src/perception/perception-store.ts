@@ -1,4 +1,5 @@
-// The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering now.
+// The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering
+// now.
 import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol";
@@ -116,7 +117,10 @@ export class PerceptionStore extends Store {
   get unsaved(): Work | null {
     const study = this.#study;
     if (!study || study.text === this.#onDisk) return null;
-    return { what: `the study “${study.info.title}” as it was made or changed here`, save: () => this.saveStudy() };
+    return {
+      what: `the study “${study.info.title}” as it was made or changed here`,
+      save: () => this.saveStudy(),
+    };
   }
 
   /** Saves the study to the visitor's disk. */
@@ -132,7 +136,8 @@ export class PerceptionStore extends Store {
   change(change: StudyChange): Promise<void> {
     return this.#next(async () => {
       const { text } = this.#study ?? {};
-      if (text !== undefined) this.#study = await askDesk(this.#whole, (worker) => worker.changeStudy(text, change));
+      if (text !== undefined)
+        this.#study = await askDesk(this.#whole, (worker) => worker.changeStudy(text, change));
     });
   }
 
@@ -149,8 +154,16 @@ export class PerceptionStore extends Store {
       if (text === undefined || !info || this.#sitting) return;
       const seed = newSeed();
       const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
-      const free = freeName(name.trim() || newName(), new Set(this.#kept.map(({ participant }) => participant)));
-      const participation = newParticipation(info, { participant: free, trials: trials.length, seed, simulated });
+      const free = freeName(
+        name.trim() || newName(),
+        new Set(this.#kept.map(({ participant }) => participant)),
+      );
+      const participation = newParticipation(info, {
+        participant: free,
+        trials: trials.length,
+        seed,
+        simulated,
+      });
       const movements = await askDesk(this.#whole, (worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
       await this.#kindly(() => this.#shelf?.begin(participation, text));
@@ -176,7 +189,8 @@ export class PerceptionStore extends Store {
       const { seed } = participation;
       const text = this.#texts.get(key) ?? (await this.#shelf?.study(key));
       try {
-        if (typeof text !== "string") throw new Error("The study that it belongs to is not on this machine any more.");
+        if (typeof text !== "string")
+          throw new Error("The study that it belongs to is not on this machine any more.");
         const { info } = await askDesk(this.#whole, (worker) => worker.openStudy(text));
         const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
         const movements = await askDesk(this.#whole, (worker) => worker.movements(text));

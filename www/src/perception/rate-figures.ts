@@ -4,7 +4,14 @@ import type { ModelKind, PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { plain } from "../figures/numbers";
 import { modelStyle } from "../figures/model-style";
-import { type Answered, answeredSettings, MSE_TITLE, RATE_TITLES, rateBar, rateFields } from "./answered-settings";
+import {
+  type Answered,
+  answeredSettings,
+  MSE_TITLE,
+  RATE_TITLES,
+  rateBar,
+  rateFields,
+} from "./answered-settings";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
 /** What models with one number of building blocks count. */
@@ -61,7 +68,11 @@ const MEASURES: Measure[] = [
   },
 ];
 
-function panelOf(model: ModelKind, rows: readonly Row[], { name, axis, references, of }: Measure): Panel | null {
+function panelOf(
+  model: ModelKind,
+  rows: readonly Row[],
+  { name, axis, references, of }: Measure,
+): Panel | null {
   const points = rows.flatMap(({ setting, blocks }): PanelPoint[] => {
     const value = of(setting);
     return value ? [{ model, x: blocks, ...value }] : [];

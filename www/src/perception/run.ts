@@ -45,14 +45,25 @@ export function run(display: HTMLElement, stage: PairStage, experiment: Experime
   jsPsych.data.addProperties(columns);
   const confusion = simulated ? confusionOf(study) : [];
   const simulation = (trial: StudyTrial) =>
-    simulated ? { simulation_options: { data: { response: simulatedAnswer(trial, confusion, Math.random()) } } } : {};
+    simulated
+      ? { simulation_options: { data: { response: simulatedAnswer(trial, confusion, Math.random()) } } }
+      : {};
   const PairPlugin = pairPlugin(stage);
   const timeline = steps.map((step) => ({
     ...(step.kind === "text"
       ? { type: TextPlugin, text: step }
       : {
-          ...{ type: PairPlugin, pair: step.trial, question: study.texts.question, data: trialColumns(study, step) },
-          ...{ cross: study.crossSeconds, movement: study.seconds, answer_during_movement: study.answerDuringMovement },
+          ...{
+            type: PairPlugin,
+            pair: step.trial,
+            question: study.texts.question,
+            data: trialColumns(study, step),
+          },
+          ...{
+            cross: study.crossSeconds,
+            movement: study.seconds,
+            answer_during_movement: study.answerDuringMovement,
+          },
           ...simulation(step.trial),
         }),
     on_start: () => begins(step),

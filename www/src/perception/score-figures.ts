@@ -1,4 +1,5 @@
-// Confusion rate over each score with the fitted curve (figures 5 and 6 of Knopp et al. 2019), and of all models together (figure 7).
+// Confusion rate over each score with the fitted curve (figures 5 and 6 of Knopp et al. 2019), and of all
+// models together (figure 7).
 import { html } from "lit";
 import type { ModelKind, Regression, PerceptionResults } from "../engine/whole-protocol";
 import "../terms/term";
@@ -51,7 +52,9 @@ function panelOf(results: PerceptionResults, model: ModelKind, score: Drawn): Pa
   };
 }
 
-const modelsOf = (settings: readonly Answered[]): ModelKind[] => [...new Set(settings.map(({ model }) => model))];
+const modelsOf = (settings: readonly Answered[]): ModelKind[] => [
+  ...new Set(settings.map(({ model }) => model)),
+];
 
 const missingIn = (results: PerceptionResults) =>
   answeredSettings(results).length === 0 ? "Needs answers about a model’s movements." : null;
@@ -66,7 +69,17 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
 
   protected table(results: PerceptionResults) {
     return {
-      header: ["model", "settings", "score", "value", ...RATE_TITLES, "w0", "w1", "ln K", "standard error of ln K"],
+      header: [
+        "model",
+        "settings",
+        "score",
+        "value",
+        ...RATE_TITLES,
+        "w0",
+        "w1",
+        "ln K",
+        "standard error of ln K",
+      ],
       rows: answeredSettings(results).flatMap(({ model, label, scores, confusion }) =>
         SCORES.flatMap(({ score, name }) => {
           const { weights, logBayesFactor, logBayesFactorError } = regressionOf(results, model, score) ?? {};
@@ -111,7 +124,11 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
 
   protected figure(results: PerceptionResults) {
     const settings = answeredSettings(results);
-    const points = settings.map(({ model, scores, confusion }) => ({ model, x: scores.mse, ...rateBar(confusion) }));
+    const points = settings.map(({ model, scores, confusion }) => ({
+      model,
+      x: scores.mse,
+      ...rateBar(confusion),
+    }));
     const regression = regressionOf(results, null, "mse");
     const names = modelsOf(settings);
     const one: Panel = {

@@ -30,8 +30,15 @@ export const paragraphsOf = (text: string): string[] =>
     .map((paragraph) => paragraph.trim())
     .filter(Boolean);
 
-/** The steps that are left after so many trials. Who takes an experiment up again reads the instructions once more. */
-export function stepsOf({ texts, pauseSeconds }: StudyInfo, trials: readonly StudyTrial[], answered: number): Step[] {
+/**
+ * The steps that are left after so many trials. Who takes an experiment up again reads the instructions once
+ * more.
+ */
+export function stepsOf(
+  { texts, pauseSeconds }: StudyInfo,
+  trials: readonly StudyTrial[],
+  answered: number,
+): Step[] {
   const page = (page: TextPage, onward: string, wait = 0): TextStep => ({
     ...{ kind: "text", page, paragraphs: paragraphsOf(texts[page]), onward, wait },
   });
@@ -40,7 +47,8 @@ export function stepsOf({ texts, pauseSeconds }: StudyInfo, trials: readonly Stu
   trials.forEach((trial, position) => {
     if (position < answered) return;
     const before = trials[position - 1];
-    if (position > answered && before && before.block !== trial.block) steps.push(page("pause", "Go on", pauseSeconds));
+    if (position > answered && before && before.block !== trial.block)
+      steps.push(page("pause", "Go on", pauseSeconds));
     steps.push({ kind: "pair", position, trial });
   });
   return [...steps, page("end", "Done")];

@@ -33,7 +33,8 @@ export function lengthOf({ crossSeconds, seconds, design }: StudyInfo, trials: n
 
 function designWords({ info, trials }: StudyView): string {
   const { blocks, pauseSeconds } = info.design;
-  const inBlocks = blocks > 1 ? ` in ${blocks} blocks, pauses of at least ${duration(pauseSeconds)} between` : "";
+  const inBlocks =
+    blocks > 1 ? ` in ${blocks} blocks, pauses of at least ${duration(pauseSeconds)} between` : "";
   return `${trials} trials${inBlocks}, about ${Math.max(1, Math.round(lengthOf(info, trials) / 60))} minutes.`;
 }
 
@@ -63,7 +64,9 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
   const generated = stimuli.filter(({ kind }) => kind === "generated");
   const failed = generated.filter(({ failed }) => failed).map(({ id }) => id);
   const toggle = (id: string) =>
-    void store.change({ failed: failed.includes(id) ? failed.filter((other) => other !== id) : [...failed, id] });
+    void store.change({
+      failed: failed.includes(id) ? failed.filter((other) => other !== id) : [...failed, id],
+    });
   return html`
     <details class="advanced">
       <summary>Movements that check attention</summary>
@@ -80,7 +83,8 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
 /** The study that is open, or that none is. `look` shows one of its movements. */
 export function studyCard(store: PerceptionStore, look: (id: string) => void) {
   const { study, busy } = store;
-  if (!study) return html`<p class="empty">${busy ? "Loading the study." : "Open a study (.json) to begin."}</p>`;
+  if (!study)
+    return html`<p class="empty">${busy ? "Loading the study." : "Open a study (.json) to begin."}</p>`;
   const { info } = study;
   return html`
     <p data-testid="study-title"><strong>${info.title}</strong></p>

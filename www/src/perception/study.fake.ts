@@ -22,7 +22,15 @@ export const study: StudyInfo = {
     ...{ blocks: 2, comparisons: 3, attentionChecks: 0, catchTrials: 0, seed: 1 },
     ...{ pauseSeconds: 5, answerDuringMovement: false },
   },
-  skeleton: { names: ["Hips", "Head"], parents: [-1, 0], joints: 2, head: 1, feet: null, dots: [0, 1], height: 1.7 },
+  skeleton: {
+    names: ["Hips", "Head"],
+    parents: [-1, 0],
+    joints: 2,
+    head: 1,
+    feet: null,
+    dots: [0, 1],
+    height: 1.7,
+  },
   stimuli: [
     {
       ...{ id: "walk-1", kind: "natural", trial: "walk-1", speed: 1, seen: true, failed: false },
@@ -41,6 +49,13 @@ export const trialsOf = (blocks: readonly number[]): StudyTrial[] =>
   blocks.flatMap((count, block) =>
     Array.from({ length: count }, (_, i): StudyTrial => {
       const [left, right] = i % 2 === 0 ? [0, 1] : [1, 0];
-      return { block, kind: "comparison", left, right, naturalSide: left === 0 ? "left" : "right", headingDegrees: 90 };
+      return {
+        block,
+        kind: "comparison",
+        left,
+        right,
+        naturalSide: left === 0 ? "left" : "right",
+        headingDegrees: 90,
+      };
     }),
   );

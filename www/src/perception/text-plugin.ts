@@ -1,4 +1,5 @@
-// jsPsych's plugin for a page of text: consent, instructions, a pause, thanks. The participant goes on with a button.
+// jsPsych's plugin for a page of text: consent, instructions, a pause, thanks. The participant goes on with a
+// button.
 import { type JsPsych, type JsPsychPlugin, ParameterType, type TrialType } from "jspsych";
 import type { TextStep } from "./steps";
 
@@ -62,8 +63,13 @@ export class TextPlugin implements JsPsychPlugin<Info> {
     const root = document.createElement("div");
     root.className = "text-page";
     root.dataset.testid = `page-${page}`;
-    root.append(...paragraphs.map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-    const button = Object.assign(document.createElement("button"), { type: "button", className: "primary big" });
+    root.append(
+      ...paragraphs.map((text) => Object.assign(document.createElement("p"), { textContent: text })),
+    );
+    const button = Object.assign(document.createElement("button"), {
+      type: "button",
+      className: "primary big",
+    });
     button.dataset.testid = "onward";
     const left = Object.assign(document.createElement("p"), { className: "hint" });
     root.append(button, left);

@@ -1,6 +1,14 @@
 import { expect, it } from "vitest";
 import type { LibraryInfo } from "../engine/library-protocol";
-import { combinationsOf, countOf, exampleOf, firstOf, primitivesOf, recordedAs, titleOf } from "./combinations";
+import {
+  combinationsOf,
+  countOf,
+  exampleOf,
+  firstOf,
+  primitivesOf,
+  recordedAs,
+  titleOf,
+} from "./combinations";
 
 const primitive = (name: string, part: number) => ({ name, part });
 const movement = (name: string, uses: number[], learned = true) => ({ name, uses, learned });

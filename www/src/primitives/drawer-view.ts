@@ -1,4 +1,5 @@
-// The primitives of each part as small moving figures, of which only the part is in colour: drag one onto the body, or press it.
+// The primitives of each part as small moving figures, of which only the part is in colour: drag one onto the
+// body, or press it.
 import { html, nothing } from "lit";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";

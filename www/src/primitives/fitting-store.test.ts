@@ -31,7 +31,11 @@ async function end(alpha: Couplings): Promise<void> {
   await settled();
   const training = program.libraries.fittings.at(-1);
   const found = { alpha, from: FROM };
-  training?.report({ progress: { ...progress(9), fraction: 1 }, elapsed: 1.5, found } as LibraryReport<Fitted>);
+  training?.report({
+    progress: { ...progress(9), fraction: 1 },
+    elapsed: 1.5,
+    found,
+  } as LibraryReport<Fitted>);
   training?.end({ cancelled: false, reason: "settled" });
 }
 

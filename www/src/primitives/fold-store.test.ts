@@ -42,7 +42,11 @@ it("trains a library and a model alone, side by side, and has the errors of both
     { sample: "w2", alone: false },
     { sample: "w2", alone: true },
   ]);
-  program.libraries.folds[0]?.report({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found: null });
+  program.libraries.folds[0]?.report({
+    progress: { ...progress(3), fraction: 0.5 },
+    elapsed: 2,
+    found: null,
+  });
   expect([fold.library.fraction, fold.alone.fraction]).toEqual([0.5, 0]);
   void fold.holdOut();
   await end(1, came(0.002));

@@ -1,4 +1,5 @@
-// One fold of the experiment, done here: a trial is held out, and predicted by a library and by a model of its movement alone.
+// One fold of the experiment, done here: a trial is held out, and predicted by a library and by a model of
+// its movement alone.
 import type { EngineStore } from "../engine/engine-store";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { SampleInfo } from "../engine/protocol";

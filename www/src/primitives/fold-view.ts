@@ -1,4 +1,5 @@
-// One fold of the experiment: which trial is held out, how far its two trainings are, and their errors beside those that were measured.
+// One fold of the experiment: which trial is held out, how far its two trainings are, and their errors beside
+// those that were measured.
 import { html, nothing } from "lit";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { ProgressStore } from "../training/progress-store";

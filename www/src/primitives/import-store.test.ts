@@ -24,7 +24,11 @@ beforeEach(async () => {
 async function end(found: Imported | null): Promise<void> {
   await settled();
   const training = program.libraries.imports.at(-1);
-  training?.report({ progress: { ...progress(9), fraction: 1 }, elapsed: 1.5, found } as LibraryReport<Imported>);
+  training?.report({
+    progress: { ...progress(9), fraction: 1 },
+    elapsed: 1.5,
+    found,
+  } as LibraryReport<Imported>);
   training?.end({ cancelled: false, reason: "settled" });
 }
 
@@ -32,7 +36,13 @@ describe("primitives of another file", () => {
   it("come in where they fit, while the figure goes on; twice is once", async () => {
     await imports.openFile(armsText("swing"), "swing.json");
     expect(imports.words).toBe("Added upper: swing.");
-    expect(library.known?.info.primitives.map(({ name }) => name)).toEqual(["walk", "wave", "walk", "wave", "swing"]);
+    expect(library.known?.info.primitives.map(({ name }) => name)).toEqual([
+      "walk",
+      "wave",
+      "walk",
+      "wave",
+      "swing",
+    ]);
     expect(library.known?.unsaved).toBe(true);
     expect(library.kept?.text).toBe(libraryText("first", [], ["swing"]));
     expect(program.libraries.walks).toHaveLength(1);

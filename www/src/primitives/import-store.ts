@@ -43,7 +43,10 @@ export class ImportStore extends ProgressStore<Imported> {
     return this.#words;
   }
 
-  /** Opens a file: as the library that is looked at, or, where it holds no whole body, as primitives to be added. */
+  /**
+   * Opens a file: as the library that is looked at, or, where it holds no whole body, as primitives to be
+   * added.
+   */
   async openFile(text: string, title: string): Promise<void> {
     await this.#library.openFirst();
     if (await this.#library.isWhole(text)) await this.#library.open(text, title);
@@ -62,7 +65,10 @@ export class ImportStore extends ProgressStore<Imported> {
     this.changed();
   }
 
-  /** Learns the offered primitives again: from the clip of this key, or, without one, from what their file keeps. */
+  /**
+   * Learns the offered primitives again: from the clip of this key, or, without one, from what their file
+   * keeps.
+   */
   async relearn(key: string, seed: number): Promise<void> {
     const { known } = this.#library;
     const offer = this.#offer;
@@ -97,7 +103,10 @@ export class ImportStore extends ProgressStore<Imported> {
 }
 
 /** "Added lower: walk." */
-function addedWords({ info, added }: { info: LibraryInfo; added: number }, before: LibraryInfo | undefined): string {
+function addedWords(
+  { info, added }: { info: LibraryInfo; added: number },
+  before: LibraryInfo | undefined,
+): string {
   const fresh = info.primitives.slice(before?.primitives.length ?? 0);
   if (added === 0 || fresh.length === 0) return "These primitives are in the library already.";
   return `Added ${fresh.map(({ part, name }) => `${info.parts[part]?.name}: ${name}`).join(", ")}.`;

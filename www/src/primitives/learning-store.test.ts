@@ -43,7 +43,8 @@ beforeEach(() => {
   learning = new LearningStore(program, { samples }, new FakeSettings(), clips, library);
   for (const { id } of samples) clips.add(id, "made");
 });
-const chosen = () => learning.clips.filter(({ chosen }) => chosen).map(({ key, movement }) => `${key} ${movement}`);
+const chosen = () =>
+  learning.clips.filter(({ chosen }) => chosen).map(({ key, movement }) => `${key} ${movement}`);
 const report = (found: string | null) =>
   ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as LibraryReport<string>;
 

@@ -1,4 +1,5 @@
-// A library that is learned here: clips in named groups, one a movement, and parts that are the same in all of them or not.
+// A library that is learned here: clips in named groups, one a movement, and parts that are the same in all
+// of them or not.
 import type { ClipEntry, ClipsStore } from "../clips/clips-store";
 import { partsFor } from "../clips/parts";
 import type { EngineStore } from "../engine/engine-store";
@@ -76,7 +77,10 @@ export class LearningStore extends ProgressStore<string> {
     this.changed();
   }
 
-  /** Chooses all clips that the program makes, each in the group of its movement; these parts are the same in all groups. */
+  /**
+   * Chooses all clips that the program makes, each in the group of its movement; these parts are the same in
+   * all groups.
+   */
   chooseMade(shared: readonly string[]): void {
     for (const { key, origin } of this.#clips.all) {
       this.#chosen.set(key, origin !== "own");
@@ -117,7 +121,8 @@ export class LearningStore extends ProgressStore<string> {
     if (this.busy || this.whyNot) return;
     const groups = this.#groups();
     const parts = this.parts;
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } =
+      this.#settings.values;
     const job = {
       clips: groups.flatMap(({ clips }) =>
         clips.map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end })),

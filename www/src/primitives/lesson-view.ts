@@ -1,4 +1,5 @@
-// The experiment on primitives that are shared, as a lesson: the question, what was measured, and the same training to be tried here.
+// The experiment on primitives that are shared, as a lesson: the question, what was measured, and the same
+// training to be tried here.
 import { html } from "lit";
 import { View } from "../ui/view";
 import "./lesson.css";
@@ -13,7 +14,11 @@ import { MEASURED, type Table } from "./measured";
 const ERRORS = [0, 1, 2, 3, 4];
 const COSTS = [0, 6, 7, 8, 9];
 
-function table({ head, rows }: Table, label: string, columns: readonly number[] = head.map((_, column) => column)) {
+function table(
+  { head, rows }: Table,
+  label: string,
+  columns: readonly number[] = head.map((_, column) => column),
+) {
   return html`
     <div class="table-box" role="region" tabindex="0" aria-label=${label}><table class="lesson">
       <thead><tr>${columns.map((column) => html`<th scope="col">${head[column]}</th>`)}</tr></thead>

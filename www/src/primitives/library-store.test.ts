@@ -224,7 +224,10 @@ describe("the combination that walks", () => {
     // The combination itself again.
     library.take([0, 3]);
     await pass(1);
-    expect(program.libraries.changes.findLast(({ kind }) => kind === "mix")).toMatchObject({ other: 2, share: 0 });
+    expect(program.libraries.changes.findLast(({ kind }) => kind === "mix")).toMatchObject({
+      other: 2,
+      share: 0,
+    });
   });
 
   it("says when it stops", async () => {

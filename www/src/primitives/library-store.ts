@@ -43,7 +43,10 @@ export class LibraryStore extends Store {
   readonly #notices: NoticesStore;
   readonly #fetchFirst: () => Promise<string>;
   #known: KnownLibrary | null = null;
-  /** Those before, the last of which the one that is looked at has taken the place of: it, and all that would be lost. */
+  /**
+   * Those before, the last of which the one that is looked at has taken the place of: it, and all that would
+   * be lost.
+   */
   #earlier: readonly KnownLibrary[] = [];
   #opening: Promise<void> | null = null;
   #problem = "";
@@ -205,7 +208,10 @@ export class LibraryStore extends Store {
     }
   }
 
-  /** Takes a library up from its document. The one before can be brought back, and so can all before it that are not saved. */
+  /**
+   * Takes a library up from its document. The one before can be brought back, and so can all before it that
+   * are not saved.
+   */
   async open(text: string, title: string, unsaved = false): Promise<void> {
     const info = await this.#held.open(text);
     const before = this.#known ? [this.#known] : [];
@@ -331,7 +337,12 @@ export class LibraryStore extends Store {
     const addition = await this.#held.take(text);
     const known = this.#known;
     if (!("info" in addition) || !known) return addition;
-    this.#known = { ...known, text: addition.text, info: addition.info, unsaved: known.unsaved || addition.added > 0 };
+    this.#known = {
+      ...known,
+      text: addition.text,
+      info: addition.info,
+      unsaved: known.unsaved || addition.added > 0,
+    };
     this.changed();
     void this.#rollOutSmall(addition.info);
     return addition;
@@ -341,7 +352,9 @@ export class LibraryStore extends Store {
   get #from(): CouplingsFrom | null {
     const fitted = this.#fitted;
     const isFitted =
-      fitted && isSame(fitted.uses, this.#uses) && JSON.stringify(fitted.alpha) === JSON.stringify(this.#alpha);
+      fitted &&
+      isSame(fitted.uses, this.#uses) &&
+      JSON.stringify(fitted.alpha) === JSON.stringify(this.#alpha);
     return isFitted ? fitted.from : null;
   }
 
@@ -369,7 +382,10 @@ export class LibraryStore extends Store {
   /** Looks what the parts do once the couplings rest: a slider that is dragged shall not wait for it. */
   #lookLater(): void {
     clearTimeout(this.#look);
-    this.#look = setTimeout(() => this.#movesOf.request({ uses: this.#uses, alpha: this.#alpha }), LOOK_AFTER);
+    this.#look = setTimeout(
+      () => this.#movesOf.request({ uses: this.#uses, alpha: this.#alpha }),
+      LOOK_AFTER,
+    );
   }
 
   #takeNearest(alpha: Couplings): void {

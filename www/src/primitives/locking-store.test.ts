@@ -18,7 +18,12 @@ beforeEach(async () => {
 it("asks for a row a tempo, and has the learned coupling and tempo among its points", async () => {
   await locking.make();
   expect(program.libraries.rows.map(({ tempo }) => tempo)).toEqual(TEMPOS);
-  expect(program.libraries.rows[0]).toMatchObject({ uses: [0, 3], source: 0, target: 1, strengths: STRENGTHS });
+  expect(program.libraries.rows[0]).toMatchObject({
+    uses: [0, 3],
+    source: 0,
+    target: 1,
+    strengths: STRENGTHS,
+  });
   expect([TEMPOS.includes(1), STRENGTHS.includes(1)]).toEqual([true, true]);
   expect(locking.fraction).toBe(1);
   expect(locking.busy).toBe(false);

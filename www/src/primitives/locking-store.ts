@@ -1,4 +1,5 @@
-// The map of tempo and coupling: how firmly one part is locked to another, for each tempo of the one and each strength of the coupling.
+// The map of tempo and coupling: how firmly one part is locked to another, for each tempo of the one and each
+// strength of the coupling.
 import type { Couplings } from "../engine/protocol";
 import type { WholeProgram } from "../engine/whole-engine";
 import { messageOf } from "../ui/format";

@@ -1,4 +1,5 @@
-// How a figure gets from one primitive into another: what would be a jump fades away within a fraction of a second. Geometry only.
+// How a figure gets from one primitive into another: what would be a jump fades away within a fraction of a
+// second. Geometry only.
 
 /** Frames over which the jump fades. */
 export const SEAM_FRAMES = 15;

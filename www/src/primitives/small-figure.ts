@@ -1,4 +1,5 @@
-// A small figure on a canvas of its own, drawn as thick lines: many of them cost little. It walks on the spot.
+// A small figure on a canvas of its own, drawn as thick lines: many of them cost little. It walks on the
+// spot.
 import type { Motion, PartSpec } from "../engine/protocol";
 import { type Shape, shapeOf } from "../scene/body-shape";
 import type { Body } from "../scene/columns";
@@ -25,7 +26,10 @@ export interface Stroke {
   depth: number;
 }
 
-/** The lines of a pose [nodes x 3] in a picture, the farthest first. `floor`: the height of the ground; `turn`: what is seen, radians. */
+/**
+ * The lines of a pose [nodes x 3] in a picture, the farthest first. `floor`: the height of the ground;
+ * `turn`: what is seen, radians.
+ */
 export function strokesOf(
   shape: Shape,
   parts: Int16Array,
@@ -47,7 +51,15 @@ export function strokesOf(
   const strokes = shape.capsules.map(({ from, to, r0, r1, joint }): Stroke => {
     const [a, b] = [at(from), at(to)];
     const width = Math.max(1.5, scale * (r0 + r1));
-    return { part: parts[joint] ?? -1, x0: a.x, y0: a.y, x1: b.x, y1: b.y, width, depth: (a.depth + b.depth) / 2 };
+    return {
+      part: parts[joint] ?? -1,
+      x0: a.x,
+      y0: a.y,
+      x1: b.x,
+      y1: b.y,
+      width,
+      depth: (a.depth + b.depth) / 2,
+    };
   });
   for (const { node, towards, radius, joint } of shape.balls) {
     const a = at(node);

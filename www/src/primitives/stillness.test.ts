@@ -16,7 +16,9 @@ it("says which part stands still, and to whom it listens", () => {
   expect(stillWords(info, [0, 1], moves(true, 0.9, false))).toBe(
     "Upper stands still. Lower decides 90 % of what upper does, and lower: walk never learned to drive upper: wave.",
   );
-  expect(stillWords(info, [0, 1], moves(true, 0.9, true))).toContain("does not drive it under these couplings.");
+  expect(stillWords(info, [0, 1], moves(true, 0.9, true))).toContain(
+    "does not drive it under these couplings.",
+  );
   expect(stillWords(info, [0, 1], moves(true, 0.1, true))).toContain("its own predictions come to rest.");
   expect(stillWords(info, [0], [{ share: 0, still: true, leader: null }])).toBe(
     "Lower stands still. Alone it comes to rest.",

@@ -12,9 +12,14 @@ import { onwards, SEAM_FRAMES, Seam } from "./seam";
 
 /** Seconds that are kept. */
 const KEPT_SECONDS = 4;
-/** Frames that are there before the clock needs them. Where the visitor changes something, those not yet seen are made again. */
+/**
+ * Frames that are there before the clock needs them. Where the visitor changes something, those not yet seen
+ * are made again.
+ */
 const LEAD = 3;
-/** So many are asked for at once, so that the worker is nearly always free when the visitor changes something. */
+/**
+ * So many are asked for at once, so that the worker is nearly always free when the visitor changes something.
+ */
 const PIECE = 6;
 
 /** What acts on all frames after this one. */
@@ -24,7 +29,8 @@ interface Made {
 }
 
 /** What a change is about. */
-const subjectOf = (change: WalkChange): string => ("part" in change ? `${change.kind} ${change.part}` : "couplings");
+const subjectOf = (change: WalkChange): string =>
+  "part" in change ? `${change.kind} ${change.part}` : "couplings";
 
 /** Of changes of one thing only the newest. */
 function newest(changes: readonly WalkChange[]): WalkChange[] {
@@ -74,7 +80,10 @@ export class WalkStore extends Store {
     this.#track = null;
     this.#changes = [];
     this.#made = [];
-    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, Math.round(KEPT_SECONDS / frameTime));
+    const track = new LiveTrack(
+      { nodes: figure.nodes.length, frameTime },
+      Math.round(KEPT_SECONDS / frameTime),
+    );
     const motion = await this.#held.ask(async (worker) => {
       await worker.startWalk([...uses]);
       return worker.advanceWalk(0, [], LEAD);
@@ -90,8 +99,8 @@ export class WalkStore extends Store {
   }
 
   /**
-   * From the next frame on that nobody has seen. Of changes of one thing only the newest counts. `leaps`: it is a large one, not a step of
-   * a slider that is dragged.
+   * From the next frame on that nobody has seen. Of changes of one thing only the newest counts. `leaps`: it
+   * is a large one, not a step of a slider that is dragged.
    */
   change(change: WalkChange, leaps = change.kind === "use"): void {
     this.#leaps ||= leaps;
@@ -128,7 +137,9 @@ export class WalkStore extends Store {
     this.changed();
   }
 
-  /** The last frame that stays as it is: of a figure that stands, the one that its picture leads to as well. */
+  /**
+   * The last frame that stays as it is: of a figure that stands, the one that its picture leads to as well.
+   */
   get #kept(): number {
     return this.player.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
   }

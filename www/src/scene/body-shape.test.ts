@@ -1,7 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { shapeOf } from "./body-shape";
 
-function body(names: [string, number | null, [number, number, number]][], end?: [number, [number, number, number]]) {
+function body(
+  names: [string, number | null, [number, number, number]][],
+  end?: [number, [number, number, number]],
+) {
   const nodes = names.map(([, parent], joint) => ({ joint, parent, endSite: false }));
   const at: number[][] = [];
   for (const [, parent, offset] of names)

@@ -28,7 +28,10 @@ export interface Shape {
   balls: Ball[];
 }
 
-/** Radii at the bone's start and end for a body of 1.7 m, by the name of the joint that turns it. First match counts. */
+/**
+ * Radii at the bone's start and end for a body of 1.7 m, by the name of the joint that turns it. First match
+ * counts.
+ */
 const FLESH: [RegExp, number, number][] = [
   [/thumb|index|middle|ring|pinky|finger/, 0.013, 0.01],
   [/hand|wrist/, 0.026, 0.018],
@@ -77,7 +80,11 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
   const capsules: Capsule[] = [];
   const balls: Ball[] = [];
   const length = (a: number, b: number) =>
-    Math.hypot(pose[3 * a]! - pose[3 * b]!, pose[3 * a + 1]! - pose[3 * b + 1]!, pose[3 * a + 2]! - pose[3 * b + 2]!);
+    Math.hypot(
+      pose[3 * a]! - pose[3 * b]!,
+      pose[3 * a + 1]! - pose[3 * b + 1]!,
+      pose[3 * a + 2]! - pose[3 * b + 2]!,
+    );
   const hips = pairOf(figure, joints, /up_?leg|upper_?leg|thigh|hip/i);
   const shoulders = pairOf(figure, joints, /arm|shoulder|collar/i);
   const lowest = figure.nodes.reduce((low, _, node) => Math.min(low, pose[3 * node + 1]!), Infinity);

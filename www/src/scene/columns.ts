@@ -13,7 +13,10 @@ export interface Body {
   figure: Figure;
   joints: string[];
   parts: PartSpec[];
-  /** Nodes that carry a light, for a body that is seen as points and nothing else: no ground, no ghost. Absent: a figure. */
+  /**
+   * Nodes that carry a light, for a body that is seen as points and nothing else: no ground, no ghost.
+   * Absent: a figure.
+   */
   lights?: number[];
 }
 
@@ -22,13 +25,19 @@ export interface ColumnMotion {
   motion: Motion;
   /** Laid onto the figure, and what the ground is fitted to. */
   ghost: Motion | null;
-  /** How fast the camera goes along the ground, metres a second from the origin; absent: it follows the figure. */
+  /**
+   * How fast the camera goes along the ground, metres a second from the origin; absent: it follows the
+   * figure.
+   */
   camera?: { x: number; z: number };
   /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
   ground?: Motion;
 }
 
-/** What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging arms need; metres. */
+/**
+ * What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging
+ * arms need; metres.
+ */
 const HALF_HEIGHT = 1.12;
 const HALF_WIDTH = 0.85;
 /** Pixels of a column's shadow, each way. */
@@ -112,7 +121,10 @@ class Column {
 
 /** How a visitor looks at columns. */
 export interface ColumnsView {
-  /** The direction from the figures to the camera, radians from their z axis; null: aside of the first motion's way. */
+  /**
+   * The direction from the figures to the camera, radians from their z axis; null: aside of the first
+   * motion's way.
+   */
   from: number | null;
   /** Whether the visitor can turn the camera. */
   turns: boolean;
@@ -176,8 +188,17 @@ export class Columns {
     controls.minDistance = controls.maxDistance = away;
   }
 
-  /** Draws all columns at a frame when something changed. `seconds` since the last call; `drawn` is told of each column. */
-  draw(frame: number, changed: boolean, seconds: number, playing: boolean, drawn = (_column: number) => {}): void {
+  /**
+   * Draws all columns at a frame when something changed. `seconds` since the last call; `drawn` is told of
+   * each column.
+   */
+  draw(
+    frame: number,
+    changed: boolean,
+    seconds: number,
+    playing: boolean,
+    drawn = (_column: number) => {},
+  ): void {
     const viewport = this.#viewport;
     if (changed) viewport.changed();
     if (viewport.next(seconds, playing) === null) return;

@@ -35,8 +35,8 @@ const PALE = 254;
 const FIRST_FUTURE = 1;
 
 /**
- * Bodies mark their pixels, and leave out what is marked as high or higher: a pale body draws each pixel once, in a flat shade without
- * seams, never over a solid one. Futures show through each other.
+ * Bodies mark their pixels, and leave out what is marked as high or higher: a pale body draws each pixel
+ * once, in a flat shade without seams, never over a solid one. Futures show through each other.
  */
 function stencil(material: MeshStandardMaterial, mark: number): void {
   material.stencilWrite = true;
@@ -105,7 +105,10 @@ export class FigureView {
       return material;
     };
     for (const capsule of shape.capsules) {
-      const mesh = new Mesh(taperedCapsule(capsule.length, capsule.r0, capsule.r1), materialOf(capsule.joint));
+      const mesh = new Mesh(
+        taperedCapsule(capsule.length, capsule.r0, capsule.r1),
+        materialOf(capsule.joint),
+      );
       if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
       this.bones.push({ mesh, capsule });
       this.add(mesh, style);
@@ -134,7 +137,13 @@ export class FigureView {
     const opacity = opacityOf(style, accent);
     const color = accent || style.kind === "solid" || style.kind === "future" ? own : ghost;
     const depthWrite = style.kind !== "future";
-    const material = new MeshStandardMaterial({ ...look, color, transparent: opacity < 1, opacity, depthWrite });
+    const material = new MeshStandardMaterial({
+      ...look,
+      color,
+      transparent: opacity < 1,
+      opacity,
+      depthWrite,
+    });
     const pale = style.kind === "future" ? FIRST_FUTURE + style.index : PALE;
     stencil(material, opacity < 1 ? pale : SOLID);
     return material;
@@ -177,7 +186,12 @@ export class FigureView {
   }
 
   /** Lays a capsule along a bone, its wide side from the body's left to its right. */
-  private turnAcross(mesh: Mesh, along: Vector3, positions: Float32Array, [right, left]: [number, number]): void {
+  private turnAcross(
+    mesh: Mesh,
+    along: Vector3,
+    positions: Float32Array,
+    [right, left]: [number, number],
+  ): void {
     this.side.fromArray(positions, 3 * left).sub(this.front.fromArray(positions, 3 * right));
     this.side.addScaledVector(along, -this.side.dot(along));
     if (this.side.lengthSq() < 1e-8) {

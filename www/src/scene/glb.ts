@@ -1,5 +1,6 @@
-// A motion as a GLB file: the skeleton with its rotations, a simple skin in the colours of the parts, metres, y up. Loaded when it is first
-// asked for. The skeleton comes from the motion's BVH, and how large it is and where it stands from the positions that the stage shows.
+// A motion as a GLB file: the skeleton with its rotations, a simple skin in the colours of the parts, metres,
+// y up. Loaded when it is first asked for. The skeleton comes from the motion's BVH, and how large it is and
+// where it stands from the positions that the stage shows.
 import {
   AnimationClip,
   type Bone,
@@ -103,7 +104,10 @@ function pose(tracks: readonly KeyframeTrack[], joints: readonly Bone[]): void {
   }
 }
 
-/** Moves, turns and sizes a group so that places in it come to lie where they shall; both are the same but for that. */
+/**
+ * Moves, turns and sizes a group so that places in it come to lie where they shall; both are the same but for
+ * that.
+ */
 function standAs(group: Group, from: readonly Vector3[], to: readonly Vector3[]): void {
   const [a, b, c] = corners(from);
   const [before, after] = [frameOf(from, a, b, c), frameOf(to, a, b, c)];
@@ -114,7 +118,10 @@ function standAs(group: Group, from: readonly Vector3[], to: readonly Vector3[])
   group.position.copy(to[a] ?? new Vector3()).sub(place);
 }
 
-/** Three places that are far from lying in a line: the first, the one farthest from it, and the one farthest from the line of both. */
+/**
+ * Three places that are far from lying in a line: the first, the one farthest from it, and the one farthest
+ * from the line of both.
+ */
 function corners(places: readonly Vector3[]): [number, number, number] {
   const origin = places[0] ?? new Vector3();
   const farthest = (away: (place: Vector3) => number) =>
@@ -127,13 +134,20 @@ function corners(places: readonly Vector3[]): [number, number, number] {
 
 /** The axes of a triangle of places, as columns. */
 function frameOf(places: readonly Vector3[], a: number, b: number, c: number): Matrix4 {
-  const [origin, second, third] = [a, b, c].map((i) => places[i] ?? new Vector3()) as [Vector3, Vector3, Vector3];
+  const [origin, second, third] = [a, b, c].map((i) => places[i] ?? new Vector3()) as [
+    Vector3,
+    Vector3,
+    Vector3,
+  ];
   const along = second.clone().sub(origin).normalize();
   const across = third.clone().sub(origin).cross(along).normalize();
   return new Matrix4().makeBasis(along, across, along.clone().cross(across));
 }
 
-/** An octahedron for each bone from its joint to the next, as they stand unturned; each belongs to one bone wholly. */
+/**
+ * An octahedron for each bone from its joint to the next, as they stand unturned; each belongs to one bone
+ * wholly.
+ */
 function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
   const [points, colours, owners]: [number[], number[], number[]] = [[], [], []];
   bones.forEach((bone) => {
@@ -175,7 +189,10 @@ function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
   return skin;
 }
 
-/** The corners of its eight triangles, three each, seen from outside counter-clockwise; none for a bone without length. */
+/**
+ * The corners of its eight triangles, three each, seen from outside counter-clockwise; none for a bone
+ * without length.
+ */
 function octahedron(from: Vector3, to: Vector3): Vector3[] {
   const along = to.clone().sub(from);
   const length = along.length();

@@ -13,7 +13,11 @@ export class LiveTrack {
   #placement: Placement = HERE;
 
   /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
-  constructor({ nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">, kept: number, widths: readonly number[] = []) {
+  constructor(
+    { nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">,
+    kept: number,
+    widths: readonly number[] = [],
+  ) {
     this.#kept = kept;
     this.#motion = { positions: new Float32Array(2 * kept * nodes * 3), frames: 0, nodes, frameTime };
     this.#pose = new Float32Array(nodes * 3);
@@ -53,7 +57,9 @@ export class LiveTrack {
     const motion = this.#motion;
     if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);
     motion.positions.set(positions, motion.frames * nodes * 3);
-    this.#latents.forEach(({ values, width }, part) => values.set(latents[part] ?? [], motion.frames * width));
+    this.#latents.forEach(({ values, width }, part) =>
+      values.set(latents[part] ?? [], motion.frames * width),
+    );
     motion.frames += frames;
   }
 
@@ -76,7 +82,8 @@ export class LiveTrack {
   #forget(frames: number): void {
     const motion = this.#motion;
     motion.positions.copyWithin(0, frames * motion.nodes * 3, motion.frames * motion.nodes * 3);
-    for (const { values, width } of this.#latents) values.copyWithin(0, frames * width, motion.frames * width);
+    for (const { values, width } of this.#latents)
+      values.copyWithin(0, frames * width, motion.frames * width);
     motion.frames -= frames;
     this.first += frames;
   }

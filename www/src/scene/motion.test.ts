@@ -18,7 +18,8 @@ function swinging(frames: number): Motion {
   return { positions, frames, nodes: 3, frameTime: 1 / 30 };
 }
 
-const pose = (motion: Motion, frame: number, placement = HERE) => poseAt(motion, frame, placement, new Float32Array(9));
+const pose = (motion: Motion, frame: number, placement = HERE) =>
+  poseAt(motion, frame, placement, new Float32Array(9));
 const apart = (a: Float32Array, b: Float32Array) => Math.max(...a.map((value, i) => Math.abs(value - b[i]!)));
 
 describe("placing a pose", () => {
@@ -85,7 +86,8 @@ describe("the distance of two motions", () => {
   it("is that of their poses, wherever they stand and face", () => {
     const motion = swinging(20);
     const elsewhere = { ...motion, positions: new Float32Array(motion.positions.length) };
-    for (let t = 0; t < 20; t++) elsewhere.positions.set(pose(motion, t, { yaw: 0.1 * t, x: t, z: -2 }), 9 * t);
+    for (let t = 0; t < 20; t++)
+      elsewhere.positions.set(pose(motion, t, { yaw: 0.1 * t, x: t, z: -2 }), 9 * t);
     expect(Math.max(...distances(motion, elsewhere))).toBeLessThan(1e-5);
   });
 

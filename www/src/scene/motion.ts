@@ -1,4 +1,5 @@
-// Reading a motion between its frames, placing it on the ground, and finding where it can loop. Geometry only.
+// Reading a motion between its frames, placing it on the ground, and finding where it can loop. Geometry
+// only.
 import type { Motion } from "../engine/protocol";
 
 /** A turn about the vertical axis followed by a shift on the ground. */
@@ -39,7 +40,10 @@ export function blendInto(out: Float32Array, other: Float32Array, part: number):
   for (let i = 0; i < out.length; i++) out[i] = mix(out[i]!, other[i]!, part);
 }
 
-/** The placement that lays `pose` onto `target` as well as a turn and a shift can, with the roots (node 0) in one place. */
+/**
+ * The placement that lays `pose` onto `target` as well as a turn and a shift can, with the roots (node 0) in
+ * one place.
+ */
 export function placeOnto(pose: Float32Array, target: Float32Array): Placement {
   let dot = 0;
   let cross = 0;
@@ -61,7 +65,10 @@ export function placeOnto(pose: Float32Array, target: Float32Array): Placement {
   };
 }
 
-/** How far the nodes of a motion are from those of another one, on average over the nodes, the roots laid in one place and facing one way [frames]; metres. */
+/**
+ * How far the nodes of a motion are from those of another one, on average over the nodes, the roots laid in
+ * one place and facing one way [frames]; metres.
+ */
 export function distances(motion: Motion, from: Motion): Float64Array {
   const frames = Math.min(motion.frames, from.frames);
   const pose = new Float32Array(motion.nodes * 3);
@@ -111,7 +118,10 @@ function wholeLoop(motion: Motion): Loop {
   return { end: last, placement: last > 0 ? placeOnto(pose(0), pose(last)) : HERE };
 }
 
-/** Where to loop: of the frames of the last two seconds, the one most like frame 0 that also moves on as frame 0 does. */
+/**
+ * Where to loop: of the frames of the last two seconds, the one most like frame 0 that also moves on as frame
+ * 0 does.
+ */
 export function findLoop(motion: Motion): Loop {
   const width = motion.nodes * 3;
   const pose = (frame: number) => poseAt(motion, frame, HERE, new Float32Array(width));
@@ -131,7 +141,10 @@ export function findLoop(motion: Motion): Loop {
   return best;
 }
 
-/** Plays a motion lap after lap, without a jump where one lap meets the next or where another motion takes its place. */
+/**
+ * Plays a motion lap after lap, without a jump where one lap meets the next or where another motion takes its
+ * place.
+ */
 export class Walk {
   readonly loop: Loop;
   private placement: Placement = HERE;

@@ -36,8 +36,8 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
 }
 
 /**
- * How far away a camera is that has the whole motion in its picture, from whichever side; it looks at the middle of the figure.
- * `slope`: the tangent of half its vertical angle.
+ * How far away a camera is that has the whole motion in its picture, from whichever side; it looks at the
+ * middle of the figure. `slope`: the tangent of half its vertical angle.
  */
 export function distanceFor(
   { positions, frames, nodes }: Motion,
@@ -52,7 +52,11 @@ export function distanceFor(
       const out = Math.hypot(positions[at]! - positions[root]!, positions[at + 2]! - positions[root + 2]!);
       const up = Math.abs(positions[at + 1]! - floor - MIDDLE);
       // Towards the camera it looks larger; to the side it needs the width.
-      distance = Math.max(distance, out + (up + FLESH) / (slope * FREE), (out + FLESH) / (slope * aspect * FREE));
+      distance = Math.max(
+        distance,
+        out + (up + FLESH) / (slope * FREE),
+        (out + FLESH) / (slope * aspect * FREE),
+      );
     }
   }
   return distance;

@@ -1,5 +1,5 @@
-// A canvas that a visitor looks into: its renderer, its camera, and how it is turned. It is drawn only when something changed, and
-// as finely as the machine can.
+// A canvas that a visitor looks into: its renderer, its camera, and how it is turned. It is drawn only when
+// something changed, and as finely as the machine can.
 import { PCFShadowMap, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { onThemeChange, theme } from "../ui/palette";
@@ -40,7 +40,12 @@ export class Viewport {
     events: ViewportEvents,
   ) {
     this.#events = events;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: "low-power" });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      stencil: true,
+      powerPreference: "low-power",
+    });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -90,7 +95,10 @@ export class Viewport {
     this.changed();
   }
 
-  /** Called once a display frame: how finely to draw now, or null when the picture is as it should be. `seconds` since the last call. */
+  /**
+   * Called once a display frame: how finely to draw now, or null when the picture is as it should be.
+   * `seconds` since the last call.
+   */
   next(seconds: number, playing: boolean): Fineness | null {
     this.controls.update();
     const fineness = this.#pace.next(seconds, this.#changed, playing);

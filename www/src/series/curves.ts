@@ -15,7 +15,10 @@ export interface Curve {
 const column = (values: ArrayLike<number>, width: number, place: number): number[] =>
   Array.from({ length: Math.floor(values.length / width) }, (_, row) => values[row * width + place] ?? 0);
 
-/** The curves part after part; `values` [frames x columns]. The recording may have its columns in another order. */
+/**
+ * The curves part after part; `values` [frames x columns]. The recording may have its columns in another
+ * order.
+ */
 export function curvesOf(
   { parts, columns }: Pick<SeriesInfo, "parts" | "columns">,
   values: Float64Array,
@@ -29,7 +32,8 @@ export function curvesOf(
         name,
         part,
         rolledOut: column(values, columns.length, place),
-        recorded: recorded && found >= 0 ? column(recorded.values, recorded.info.columns.length, found) : null,
+        recorded:
+          recorded && found >= 0 ? column(recorded.values, recorded.info.columns.length, found) : null,
       };
     }),
   );

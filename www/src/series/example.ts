@@ -1,4 +1,5 @@
-// Tables to begin with, made by a formula: two machines, of which the second follows the first a little later.
+// Tables to begin with, made by a formula: two machines, of which the second follows the first a little
+// later.
 
 const ROWS = 100;
 const STEP = 0.05;

@@ -1,9 +1,13 @@
-// Which columns are which part's: a first guess by their names, and what the visitor changes of it. No rendering.
+// Which columns are which part's: a first guess by their names, and what the visitor changes of it. No
+// rendering.
 import { MAX_PARTS } from "../engine/limits";
 import type { TablePart } from "../engine/series-protocol";
 import { freeName } from "../ui/part-names";
 
-/** Parts by how the names of columns begin, "arm_x" and "arm.y" being of "arm"; where that tells nothing, all columns are one part. */
+/**
+ * Parts by how the names of columns begin, "arm_x" and "arm.y" being of "arm"; where that tells nothing, all
+ * columns are one part.
+ */
 export function partsByName(columns: readonly string[]): TablePart[] {
   const groups = new Map<string, string[]>();
   for (const column of columns) {
@@ -20,7 +24,12 @@ export const placeOf = (parts: readonly TablePart[], column: string): number =>
   parts.findIndex(({ columns }) => columns.includes(column));
 
 /** Puts a column into another part; the columns of a part stand in the order of the table. */
-export function moved(parts: readonly TablePart[], table: readonly string[], column: string, to: number): TablePart[] {
+export function moved(
+  parts: readonly TablePart[],
+  table: readonly string[],
+  column: string,
+  to: number,
+): TablePart[] {
   return parts.map(({ name, columns }, part) => ({
     name,
     columns: table.filter((one) => (one === column ? part === to : columns.includes(one))),

@@ -56,7 +56,12 @@ export class SeriesCurves extends View {
     const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
     const up = linearScale([...rolledOut, ...(recorded ?? [])], bottom, top);
     const upTicks = up.ticks(TICKS);
-    const plot: Plot = { left: Math.max(44, widthOf(upTicks, TYPE)), right: this.room - 8, bottom, type: TYPE };
+    const plot: Plot = {
+      left: Math.max(44, widthOf(upTicks, TYPE)),
+      right: this.room - 8,
+      bottom,
+      type: TYPE,
+    };
     const end = Math.max(rolledOut.length, recorded?.length ?? 0) - 1;
     const right = linearScale([0, end * frameTime], plot.left, plot.right);
     const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);

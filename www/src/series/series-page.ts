@@ -1,4 +1,5 @@
-// The view of time series that are no body: tables in, a model of their columns out, with its curves, latents and couplings.
+// The view of time series that are no body: tables in, a model of their columns out, with its curves, latents
+// and couplings.
 import { html, nothing } from "lit";
 import { type NumberName, settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
@@ -137,8 +138,9 @@ export class SeriesPage extends View {
           <h2>Curves</h2>
           ${
             sequences.length > 1
-              ? html`<label class="start">Start as <select data-testid="series-start" @change=${(event: Event) =>
-                  model.setSequence(Number((event.target as HTMLSelectElement).value))}>
+              ? html`<label class="start">Start as <select data-testid="series-start" @change=${(
+                  event: Event,
+                ) => model.setSequence(Number((event.target as HTMLSelectElement).value))}>
                 ${sequences.map(({ name }, i) => html`<option value=${i} .selected=${i === sequence}>${name}</option>`)}</select></label>`
               : nothing
           }

@@ -11,7 +11,10 @@ import { mayLose, type Work } from "../ui/unsaved";
 import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
 
-/** A rollout goes on for so long, as a share of the table that it begins as: what comes after the recording is worth seeing too. */
+/**
+ * A rollout goes on for so long, as a share of the table that it begins as: what comes after the recording is
+ * worth seeing too.
+ */
 const AS_LONG = 1.5;
 
 /** What a rollout is asked for, without the document. */
@@ -106,7 +109,9 @@ export class SeriesStore extends Store {
 
   /** The model, where leaving it would lose it. */
   get unsaved(): Work | null {
-    return this.#known?.unsaved ? { what: "the model of tables that was trained here", save: () => this.save() } : null;
+    return this.#known?.unsaved
+      ? { what: "the model of tables that was trained here", save: () => this.save() }
+      : null;
   }
 
   /** Saves the model to the visitor's disk. */
@@ -117,7 +122,10 @@ export class SeriesStore extends Store {
     this.changed();
   }
 
-  /** Takes a model from a file up, and says whether; the one before stays where that fails, or where the visitor keeps it. */
+  /**
+   * Takes a model from a file up, and says whether; the one before stays where that fails, or where the
+   * visitor keeps it.
+   */
   async open(text: string): Promise<boolean> {
     const opened = await this.#read(text, null);
     if (!(await mayLose(this.unsaved))) return false;
@@ -130,7 +138,10 @@ export class SeriesStore extends Store {
     this.#takeUp(await this.#read(text, latents));
   }
 
-  async #read(text: string, training: TrainedSeries["latents"] | null): Promise<{ known: Known; rolled: Rolled }> {
+  async #read(
+    text: string,
+    training: TrainedSeries["latents"] | null,
+  ): Promise<{ known: Known; rolled: Rolled }> {
     const info = await askDesk(this.#whole, (worker) => worker.openSeries(text));
     const known = { text, info, training, unsaved: training !== null };
     return { known, rolled: await this.#roll(asLearned(info, 0), known) };
@@ -147,7 +158,9 @@ export class SeriesStore extends Store {
 
   setCoupling(source: number, target: number, alpha: number): void {
     if (!this.#alpha) return;
-    this.#alpha = this.#alpha.map((row, i) => row.map((value, j) => (i === source && j === target ? alpha : value)));
+    this.#alpha = this.#alpha.map((row, i) =>
+      row.map((value, j) => (i === source && j === target ? alpha : value)),
+    );
     this.#request();
   }
 
@@ -190,7 +203,8 @@ export class SeriesStore extends Store {
     if (!known) throw new Error("There is no model yet: train one or open one.");
     const { text, info } = known;
     const ask = (asked: Asked) => askDesk(this.#whole, (worker) => worker.rolloutSeries({ ...asked, text }));
-    const before = known === this.#known && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
+    const before =
+      known === this.#known && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
     const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
     return { asked, learned, rollout: asked.alpha ? await ask(asked) : learned };
   }

@@ -14,7 +14,12 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   readonly #tables: TablesStore;
   readonly #series: SeriesStore;
 
-  constructor(whole: WholeProgram, settings: Pick<SettingsStore, "values">, tables: TablesStore, series: SeriesStore) {
+  constructor(
+    whole: WholeProgram,
+    settings: Pick<SettingsStore, "values">,
+    tables: TablesStore,
+    series: SeriesStore,
+  ) {
     super();
     this.#whole = whole;
     this.#settings = settings;
@@ -32,7 +37,8 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   /** Trains; the model takes the place of the one that is looked at. */
   async train(): Promise<void> {
     if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } =
+      this.#settings.values;
     const parts = this.#tables.parts.filter(({ columns }) => columns.length > 0);
     const job = {
       tables: this.#tables.ticked.map(({ source }) => source),

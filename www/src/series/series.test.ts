@@ -177,7 +177,10 @@ it("a curve finds its recording by name, wherever it stands in the table", () =>
     columns: ["a", "l"],
   };
   const table = { info: { name: "t", sha256: "", columns: ["l", "x", "a"], rows: 2, frameTime: null } };
-  const curves = curvesOf(info, Float64Array.of(1, 2, 3, 4), { ...table, values: Float64Array.of(5, 0, 6, 7, 0, 8) });
+  const curves = curvesOf(info, Float64Array.of(1, 2, 3, 4), {
+    ...table,
+    values: Float64Array.of(5, 0, 6, 7, 0, 8),
+  });
   expect(curves).toEqual([
     { name: "l", part: 0, rolledOut: [2, 4], recorded: [5, 7] },
     { name: "a", part: 1, rolledOut: [1, 3], recorded: [6, 8] },

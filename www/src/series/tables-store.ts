@@ -1,4 +1,5 @@
-// Tables that the visitor has opened, a trial each: which of them are trained on, and which columns are which part's.
+// Tables that the visitor has opened, a trial each: which of them are trained on, and which columns are which
+// part's.
 import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
@@ -113,7 +114,9 @@ export class TablesStore extends Store {
     const check = this.#checks;
     const sources = this.ticked.map(({ source }) => source);
     const clash =
-      sources.length < 2 ? "" : await askDesk(this.#whole, (worker) => worker.checkTables(sources)).catch(messageOf);
+      sources.length < 2
+        ? ""
+        : await askDesk(this.#whole, (worker) => worker.checkTables(sources)).catch(messageOf);
     // Others may have been ticked meanwhile.
     if (check !== this.#checks) return;
     this.#clash = clash;

@@ -1,5 +1,5 @@
-// Where the answers of a graphics Turing test are kept: a database of their own in the browser, a record for each row, so that a tab
-// that is closed loses none.
+// Where the answers of a graphics Turing test are kept: a database of their own in the browser, a record for
+// each row, so that a tab that is closed loses none.
 import { openDB } from "idb";
 import type { AnswerShelf, Participation, Row } from "../perception/participation";
 
@@ -26,8 +26,13 @@ export async function answerShelf(): Promise<AnswerShelf & { forgetAll(): Promis
     async all() {
       const found = (await database.getAll(PARTICIPATIONS)) as Kept[];
       const reading = database.transaction(ROWS);
-      const rows = await Promise.all(found.map(({ key }) => reading.store.getAll(rowsOf(key)) as Promise<Row[]>));
-      return found.map(({ studyNumber: _, ...participation }, i) => ({ ...participation, rows: rows[i] ?? [] }));
+      const rows = await Promise.all(
+        found.map(({ key }) => reading.store.getAll(rowsOf(key)) as Promise<Row[]>),
+      );
+      return found.map(({ studyNumber: _, ...participation }, i) => ({
+        ...participation,
+        rows: rows[i] ?? [],
+      }));
     },
     async study(key) {
       const { studyNumber } = ((await database.get(PARTICIPATIONS, key)) as Kept | undefined) ?? {};
@@ -37,7 +42,10 @@ export async function answerShelf(): Promise<AnswerShelf & { forgetAll(): Promis
     async begin(participation, study) {
       const writing = database.transaction([PARTICIPATIONS, STUDIES], "readwrite");
       const studies = writing.objectStore(STUDIES);
-      const [texts, numbers] = await Promise.all([studies.getAll() as Promise<string[]>, studies.getAllKeys()]);
+      const [texts, numbers] = await Promise.all([
+        studies.getAll() as Promise<string[]>,
+        studies.getAllKeys(),
+      ]);
       const known = numbers[texts.indexOf(study)];
       const studyNumber = Number(known ?? (await studies.add(study)));
       const kept: Kept = { ...participation, studyNumber };

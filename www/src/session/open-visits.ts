@@ -1,4 +1,5 @@
-// The visits that are going on in the tabs of this browser: each holds a lock, which the browser takes back however the tab ends.
+// The visits that are going on in the tabs of this browser: each holds a lock, which the browser takes back
+// however the tab ends.
 import type { OpenVisits } from "./session-store";
 
 const PREFIX = "vcgpdm visit ";

@@ -1,4 +1,5 @@
-// A visit as records that can be kept: clips, trainings, a model from elsewhere, results of a comparison; and back again.
+// A visit as records that can be kept: clips, trainings, a model from elsewhere, results of a comparison; and
+// back again.
 import type { KeptClip } from "../clips/clips-store";
 import type { ClipSource } from "../engine/protocol";
 import type { Run, RunClip } from "../training/runs";
@@ -83,10 +84,14 @@ export class RecordWriter {
   readonly #files = new WeakMap<Blob, string>();
   #lastFile = 0;
 
-  /** The records that differ from those before; undefined: it is no longer there. Null: there is nothing worth keeping, and was not. */
+  /**
+   * The records that differ from those before; undefined: it is no longer there. Null: there is nothing worth
+   * keeping, and was not.
+   */
   changes(now: Holdings, at: number): Map<string, unknown> | null {
     const made = new Map<string, { of: readonly unknown[]; value(): unknown }>();
-    const keep = (name: string, of: readonly unknown[], value: () => unknown) => made.set(name, { of, value });
+    const keep = (name: string, of: readonly unknown[], value: () => unknown) =>
+      made.set(name, { of, value });
     const stored = <Thing extends { source: ClipSource }>(thing: Thing): Stored<Thing> => {
       const { source } = thing;
       if (!("file" in source)) return { ...thing, source };
@@ -115,7 +120,15 @@ export class RecordWriter {
     const { fragment, firstBones } = now;
     const order = now.runs.map(({ id }) => id);
     const { unsaved } = now;
-    const about: About = { ...counts, at, fragment, firstBones, order, chosen: now.chosen?.id ?? null, unsaved };
+    const about: About = {
+      ...counts,
+      at,
+      fragment,
+      firstBones,
+      order,
+      chosen: now.chosen?.id ?? null,
+      unsaved,
+    };
     keep("about", [at], () => about);
 
     const isSame = (name: string, of: readonly unknown[]) => {
@@ -150,7 +163,9 @@ export function readRecords(records: ReadonlyMap<string, unknown>): { about: Abo
     if (!records.has(name)) throw new Error(`a piece of it is missing (${name})`);
     return records.get(name) as Value;
   };
-  const loaded = <Thing extends { source: Source }>(thing: Thing): Omit<Thing, "source"> & { source: ClipSource } => {
+  const loaded = <Thing extends { source: Source }>(
+    thing: Thing,
+  ): Omit<Thing, "source"> & { source: ClipSource } => {
     const { source } = thing;
     if (!("file" in source)) return { ...thing, source };
     return { ...thing, source: { name: source.name, file: get<Blob>(source.file) } };

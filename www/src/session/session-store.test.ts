@@ -50,7 +50,16 @@ const clip = (name: string) => ({
 
 const run = (id: number, iterations: number) =>
   ({
-    ...{ id, state: "running", elapsed: 1, ending: "", model: null, portion: 600, open: false, catchingUp: false },
+    ...{
+      id,
+      state: "running",
+      elapsed: 1,
+      ending: "",
+      model: null,
+      portion: 600,
+      open: false,
+      catchingUp: false,
+    },
     settings: { seed: id },
     clips: [],
     steps: Array.from({ length: iterations }, (_, i) => ({ iteration: i + 1 })),
@@ -148,7 +157,11 @@ describe("the next visit", () => {
       [3, 2],
       [1, 4],
     ]);
-    expect([visit.taken?.chosen?.id, visit.taken?.fragment, visit.taken?.results]).toEqual([1, "latent=2", "{}"]);
+    expect([visit.taken?.chosen?.id, visit.taken?.fragment, visit.taken?.results]).toEqual([
+      1,
+      "latent=2",
+      "{}",
+    ]);
     const [known] = visit.taken?.clips ?? [];
     expect(known && "file" in known.source && (await known.source.file.text())).toBe("HIERARCHY");
     expect([store.offer, [...shelf.records.keys()]]).toEqual([null, ["b"]]);

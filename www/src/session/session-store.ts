@@ -1,7 +1,15 @@
-// What a visit holds is kept on this machine while it lasts; the next visit can bring it back, when the visitor asks for it.
+// What a visit holds is kept on this machine while it lasts; the next visit can bring it back, when the
+// visitor asks for it.
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { type About, countsInWords, type Holdings, isWorthKeeping, RecordWriter, readRecords } from "./records";
+import {
+  type About,
+  countsInWords,
+  type Holdings,
+  isWorthKeeping,
+  RecordWriter,
+  readRecords,
+} from "./records";
 import type { Shelf } from "./shelf";
 
 /** Milliseconds between two writings: what is lost in a crash is no older. */

@@ -17,7 +17,11 @@ export interface AddressBar {
 export const browserAddressBar: AddressBar = {
   read: () => location.hash,
   write(fragment) {
-    history.replaceState(history.state, "", `${location.pathname}${location.search}${fragment ? `#${fragment}` : ""}`);
+    history.replaceState(
+      history.state,
+      "",
+      `${location.pathname}${location.search}${fragment ? `#${fragment}` : ""}`,
+    );
   },
   push: () => history.pushState(null, ""),
 };
@@ -52,7 +56,10 @@ export class Address extends Store {
     setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
   }
 
-  /** Begins another page, with these settings at once: whoever presses Back soon leaves that page and no other. The one before keeps its address. */
+  /**
+   * Begins another page, with these settings at once: whoever presses Back soon leaves that page and no
+   * other. The one before keeps its address.
+   */
   push(settings: Settings): void {
     this.#write();
     this.bar.push();

@@ -5,7 +5,9 @@ import { type NumberSetting, SETTINGS } from "./settings";
 import type { SettingsStore } from "./settings-store";
 
 type Rows = typeof SETTINGS;
-export type NumberName = { [Name in keyof Rows]: Rows[Name] extends NumberSetting ? Name : never }[keyof Rows];
+export type NumberName = {
+  [Name in keyof Rows]: Rows[Name] extends NumberSetting ? Name : never;
+}[keyof Rows];
 
 type Bound = Pick<NumberField, "limits" | "value" | "change">;
 

@@ -23,15 +23,17 @@ export class SettingsStore extends Store {
     return { ...this.#values, ...this.#waiting };
   }
 
-  /** Keeps settings of a link in the address that cannot hold yet; without any, the address says what holds. */
+  /**
+   * Keeps settings of a link in the address that cannot hold yet; without any, the address says what holds.
+   */
   holdBack(waiting: Partial<Settings>): void {
     this.#waiting = waiting;
     this.address.writeSoon(this.written);
   }
 
   /**
-   * Changes settings, each within its limits; a value that is not valid leaves its setting as it was. Another view is another page to whoever
-   * presses Back, and so is what `turnsPage`.
+   * Changes settings, each within its limits; a value that is not valid leaves its setting as it was. Another
+   * view is another page to whoever presses Back, and so is what `turnsPage`.
    */
   change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };

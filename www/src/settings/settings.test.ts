@@ -1,5 +1,13 @@
 import { describe, expect, it } from "vitest";
-import { ALPHA_MAX, initialSettings, isEmbedded, limited, readSettings, SETTINGS, writeSettings } from "./settings";
+import {
+  ALPHA_MAX,
+  initialSettings,
+  isEmbedded,
+  limited,
+  readSettings,
+  SETTINGS,
+  writeSettings,
+} from "./settings";
 
 describe("settings in the URL", () => {
   it("leaves the settings of the start out", () => {
@@ -46,7 +54,8 @@ describe("settings in the URL", () => {
       driving: false,
     };
     const untouched = Object.entries(settings).filter(
-      ([name, value]) => JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
+      ([name, value]) =>
+        JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
     );
     expect(untouched).toEqual([]);
     expect(readSettings(`#${writeSettings(settings)}`)).toEqual(settings);

@@ -1,5 +1,5 @@
-// The settings of the page: one table that names, limits and defaults them, and carries them to the URL and back.
-// No rendering. A value from the URL passes the same limits as one from a control.
+// The settings of the page: one table that names, limits and defaults them, and carries them to the URL and
+// back. No rendering. A value from the URL passes the same limits as one from a control.
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 
@@ -121,7 +121,8 @@ function readJoints(text: string): number[] | null {
 }
 
 /** The name that a part can have: the text of a split has colons and semicolons between names and joints. */
-export const partName = (text: string): string => text.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME).trimEnd();
+export const partName = (text: string): string =>
+  text.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME).trimEnd();
 
 const split: Setting<PartSpec[]> = {
   key: "split",
@@ -160,7 +161,10 @@ const preset: Setting<string> = {
   limit: (value) => (/^[a-z0-9-]{1,40}$/.test(value) ? value : null),
 };
 
-/** The first digits of the SHA-256 of the document that the couplings and the start belong to; empty where a link does not say. */
+/**
+ * The first digits of the SHA-256 of the document that the couplings and the start belong to; empty where a
+ * link does not say.
+ */
 const model: Setting<string> = {
   key: "model",
   initial: "",
@@ -171,7 +175,8 @@ const model: Setting<string> = {
 
 const reading: Setting<Reading> = {
   key: "reading",
-  // In this reading parts that no longer hear each other fall out of step; as learned, they stop (docs/couplings.md).
+  // In this reading parts that no longer hear each other fall out of step; as learned, they stop
+  // (docs/couplings.md).
   initial: "re-inferred",
   read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
   write: (value) => (value === "as learned" ? "learned" : "inferred"),
@@ -191,7 +196,9 @@ function several<T extends string>(
     read: (text) => text.split(",").filter(Boolean) as T[],
     write: (chosen) => chosen.join(","),
     limit: (chosen) =>
-      chosen.every((value) => values.includes(value)) ? values.filter((value) => chosen.includes(value)) : null,
+      chosen.every((value) => values.includes(value))
+        ? values.filter((value) => chosen.includes(value))
+        : null,
   };
 }
 
@@ -212,7 +219,8 @@ function counts(
     },
     write: (numbers) => numbers.join(","),
     limit(numbers) {
-      if (numbers.length === 0 || !numbers.every((number) => Number.isInteger(number) && number >= 0)) return null;
+      if (numbers.length === 0 || !numbers.every((number) => Number.isInteger(number) && number >= 0))
+        return null;
       const within = numbers.map((number) => Math.min(max, Math.max(min, number)));
       return [...new Set(within)].sort((a, b) => a - b).slice(0, most);
     },
@@ -221,10 +229,26 @@ function counts(
 
 /** What the page is about now: playing with one model, comparing several, a library of primitives, time series that are no body, the synthetic
  * experiment, the graphics Turing test, or the method. */
-export const VIEWS = ["play", "compare", "primitives", "series", "synthetic", "perception", "method"] as const;
+export const VIEWS = [
+  "play",
+  "compare",
+  "primitives",
+  "series",
+  "synthetic",
+  "perception",
+  "method",
+] as const;
 
 /** All kinds of models, in the order of tables. */
-export const MODELS = ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] as const;
+export const MODELS = [
+  "vcgpdm",
+  "vgpdm",
+  "map-gpdm",
+  "map-cgpdm",
+  "tmp",
+  "dmp-discrete",
+  "dmp-rhythmic",
+] as const;
 
 /** The id of the parts setting that means: as assigned by hand. */
 export const BY_HAND = "hand";

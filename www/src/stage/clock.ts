@@ -1,4 +1,5 @@
-// A clock that is played, stepped and scrubbed. It tells of every frame: views that show no time do not listen to it.
+// A clock that is played, stepped and scrubbed. It tells of every frame: views that show no time do not
+// listen to it.
 import { Store } from "../ui/store";
 import { Player } from "./player";
 

@@ -1,5 +1,5 @@
-// Several motions of the model's body side by side in place of one, each with its name, under the clock of the stage. Loaded when it is
-// first asked for.
+// Several motions of the model's body side by side in place of one, each with its name, under the clock of
+// the stage. Loaded when it is first asked for.
 import { html, nothing } from "lit";
 import { Columns } from "../scene/columns";
 import { eachFrame } from "../ui/each-frame";

@@ -39,7 +39,10 @@ export class Playback extends Clock {
     this.changed();
   }
 
-  /** Plays what goes on arriving from its first frame on, from where the figure stands. Called again when frames have arrived. */
+  /**
+   * Plays what goes on arriving from its first frame on, from where the figure stands. Called again when
+   * frames have arrived.
+   */
   follow(track: LiveTrack): void {
     if (this.#live !== track) {
       const before = this.pose?.slice();

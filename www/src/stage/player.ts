@@ -12,7 +12,9 @@ export class Player {
   /** Frames go on arriving: at the last one the clock waits. */
   private endless = false;
 
-  /** Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it. */
+  /**
+   * Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it.
+   */
   load(frames: number, frameTime: number, loopEnd: number): void {
     this.frames = frames;
     this.frameTime = frameTime;
@@ -48,7 +50,8 @@ export class Player {
       return 0;
     }
     // Scrubbed beyond the place to loop from: play on to the end.
-    const end = this.frame - (seconds * this.speed) / this.frameTime > this.loopEnd ? this.last : this.loopEnd;
+    const end =
+      this.frame - (seconds * this.speed) / this.frameTime > this.loopEnd ? this.last : this.loopEnd;
     let laps = 0;
     while (this.frame >= end && end > 0) {
       this.frame -= end;

@@ -1,6 +1,9 @@
 // Which frames to light up for an inducing point.
 
-/** Brightness of each frame, 0 to 1, from how much the point says about it: the frames it says most about stand out. */
+/**
+ * Brightness of each frame, 0 to 1, from how much the point says about it: the frames it says most about
+ * stand out.
+ */
 export function spotlight(shares: Float64Array): Float64Array {
   const spoken = shares.filter((share) => share > 0).sort();
   const top = spoken.at(-1);

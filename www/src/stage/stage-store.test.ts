@@ -6,9 +6,18 @@ import { type Shown, StageStore } from "./stage-store";
 
 /** A figure of two nodes that walks along x, a metre a second. */
 function walk(kind: Shown["kind"], clip?: string, frames = 120): Shown {
-  const positions = Float32Array.from({ length: frames * 6 }, (_, i) => (i % 3 === 0 ? Math.floor(i / 6) / 30 : i % 6));
+  const positions = Float32Array.from({ length: frames * 6 }, (_, i) =>
+    i % 3 === 0 ? Math.floor(i / 6) / 30 : i % 6,
+  );
   const motion = { positions, frames, nodes: 2, frameTime: 1 / 30 };
-  return { kind, figure: { nodes: [] }, joints: [], parts: [], motion, ...(clip === undefined ? {} : { clip }) };
+  return {
+    kind,
+    figure: { nodes: [] },
+    joints: [],
+    parts: [],
+    motion,
+    ...(clip === undefined ? {} : { clip }),
+  };
 }
 
 let settings: SettingsStore;

@@ -1,4 +1,5 @@
-// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures or marked poses.
+// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures
+// or marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { LiveTrack } from "../scene/live-track";
@@ -74,7 +75,10 @@ export class StageStore extends Store {
     return this.#marks;
   }
 
-  /** Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or marked, hides them. */
+  /**
+   * Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or
+   * marked, hides them.
+   */
   get columns(): readonly StageColumn[] | null {
     return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
@@ -84,7 +88,10 @@ export class StageStore extends Store {
     return this.#futures;
   }
 
-  /** Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it stands. */
+  /**
+   * Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it
+   * stands.
+   */
   showModel(shown: Shown): void {
     const before = this.#model;
     this.#model = shown;

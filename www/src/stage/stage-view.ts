@@ -1,4 +1,5 @@
-// The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show anything.
+// The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show
+// anything.
 import { html, nothing } from "lit";
 import { eachFrame } from "../ui/each-frame";
 import { partColour } from "../ui/palette";
@@ -60,7 +61,10 @@ export class StageView extends View {
     this.whenLeaving(eachFrame(frame));
   }
 
-  /** Several motions side by side, drawn by what comes when they are first asked for; where it does not come, the model walks alone. */
+  /**
+   * Several motions side by side, drawn by what comes when they are first asked for; where it does not come,
+   * the model walks alone.
+   */
   private columns() {
     if (!this.stage.columns) return nothing;
     import("./columns-view").catch(() => this.stage.setColumns(null));
@@ -77,7 +81,8 @@ export class StageView extends View {
       ${this.columns()}
       <ul class="stage-legend" aria-label="Parts">
         ${(this.stage.shown?.parts ?? []).map(
-          ({ name }, part) => html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
+          ({ name }, part) =>
+            html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
         )}
       </ul>
     `;

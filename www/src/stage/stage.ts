@@ -14,7 +14,10 @@ import type { Marks, Shown, StageStore } from "./stage-store";
 /** Metres from the camera to the figure, in a wide and in a high picture, if that shows all of the figure. */
 const NEAR = 4.7;
 const NEAR_HIGH = 5.6;
-/** In a low picture the words above the figure need more of it: the figure stands lower by this share of the height. */
+/**
+ * In a low picture the words above the figure need more of it: the figure stands lower by this share of the
+ * height.
+ */
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
 /** And a live one higher. */
@@ -154,7 +157,9 @@ export class Stage {
     if (this.markedOf === marks) return;
     this.markedOf = marks;
     for (const figure of this.marked) figure.dispose();
-    this.marked = (marks?.poses ?? []).map(({ part, opacity }) => this.make(shown, { kind: "accent", part, opacity }));
+    this.marked = (marks?.poses ?? []).map(({ part, opacity }) =>
+      this.make(shown, { kind: "accent", part, opacity }),
+    );
     this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
   }
 
@@ -193,7 +198,10 @@ export class Stage {
     this.placed = true;
   }
 
-  /** The node of the figure nearest to a place in the picture, within so many pixels; null where there is none. */
+  /**
+   * The node of the figure nearest to a place in the picture, within so many pixels; null where there is
+   * none.
+   */
   nodeAt(x: number, y: number, within: number): number | null {
     const { pose } = this.playback;
     if (!pose) return null;
@@ -213,9 +221,11 @@ export class Stage {
     const { pose } = this.playback;
     if (!pose) return [0, 0, 0];
     const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
-    const moved = new Vector3(seen.x + (2 * dx) / size.width, seen.y - (2 * dy) / size.height, seen.z).unproject(
-      camera,
-    );
+    const moved = new Vector3(
+      seen.x + (2 * dx) / size.width,
+      seen.y - (2 * dy) / size.height,
+      seen.z,
+    ).unproject(camera);
     const by = moved.sub(new Vector3().fromArray(pose, 3 * node));
     return [by.x, by.y, by.z];
   }
@@ -265,7 +275,10 @@ export class Stage {
     figure.pose(poseAt(motion, frame, placeOnto(this.besidePose, pose), this.besidePose));
   }
 
-  /** Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it is stepped or scrubbed. */
+  /**
+   * Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it
+   * is stepped or scrubbed.
+   */
   private followWalk(pose: Float32Array, seconds: number): void {
     const { x, z } = new Vector3().fromArray(pose);
     let [dx, dz] = [x - this.focus.x, z - this.focus.z];

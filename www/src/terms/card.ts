@@ -1,4 +1,5 @@
-// The card that says what a term means: one for the page, a popover, so that Escape and a click beside it close it.
+// The card that says what a term means: one for the page, a popover, so that Escape and a click beside it
+// close it.
 import { showBeside } from "../ui/beside";
 import { TERMS, type TermName } from "./terms";
 

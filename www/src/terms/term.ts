@@ -1,5 +1,5 @@
-// A word of the field that can be asked what it means: with the mouse, by touch and by keyboard. The answers come when the first
-// is asked for.
+// A word of the field that can be asked what it means: with the mouse, by touch and by keyboard. The answers
+// come when the first is asked for.
 import { html, LitElement, nothing } from "lit";
 import "./term.css";
 import type { TermName } from "./terms";

@@ -2,7 +2,10 @@ import { expect, it } from "vitest";
 import glossary from "../../../docs/glossary.md?raw";
 import { TERMS } from "./terms";
 
-/** The names that the glossary explains: in bold at the start of a line, or a symbol in the first column of a table. */
+/**
+ * The names that the glossary explains: in bold at the start of a line, or a symbol in the first column of a
+ * table.
+ */
 const explained = glossary.split("\n").flatMap((line) => {
   const name = /^- \*\*(.+?)\*\*:/.exec(line)?.[1];
   if (name) return [name, ...name.split(", ")];

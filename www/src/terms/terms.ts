@@ -1,5 +1,5 @@
-// What the words of the field mean, in two sentences each. `glossary` is where docs/glossary.md says the same for those who read the
-// code: a name there, or a symbol.
+// What the words of the field mean, in two sentences each. `glossary` is where docs/glossary.md says the same
+// for those who read the code: a name there, or a symbol.
 
 export interface TermText {
   title: string;
@@ -99,7 +99,8 @@ const TEXTS = {
   "pose-points": {
     title: "pose inducing points",
     symbol: "L",
-    words: "How many poses the pose map of each part keeps. More of them give finer poses, and training takes longer.",
+    words:
+      "How many poses the pose map of each part keeps. More of them give finer poses, and training takes longer.",
     glossary: "L",
   },
   "pose-map": {
@@ -213,7 +214,8 @@ const TEXTS = {
   },
   bases: {
     title: "bases",
-    words: "The bumps over time whose weighted sum is the force of a DMP. More of them follow the clip more closely.",
+    words:
+      "The bumps over time whose weighted sum is the force of a DMP. More of them follow the clip more closely.",
     glossary: "bases",
   },
   dtw: {

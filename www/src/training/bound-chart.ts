@@ -12,7 +12,9 @@ import { partStyle } from "../ui/styled";
 
 export class BoundChart extends View {
   declare training: TrainingStore;
-  /** The drawing and the table of trainings come when the first training starts: the first visit does without. */
+  /**
+   * The drawing and the table of trainings come when the first training starts: the first visit does without.
+   */
   private drawing: BoundDrawing | "loading" | null = null;
 
   protected override stores() {

@@ -1,4 +1,5 @@
-// Draws the bounds of the trainings, and the terms of one of them, with the chart library: loaded when the first training starts.
+// Draws the bounds of the trainings, and the terms of one of them, with the chart library: loaded when the
+// first training starts.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { TrainingProgress } from "../engine/protocol";
@@ -15,7 +16,10 @@ function boundRuns(charted: Run, runs: readonly Run[]): Run[] {
 
 function boundStroke(run: Run, charted: Run): Stroke {
   const { ink, faint } = theme();
-  return { label: `seed ${run.settings.seed}`, ...(run === charted ? { colour: ink } : { colour: faint, width: 1 }) };
+  return {
+    label: `seed ${run.settings.seed}`,
+    ...(run === charted ? { colour: ink } : { colour: faint, width: 1 }),
+  };
 }
 
 /** Values by iteration; nothing where a run has not been. */
@@ -123,6 +127,9 @@ export class BoundDrawing {
       ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound)),
     ]);
     const length = last(charted);
-    this.terms.setData([iterations(length), ...lines.map(({ value }) => byIteration(charted.steps, length, value))]);
+    this.terms.setData([
+      iterations(length),
+      ...lines.map(({ value }) => byIteration(charted.steps, length, value)),
+    ]);
   }
 }

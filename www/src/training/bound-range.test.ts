@@ -18,7 +18,9 @@ it("draws everything of a short course, and takes no course at all", () => {
 });
 
 it("looks at some of very many values, from several runs of different lengths", () => {
-  const course = Array.from({ length: 5000 }, (_, i) => (i < 100 ? -1e6 + i : 100 * (1 - Math.exp(-i / 500))));
+  const course = Array.from({ length: 5000 }, (_, i) =>
+    i < 100 ? -1e6 + i : 100 * (1 - Math.exp(-i / 500)),
+  );
   const short: (number | null)[] = course.map((value, i) => (i < 2000 ? value : null));
   const [low, top] = boundRange([...short, ...course]);
   expect(low).toBeGreaterThan(-100);

@@ -4,7 +4,10 @@ import { decimalsOf, grouped } from "../ui/format";
 /** So many values are enough to know where most of them lie. */
 const ENOUGH = 3000;
 
-/** The range to draw: the first iterations come from far below and would flatten the rest. Where a run has not been there is null. */
+/**
+ * The range to draw: the first iterations come from far below and would flatten the rest. Where a run has not
+ * been there is null.
+ */
 export function boundRange(values: readonly (number | null)[]): [number, number] {
   const every = Math.ceil(values.length / ENOUGH);
   const finite = values.filter(

@@ -6,7 +6,10 @@ import type { CostQuestion, TrainingCost } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { duration } from "../ui/format";
 
-/** A training that takes longer, in seconds, or more memory, in bytes, is warned of. Ours: a lecture is over, or a tab of the browser full. */
+/**
+ * A training that takes longer, in seconds, or more memory, in bytes, is warned of. Ours: a lecture is over,
+ * or a tab of the browser full.
+ */
 const LONG = 45 * 60;
 const LARGE = 1.5e9;
 /** Shorter ones, in seconds, are not worth a word. */

@@ -1,4 +1,5 @@
-// Runs that stopped before their bound had settled: each can go on in the worker that trained it, which is kept for it.
+// Runs that stopped before their bound had settled: each can go on in the worker that trained it, which is
+// kept for it.
 import type { TrainingWorker } from "../engine/engine";
 import type { EngineStore } from "../engine/engine-store";
 import type { Report, TrainingOutcome } from "../engine/protocol";

@@ -32,7 +32,14 @@ export interface ProgressRow {
 }
 
 /** One button, so that it keeps the focus while what it does changes. */
-export function progressRow({ progress, verb: [now, going, done], testIds, whyNot, hint, start }: ProgressRow) {
+export function progressRow({
+  progress,
+  verb: [now, going, done],
+  testIds,
+  whyNot,
+  hint,
+  start,
+}: ProgressRow) {
   const { status, busy, fraction, ending } = progress;
   const words = () => {
     if (busy) return goingWords(progress).map((words) => html`<span>${words}</span>`);

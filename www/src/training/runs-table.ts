@@ -1,4 +1,5 @@
-// The trainings of this visit in a table: what they differ in, how far they are, and which one is on the stage.
+// The trainings of this visit in a table: what they differ in, how far they are, and which one is on the
+// stage.
 import { html, nothing } from "lit";
 import { duration, grouped, sentence } from "../ui/format";
 import { icon } from "../ui/icons";

@@ -1,4 +1,5 @@
-// The trainings of this visit, side by side: how they compare, and how long they still take. No rendering, no worker.
+// The trainings of this visit, side by side: how they compare, and how long they still take. No rendering, no
+// worker.
 import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
 
@@ -42,7 +43,10 @@ export function bestBound(run: Run): number {
 
 /** The run with the highest bound. */
 export function bestRun(runs: readonly Run[]): Run | null {
-  return runs.reduce<Run | null>((best, run) => (best && bestBound(best) >= bestBound(run) ? best : run), null);
+  return runs.reduce<Run | null>(
+    (best, run) => (best && bestBound(best) >= bestBound(run) ? best : run),
+    null,
+  );
 }
 
 /** How the rollout of a run's model ends, in few words; empty where it moves on. */
@@ -81,7 +85,12 @@ export interface Column {
   key(run: Run): string;
 }
 
-const count = (head: string, meaning: string, of: (settings: TrainingSettings) => number, term?: TermName): Column => {
+const count = (
+  head: string,
+  meaning: string,
+  of: (settings: TrainingSettings) => number,
+  term?: TermName,
+): Column => {
   const text = ({ settings }: Run) => String(of(settings));
   return { head, meaning, text, key: text, ...(term && { term }) };
 };
@@ -97,7 +106,8 @@ const COLUMNS: Column[] = [
     head: "Parts",
     meaning: "Parts",
     text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
-    key: ({ settings }) => settings.parts.map(({ name, joints }) => `${name} (${joints.length} joints)`).join(", "),
+    key: ({ settings }) =>
+      settings.parts.map(({ name, joints }) => `${name} (${joints.length} joints)`).join(", "),
   },
   count("Q", "Latent dimensions", ({ latent }) => latent, "latent-space"),
   count("K", "Dynamics points", ({ dynamicsIps }) => dynamicsIps, "dynamics-points"),
@@ -150,7 +160,9 @@ export function restOf(courses: readonly Course[], workers: number): number | nu
   }
   if (seconds < 1 || done <= 0.01) return null;
   const whole = seconds / done;
-  const busy = courses.filter(({ state }) => state === "running").map(({ fraction }) => whole * (1 - fraction));
+  const busy = courses
+    .filter(({ state }) => state === "running")
+    .map(({ fraction }) => whole * (1 - fraction));
   while (busy.length < workers) busy.push(0);
   for (const { state } of courses) {
     if (state !== "waiting") continue;

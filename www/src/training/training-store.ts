@@ -141,8 +141,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Trains from as many seeds as the settings ask for, and takes the best up. While others train, these are added to them.
-   * The promise is kept when all are over, for whoever began.
+   * Trains from as many seeds as the settings ask for, and takes the best up. While others train, these are
+   * added to them. The promise is kept when all are over, for whoever began.
    */
   async start(): Promise<void> {
     if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
@@ -156,7 +156,9 @@ export class TrainingStore extends Store {
     const session = this.#session;
     session.runs.push(...runs);
     this.changed();
-    session.work.push(...runs.map((run) => this.#carryOut(run, session.stop.signal, (send) => this.#train(run, send))));
+    session.work.push(
+      ...runs.map((run) => this.#carryOut(run, session.stop.signal, (send) => this.#train(run, send))),
+    );
     if (begins) await this.#finish(session);
   }
 
@@ -165,14 +167,17 @@ export class TrainingStore extends Store {
     return !this.busy && run.open && this.#runs.includes(run);
   }
 
-  /** How many more iterations a run is allowed when it goes on: none where it was cancelled before it had used its own. */
+  /**
+   * How many more iterations a run is allowed when it goes on: none where it was cancelled before it had used
+   * its own.
+   */
   moreIterations({ state, portion }: Run): number {
     return state === "cancelled" ? 0 : portion;
   }
 
   /**
-   * Goes on with a run where it stopped: in the worker that holds it; otherwise it is trained anew up to there, which gives the same bits.
-   * Both end as a training that was never stopped.
+   * Goes on with a run where it stopped: in the worker that holds it; otherwise it is trained anew up to
+   * there, which gives the same bits. Both end as a training that was never stopped.
    */
   async continue(run: Run): Promise<void> {
     if (!(await this.#mayTakeStage()) || !this.canContinue(run)) return;
@@ -234,7 +239,9 @@ export class TrainingStore extends Store {
     this.#look(null);
   }
 
-  /** Whether nothing needs the run any more: the best is chosen among all runs that were asked for together. */
+  /**
+   * Whether nothing needs the run any more: the best is chosen among all runs that were asked for together.
+   */
   canRemove(run: Run): boolean {
     return isOver(run) && !(this.busy && this.#session.runs.includes(run));
   }
@@ -257,8 +264,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Takes runs of an earlier visit up, before those of this one. Those that were not over then are like cancelled ones: they can go on.
-   * `chosen`: the place of the one whose model is on the stage; none: -1.
+   * Takes runs of an earlier visit up, before those of this one. Those that were not over then are like
+   * cancelled ones: they can go on. `chosen`: the place of the one whose model is on the stage; none: -1.
    */
   async takeUp(runs: readonly Run[], chosen: number): Promise<void> {
     const known = runs.map((run): Run => {
@@ -281,7 +288,8 @@ export class TrainingStore extends Store {
   }
 
   #newRuns(): Run[] {
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed } = this.#settings.values;
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed } =
+      this.#settings.values;
     const { parts, toTrainOn: clips } = this.#clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
       const settings: TrainingSettings = {
@@ -295,7 +303,14 @@ export class TrainingStore extends Store {
         maxIterations,
       };
       this.#lastId += 1;
-      const course = { state: "waiting" as const, steps: [], elapsed: 0, ending: "", open: false, catchingUp: false };
+      const course = {
+        state: "waiting" as const,
+        steps: [],
+        elapsed: 0,
+        ending: "",
+        open: false,
+        catchingUp: false,
+      };
       return { id: this.#lastId, settings, clips, ...course, model: null, portion: maxIterations };
     });
   }
@@ -315,14 +330,22 @@ export class TrainingStore extends Store {
     const { frames } = this.#settings.values;
     return pool.run(async (worker) => {
       begun();
-      const outcome = await worker.train({ clips: run.clips, settings: run.settings, frames }, report, signal);
+      const outcome = await worker.train(
+        { clips: run.clips, settings: run.settings, frames },
+        report,
+        signal,
+      );
       if (isOpen(outcome)) this.#kept.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
   }
 
   /** Carries one run out, from its beginning or from where it stopped. Its failure is its own. */
-  async #carryOut(run: Run, signal: AbortSignal, work: (send: Send) => Promise<TrainingOutcome>): Promise<void> {
+  async #carryOut(
+    run: Run,
+    signal: AbortSignal,
+    work: (send: Send) => Promise<TrainingOutcome>,
+  ): Promise<void> {
     const before = run.elapsed;
     const anew = run.catchingUp;
     const known = run.steps.at(-1)?.iteration ?? 0;
@@ -372,7 +395,9 @@ export class TrainingStore extends Store {
     this.changed();
   }
 
-  /** Which of these runs is to be shown: the library chooses by how their rollouts end, and by their bounds. */
+  /**
+   * Which of these runs is to be shown: the library chooses by how their rollouts end, and by their bounds.
+   */
   async #bestToShow(runs: readonly Run[]): Promise<Run | null> {
     const ranks = runs.map(({ model }) => model?.health?.rank ?? 0);
     const place = await this.#engine.engine?.bestToShow(ranks, runs.map(bestBound));
@@ -380,8 +405,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Keeps the best run under way on the stage, or the one that the visitor chose, with a new model about once a second.
-   * Answers whether this run is to send a newer model.
+   * Keeps the best run under way on the stage, or the one that the visitor chose, with a new model about once
+   * a second. Answers whether this run is to send a newer model.
    */
   #follow(run: Run): boolean {
     const session = this.#session;
@@ -392,7 +417,10 @@ export class TrainingStore extends Store {
     return false;
   }
 
-  /** After the first model of a training, a clip that is looked at may keep the stage, and the visitor's couplings hold. */
+  /**
+   * After the first model of a training, a clip that is looked at may keep the stage, and the visitor's
+   * couplings hold.
+   */
   #stage(run: Run, keep: boolean): Promise<void> {
     this.#session.staged = true;
     this.#look(run);

@@ -32,7 +32,8 @@ export class TrainingView extends View {
   private count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
     const disabled = this.training.busy && name === "framesPerSecond";
-    const beside = term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
+    const beside =
+      term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
     return settingField(this.settings, name, {
       label,
       hint,
@@ -48,7 +49,8 @@ export class TrainingView extends View {
     const presets = clip?.loaded.info.presets ?? [];
     const { parts } = this.settings.values;
     const byHand = parts === BY_HAND;
-    // Few split by hand: the editor comes when the first does. Where it could not be loaded the next change asks again.
+    // Few split by hand: the editor comes when the first does. Where it could not be loaded the next change
+    // asks again.
     if (byHand) import("../clips/parts-editor").catch(() => {});
     const chosen = byHand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
     const choose = (event: Event) => {
@@ -82,7 +84,8 @@ export class TrainingView extends View {
       : nothing;
     if (busy) {
       if (asked.every(({ steps }) => steps.length === 0)) return html`<span>Setting up</span>`;
-      if (asked.some(({ catchingUp }) => catchingUp)) return html`<span>Catching up with where it stopped</span>`;
+      if (asked.some(({ catchingUp }) => catchingUp))
+        return html`<span>Catching up with where it stopped</span>`;
       const done =
         asked.length > 1
           ? html`<span>${asked.filter(isOver).length} of ${asked.length} trainings done</span>`

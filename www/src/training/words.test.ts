@@ -31,7 +31,8 @@ describe("how a training ended", () => {
 });
 
 describe("what a training would cost", () => {
-  const words = (seconds: number, bytes = 1e7, count = 1, workers = 1) => costWords({ seconds, bytes }, count, workers);
+  const words = (seconds: number, bytes = 1e7, count = 1, workers = 1) =>
+    costWords({ seconds, bytes }, count, workers);
 
   it("is said where one has to wait", () => {
     expect(costWords(null, 1, 1).words).toBe("");

@@ -21,7 +21,8 @@ export function phaseWords(phase: TrainingProgress["phase"]): string {
 export function newModelWords(trainings: number, clips: number, made: boolean): string {
   const models = trainings === 1 ? "A new model" : `${trainings} new models`;
   const sample = made ? "sample " : "";
-  const of = clips === 1 ? `ticked ${sample}clip and its body` : `${clips} ticked ${sample}clips and their body`;
+  const of =
+    clips === 1 ? `ticked ${sample}clip and its body` : `${clips} ticked ${sample}clips and their body`;
   return `${models}, of the ${of}.`;
 }
 
@@ -30,7 +31,10 @@ export const LEFT = "You left the page; this is the best so far.";
 export const STOPPED = "You cancelled; this is the best so far.";
 
 /** `last` is the last step, of which the setbacks are told. */
-export function endingWords({ cancelled, reason, notices = [] }: TrainingOutcome, last?: TrainingProgress): string {
+export function endingWords(
+  { cancelled, reason, notices = [] }: TrainingOutcome,
+  last?: TrainingProgress,
+): string {
   const words = cancelled ? STOPPED : reason ? ENDINGS[reason] : "Done.";
   const setbacks = last ? setbackWords(last.setbacks) : "";
   const more = [...notices.map(sentence), setbacks].filter(Boolean).join(" ");
@@ -55,13 +59,17 @@ export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: s
     .filter((state) => count(state) > 0)
     .map((state) => `${count(state)} ${state}`);
   const soFar = count("cancelled") > 0 ? " so far" : "";
-  const shown = best ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage${whyShown(best, runs)}.` : "";
+  const shown = best
+    ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage${whyShown(best, runs)}.`
+    : "";
   return { words: `${counts.join(", ")}.${shown}`, failed: false };
 }
 
 /** Why this run is on the stage where another has a higher bound. */
 function whyShown(best: Run, runs: readonly Run[]): string {
-  const higher = runs.find((run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best));
+  const higher = runs.find(
+    (run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best),
+  );
   const ends = higher ? endOfMotion(higher) : "";
   if (!higher || !ends) return "";
   return `: it ${endOfMotion(best) || "keeps moving"}, while seed ${higher.settings.seed}, of a higher bound, ${ends}`;

@@ -10,7 +10,11 @@ export interface Size {
 }
 
 /** Where a box goes: below the anchor, or above where it has more room, and within the window. */
-export function placeBeside(anchor: DOMRectReadOnly | (Size & { x: number; y: number }), box: Size, window: Size) {
+export function placeBeside(
+  anchor: DOMRectReadOnly | (Size & { x: number; y: number }),
+  box: Size,
+  window: Size,
+) {
   const below = anchor.y + anchor.height + GAP;
   const above = anchor.y - GAP - box.height;
   const fits = below + box.height <= window.height - EDGE;

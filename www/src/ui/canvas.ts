@@ -1,6 +1,9 @@
 // A canvas of the page, as fine as the screen.
 
-/** Makes a canvas empty and as large as it stands on the page; null where the browser cannot draw. Two dots a pixel are fine enough. */
+/**
+ * Makes a canvas empty and as large as it stands on the page; null where the browser cannot draw. Two dots a
+ * pixel are fine enough.
+ */
 export function cleared(
   canvas: HTMLCanvasElement,
 ): { draw: CanvasRenderingContext2D; width: number; height: number } | null {

@@ -14,7 +14,15 @@ export interface FileButton {
   chosen(files: File[]): void;
 }
 
-export function fileButton({ label, meaning, testId, accept, multiple, disabled, chosen }: FileButton): TemplateResult {
+export function fileButton({
+  label,
+  meaning,
+  testId,
+  accept,
+  multiple,
+  disabled,
+  chosen,
+}: FileButton): TemplateResult {
   return html`
     <label class="small file-button">${icon("open")} ${label}
       <input type="file" class="visually-hidden" data-testid=${testId} ?multiple=${multiple} accept=${accept} ?disabled=${disabled}

@@ -1,4 +1,5 @@
-// A labelled field for a number. A value beyond the limits is not changed silently: the field says which limit it met.
+// A labelled field for a number. A value beyond the limits is not changed silently: the field says which
+// limit it met.
 import { html, nothing, type TemplateResult } from "lit";
 import { grouped } from "./format";
 

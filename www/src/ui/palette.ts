@@ -55,13 +55,18 @@ export function theme(): Theme {
 
 const shadesOf = (part: number): Shades => PARTS[part % PARTS.length] ?? BLUE;
 
-/** The colour of a part as styles have it: it turns dark or light with the page, without being written again. */
+/**
+ * The colour of a part as styles have it: it turns dark or light with the page, without being written again.
+ */
 export function partColour(part: number): string {
   const { light, dark } = shadesOf(part);
   return `light-dark(${light}, ${dark})`;
 }
 
-/** The colour as it is now: canvases, WebGL and files know one only. Who draws with it draws again `onThemeChange`. */
+/**
+ * The colour as it is now: canvases, WebGL and files know one only. Who draws with it draws again
+ * `onThemeChange`.
+ */
 export function partColourNow(part: number): string {
   const { light, dark } = shadesOf(part);
   return theme().dark ? dark : light;

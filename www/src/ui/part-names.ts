@@ -27,7 +27,9 @@ export interface PartNames {
 /** Why a part cannot have this name; empty where it can. */
 export function whyNotName(parts: readonly Named[], place: number, name: string): string {
   if (name === "") return "A part needs a name.";
-  return parts.some((other, i) => i !== place && other.name === name) ? `Another part is called “${name}”.` : "";
+  return parts.some((other, i) => i !== place && other.name === name)
+    ? `Another part is called “${name}”.`
+    : "";
 }
 
 /** With another name for one part. */
@@ -42,7 +44,10 @@ export function freeName(parts: readonly Named[]): string {
   }
 }
 
-/** The colours of parts of these sizes. An empty one is left out of training, and the next has the colour that it would have had. */
+/**
+ * The colours of parts of these sizes. An empty one is left out of training, and the next has the colour that
+ * it would have had.
+ */
 export function partColours(sizes: readonly number[]): string[] {
   let trained = 0;
   return sizes.map((size) => {

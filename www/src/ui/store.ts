@@ -1,4 +1,5 @@
-// What the page knows about one subject. Only the store's own methods change it; views and other stores listen.
+// What the page knows about one subject. Only the store's own methods change it; views and other stores
+// listen.
 
 /** Milliseconds between two redraws of what workers report, however many of them work. */
 const SOON = 100;

@@ -1,5 +1,5 @@
-// Style properties of an element in a template. Not as an attribute, as lit's own styleMap begins: a strict content security policy
-// forbids style attributes.
+// Style properties of an element in a template. Not as an attribute, as lit's own styleMap begins: a strict
+// content security policy forbids style attributes.
 import { noChange } from "lit";
 import { type AttributePart, Directive, directive } from "lit/directive.js";
 

@@ -1,4 +1,5 @@
-// For tests: a visitor who is asked without a dialog. Use it as vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake")).
+// For tests: a visitor who is asked without a dialog. Use it as vi.mock("../ui/unsaved-dialog", () =>
+// import("../ui/unsaved-dialog.fake")).
 import type { Answer } from "./unsaved-dialog";
 
 export const visitor = {

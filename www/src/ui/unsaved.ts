@@ -8,7 +8,10 @@ export interface Work {
   save(): unknown;
 }
 
-/** Whether something may take the place of these; asks where there is any, and first saves what the visitor wants saved. */
+/**
+ * Whether something may take the place of these; asks where there is any, and first saves what the visitor
+ * wants saved.
+ */
 export async function mayLose(...works: readonly (Work | null)[]): Promise<boolean> {
   const lost = works.filter((work) => work !== null);
   if (lost.length === 0) return true;

@@ -1,4 +1,5 @@
-// The base of all components: redraws when one of its stores changes. Light DOM, so that the page has one stylesheet.
+// The base of all components: redraws when one of its stores changes. Light DOM, so that the page has one
+// stylesheet.
 import { LitElement } from "lit";
 import type { Store } from "./store";
 

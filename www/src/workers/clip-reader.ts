@@ -1,4 +1,5 @@
-// Clips for a worker that trains: read where they are needed, kept for the next work, which mostly has the same. No DOM.
+// Clips for a worker that trains: read where they are needed, kept for the next work, which mostly has the
+// same. No DOM.
 import type { ClipInfo, ClipSource, TrainingClip } from "../engine/protocol";
 
 interface Freed {

@@ -1,4 +1,5 @@
-// What a worker does for comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
+// What a worker does for comparisons: trains and scores one model in one fold, and answers questions about
+// results. No DOM.
 import * as Comlink from "comlink";
 import { Clip, Evaluation, Fold, Results, TrainingSet } from "vcgpdm";
 import type { ComparisonWorker, Evaluated, EvaluationJob, ResultsView } from "../engine/whole-protocol";
@@ -24,7 +25,11 @@ async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: Eval
   return using(await clips.set(chosen), (set) => new Fold(set, settings, heldOut, trainingTrials));
 }
 
-async function evaluate(job: EvaluationJob, report: (fraction: number) => void, task: Task): Promise<Evaluated | null> {
+async function evaluate(
+  job: EvaluationJob,
+  report: (fraction: number) => void,
+  task: Task,
+): Promise<Evaluated | null> {
   return usingAsync(await foldOf(job), (fold) => {
     const start = performance.now();
     return usingAsync(new Evaluation(fold, job.candidate, job.seed), async (training) => {
@@ -34,7 +39,8 @@ async function evaluate(job: EvaluationJob, report: (fraction: number) => void, 
         fraction = progress.fraction;
         return progress.done;
       };
-      // The next slice does not wait for the page: that would be no training, and is not to count as its time.
+      // The next slice does not wait for the page: that would be no training, and is not to count as its
+      // time.
       const done = await task.inSlices(step, () => void report(fraction));
       if (!done) return null;
       return using(training.prediction(), (prediction) => {
@@ -76,7 +82,12 @@ export const comparisonWorker: ComparisonWorker = {
       using(Results.empty(set, settings), (results) => {
         const goesOn = takeOver(results, known);
         const jobs = results.jobs(plan);
-        return { results: view(results), jobs, costs: jobs.map(({ job }) => results.costOf(set, job)), goesOn };
+        return {
+          results: view(results),
+          jobs,
+          costs: jobs.map(({ job }) => results.costOf(set, job)),
+          goesOn,
+        };
       }),
     ),
   addOutcome: (text, job, outcome) =>

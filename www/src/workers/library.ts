@@ -1,4 +1,5 @@
-// What a worker does for libraries of primitives: holds one with its endless walk, learns libraries, fits couplings. No DOM.
+// What a worker does for libraries of primitives: holds one with its endless walk, learns libraries, fits
+// couplings. No DOM.
 import {
   Clip,
   CouplingTrainer,
@@ -53,7 +54,10 @@ function motionOf(positions: Float32Array, frames: number): Motion {
   return handOver({ positions, frames, nodes, frameTime }, positions);
 }
 
-/** A part takes so many frames to go all the way to another of its primitives: at once it would jump. tests/node/library.test.mjs has how far. */
+/**
+ * A part takes so many frames to go all the way to another of its primitives: at once it would jump.
+ * tests/node/library.test.mjs has how far.
+ */
 const MIX_FRAMES = 45;
 
 function change(walk: LibraryWalk, change: WalkChange): void {
@@ -81,7 +85,10 @@ async function learn(
   report: (report: LibraryReport<string>) => void,
   task: Task,
 ): Promise<TrainingOutcome> {
-  const trainer = using(await clips.set(chosen), (set) => new LibraryTrainer(set, settings, { movements, shared }));
+  const trainer = using(
+    await clips.set(chosen),
+    (set) => new LibraryTrainer(set, settings, { movements, shared }),
+  );
   try {
     const find = () => using(trainer.library(), (library) => library.toJson());
     return await follow({ trainer, find }, report, task);
@@ -129,7 +136,10 @@ async function importPrimitives(
     using(Library.fromJson(other), (donor) => begin(host, donor)),
   );
   try {
-    const find = () => ({ text: using(trainer.library(), (found) => found.toJson()), lost: [...trainer.lost()] });
+    const find = () => ({
+      text: using(trainer.library(), (found) => found.toJson()),
+      lost: [...trainer.lost()],
+    });
     return await follow({ trainer, find }, report, task);
   } finally {
     trainer.free();
@@ -156,7 +166,10 @@ async function holdOut(
   }
 }
 
-/** Holds another library in the place of the one before, of the same body; the walk goes on among the primitives that were there. */
+/**
+ * Holds another library in the place of the one before, of the same body; the walk goes on among the
+ * primitives that were there.
+ */
 function exchange(library: Library): { text: string; info: LibraryInfo } {
   const before = current();
   walk?.setLibrary(library);
@@ -192,8 +205,10 @@ export const libraryWorker: LibraryWorker = {
       using(model.rollout({ frames, sequence: 0 }), (rollout) => motionOf(rollout.positions(), frames)),
     ),
   combinationMoves: (uses, alpha) => current().library.motion(uses, alpha),
-  combinationText: (uses, alpha) => using(current().library.combination(uses, alpha), (model) => model.toJson()),
-  addCombination: (name, uses, alpha, from) => exchange(current().library.withCombination(name, uses, alpha, from)),
+  combinationText: (uses, alpha) =>
+    using(current().library.combination(uses, alpha), (model) => model.toJson()),
+  addCombination: (name, uses, alpha, from) =>
+    exchange(current().library.withCombination(name, uses, alpha, from)),
   primitivesText: (primitives) => using(current().library.select(primitives), (some) => some.toJson()),
   addPrimitives: (text) =>
     using(Library.fromJson(text), (other) => {

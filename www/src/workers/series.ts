@@ -1,9 +1,16 @@
-// What a worker does for time series that are no body: reads tables, trains on them, rolls their models out. No DOM.
+// What a worker does for time series that are no body: reads tables, trains on them, rolls their models out.
+// No DOM.
 import { AnyModel, type AnyRollout, Table, TableTrainer } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type { LibraryReport } from "../engine/library-protocol";
 import type { TrainingOutcome } from "../engine/protocol";
-import type { SeriesJob, SeriesRequest, SeriesWorker, TableSource, TrainedSeries } from "../engine/series-protocol";
+import type {
+  SeriesJob,
+  SeriesRequest,
+  SeriesWorker,
+  TableSource,
+  TrainedSeries,
+} from "../engine/series-protocol";
 import { follow } from "./follow";
 import { handOver } from "./hand-over";
 import { OneTask, type Task } from "./slices";
@@ -73,7 +80,10 @@ function withRollout<Found>(
 
 export const seriesWorker: SeriesWorker = {
   async readTable(source) {
-    const { info, values } = using(await read(source), (table) => ({ info: table.info(), values: table.values() }));
+    const { info, values } = using(await read(source), (table) => ({
+      info: table.info(),
+      values: table.values(),
+    }));
     return handOver({ info, values }, values);
   },
   async checkTables(tables) {

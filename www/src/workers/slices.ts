@@ -18,8 +18,8 @@ export class Task {
   }
 
   /**
-   * Takes steps until one answers that it was the last, or until a cancel comes; answers whether all were taken.
-   * `report` is called after each slice.
+   * Takes steps until one answers that it was the last, or until a cancel comes; answers whether all were
+   * taken. `report` is called after each slice.
    */
   async inSlices(step: () => boolean, report: (done: boolean) => unknown): Promise<boolean> {
     let done = false;

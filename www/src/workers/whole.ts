@@ -1,5 +1,6 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of primitives, finds the uncertainty of a
-// rollout, knows the graphics Turing test, and models time series that are no body. No DOM.
+// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of
+// primitives, finds the uncertainty of a rollout, knows the graphics Turing test, and models time series that
+// are no body. No DOM.
 import * as Comlink from "comlink";
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";

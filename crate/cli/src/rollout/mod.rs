@@ -30,20 +30,24 @@ pub struct Arguments {
     /// Start where this training sequence starts, counted from 0 in the order given to training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
-    /// Start at this frame of it, counted from 0. Models that were trained by an older version keep the first frames only.
+    /// Start at this frame of it, counted from 0. Models that were trained by an older version keep the first
+    /// frames only.
     #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
     frame: usize,
-    /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or number, from 0.
+    /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or
+    /// number, from 0.
     #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
     alpha: Vec<String>,
-    /// What changed couplings do to the experts: they stay as learned, or they are inferred again from the same data.
+    /// What changed couplings do to the experts: they stay as learned, or they are inferred again from the
+    /// same data.
     #[arg(long, default_value = "as-learned")]
     reading: ReadingOption,
     /// Cut a coupling from frame FROM up to, not including, frame TO.
     #[arg(long, value_name = "SOURCE:TARGET@FROM-TO", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     cut: Vec<String>,
-    /// Push a part before frame FRAME is predicted: AMOUNT is a number for each of its latent dimensions, separated by commas, or one
-    /// number with an f behind it, that many of its own steps ahead (-3f: three back).
+    /// Push a part before frame FRAME is predicted: AMOUNT is a number for each of its latent dimensions,
+    /// separated by commas, or one number with an f behind it, that many of its own steps ahead (-3f: three
+    /// back).
     #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     push: Vec<String>,
     /// Write so many sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
@@ -58,8 +62,8 @@ pub struct Arguments {
     /// Write the motion to this file. A model of tables has no motion, only columns.
     #[arg(long, value_name = "OUT.bvh", required_unless_present = "columns")]
     out: Option<PathBuf>,
-    /// Write what the model predicts, all columns with a header row, to this file: of a body the root's rates and the joints' rotation
-    /// vectors.
+    /// Write what the model predicts, all columns with a header row, to this file: of a body the root's rates
+    /// and the joints' rotation vectors.
     #[arg(long, value_name = "OUT.csv")]
     columns: Option<PathBuf>,
     /// Write the latent path to this file, with a header row.

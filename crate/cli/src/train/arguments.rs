@@ -16,29 +16,33 @@ pub struct Arguments {
     /// Parts that use the same primitive in all movements; every other part has one of its own in each.
     #[arg(long, value_name = "PART,PART")]
     pub(super) share: Vec<String>,
-    /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm, or vgpdm for one part.
+    /// What to train: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm,
+    /// or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::named)]
     pub(super) model: Option<ModelKind>,
-    /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; body,left arm,right arm; legs,trunk,left arm,right arm), or a
-    /// file with a list like [{"name": "legs", "joints": ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns:
-    /// arm=x,y;leg=z (a name that ends with * means all that begin so), or a file with [{"name": "arm", "columns": ["x", "y"]}].
+    /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; body,left arm,right
+    /// arm; legs,trunk,left arm,right arm), or a file with a list like [{"name": "legs", "joints":
+    /// ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns: arm=x,y;leg=z (a name that
+    /// ends with * means all that begin so), or a file with [{"name": "arm", "columns": ["x", "y"]}].
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     pub(super) parts: Option<String>,
-    /// Train on columns of numbers that are no body: each CLIP is a CSV file, with the names of the columns in its first row and a row a
-    /// moment. A column "time" (or "t", "seconds") holds seconds; a column "frame" is left out.
+    /// Train on columns of numbers that are no body: each CLIP is a CSV file, with the names of the columns
+    /// in its first row and a row a moment. A column "time" (or "t", "seconds") holds seconds; a column
+    /// "frame" is left out.
     #[arg(long, conflicts_with_all = ["seed_frames", "first_bones"])]
     pub(super) columns: bool,
     /// Write the model to this file.
     #[arg(long, value_name = "MODEL.json")]
     pub(super) out: PathBuf,
-    /// Resample the clips to about so many frames a second. With --columns: the rows a second of files without times.
+    /// Resample the clips to about so many frames a second. With --columns: the rows a second of files
+    /// without times.
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     pub(super) fps: f64,
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
     #[arg(long, value_name = "CLIP:COUNT")]
     pub(super) seed_frames: Vec<String>,
-    /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint angles stay, the way of the
-    /// root is scaled as its height above the ground is.
+    /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint
+    /// angles stay, the way of the root is scaled as its height above the ground is.
     #[arg(long)]
     pub(super) first_bones: bool,
     /// Keep a note in the model, such as an acknowledgement.

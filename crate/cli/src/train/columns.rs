@@ -9,7 +9,8 @@ use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table, parts_from_json, parts_from_words, read, whole};
 
-/// The tables as a data set, and its parts. `split` is what `--parts` says; `rate` are the rows a second of files without times.
+/// The tables as a data set, and its parts. `split` is what `--parts` says; `rate` are the rows a second of
+/// files without times.
 pub fn dataset(places: &[String], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
     check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
     let tables = places.iter().map(|place| table(place)).collect::<Result<Vec<_>, _>>()?;

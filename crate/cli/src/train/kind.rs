@@ -41,7 +41,8 @@ pub struct Options {
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]
     linear: bool,
-    /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent: over learned phases.
+    /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent:
+    /// over learned phases.
     #[arg(long)]
     normalised_time: bool,
     /// How many primitives (tmp); absent: chosen by the bound.
@@ -50,11 +51,12 @@ pub struct Options {
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases, value_parser = whole(1..=MOST_BASES))]
     bases: usize,
-    /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work, and over many frames the next step; the model
-    /// is the same, but takes more memory.
+    /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work, and over
+    /// many frames the next step; the model is the same, but takes more memory.
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = whole(1..=u16::MAX))]
     pub threads: u16,
-    /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm, vgpdm).
+    /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm,
+    /// vgpdm).
     #[arg(long, value_name = "CASE.json")]
     pub write_start: Option<PathBuf>,
 }
@@ -123,8 +125,8 @@ pub fn named(id: &str) -> Result<ModelKind, String> {
     })
 }
 
-/// The kind asked for, or else the variational one of so many parts. A kind that cannot have so many is refused; `split` is
-/// what `--parts` says.
+/// The kind asked for, or else the variational one of so many parts. A kind that cannot have so many is
+/// refused; `split` is what `--parts` says.
 pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<ModelKind, Box<dyn Error>> {
     let Some(kind) = asked else {
         return Ok(if parts == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm });

@@ -76,7 +76,8 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, and writes the model and what it reached; `fps` is the rate that the data set was asked for.
+/// Trains on the data set, and writes the model and what it reached; `fps` is the rate that the data set was
+/// asked for.
 fn learn<S: Observed>(
     arguments: &Arguments,
     split: &str,

@@ -6,7 +6,8 @@ use std::error::Error;
 use std::sync::atomic::Ordering;
 use vcgpdm::models::{Dataset, LearningProgress, ModelSettings, Observed, TrainingCost};
 
-/// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small machine.
+/// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small
+/// machine.
 const LONG: f64 = 1800.0;
 const LARGE: f64 = 4e9;
 
@@ -22,7 +23,8 @@ pub fn warn_of_training<S: Observed>(settings: &ModelSettings, dataset: &Dataset
     warn_of_cost(settings.cost(dataset.lengths().iter().sum(), &columns), 1, less);
 }
 
-/// Says before trainings, so many at a time, that they would take long, or much memory, and what would need less.
+/// Says before trainings, so many at a time, that they would take long, or much memory, and what would need
+/// less.
 pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
     let (seconds, bytes) = (cost.seconds / threads as f64, cost.bytes * threads as f64);
     if seconds > LONG || bytes > LARGE {
@@ -42,7 +44,8 @@ pub fn train_steps(
     let mut shown = Progress::new("at most");
     loop {
         let progress = step();
-        // Not the iterations: a search for the number of primitives may end long before the most there can be.
+        // Not the iterations: a search for the number of primitives may end long before the most there can
+        // be.
         shown.show(progress.fraction, || {
             let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
             let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);

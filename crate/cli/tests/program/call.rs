@@ -36,8 +36,9 @@ pub fn prints(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Runs a command that must fail, with one line on stderr and nothing on stdout. The status is 2 where the line is about the command
-/// line, which it then names or offers to explain, and 1 where it is about anything else.
+/// Runs a command that must fail, with one line on stderr and nothing on stdout. The status is 2 where the
+/// line is about the command line, which it then names or offers to explain, and 1 where it is about anything
+/// else.
 pub fn fails(arguments: &[&str]) -> String {
     let output = run(arguments);
     let err = String::from_utf8(output.stderr).unwrap();

@@ -209,7 +209,8 @@ fn train_then_roll_out_then_score() {
     let info = json(&["clip", motion]);
     assert_eq!((info["frames"].as_u64(), info["joints"].as_array().map(Vec::len)), (Some(50), Some(21)));
     assert_eq!(info["warnings"].as_array().map(Vec::len), Some(0));
-    // Another coupling into the upper body changes the upper body and, hardly coupled back, the start of neither.
+    // Another coupling into the upper body changes the upper body and, hardly coupled back, the start of
+    // neither.
     let changed = roll(&["--alpha", "lower:upper=0.001", "1:0=10"]);
     assert_ne!(learned, changed);
     assert_eq!(learned.lines().take(3).collect::<Vec<_>>(), changed.lines().take(3).collect::<Vec<_>>());

@@ -1,12 +1,14 @@
-//! What each coupling does to the body, measured, as Markdown tables. `npm run effects` puts them into docs/couplings.md.
+//! What each coupling does to the body, measured, as Markdown tables. `npm run effects` puts them into
+//! docs/couplings.md.
 //!
 //! ```sh
 //! cargo run --release --example effects
 //! cargo run --release --example effects -- --seeds 1,2,3 walk-1.bvh walk-2.bvh
 //! ```
 //!
-//! Without clips: the model that the page opens with, its presets, and models of the sample walks. With clips: models of lower and
-//! upper body of these, one for each seed, and all couplings of the one with the highest bound.
+//! Without clips: the model that the page opens with, its presets, and models of the sample walks. With
+//! clips: models of lower and upper body of these, one for each seed, and all couplings of the one with the
+//! highest bound.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 #[path = "../shared/clips.rs"]

@@ -1,11 +1,13 @@
-//! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown table:
+//! Trains from many seeds, by our start and schedule and by others, and prints what came of it as a Markdown
+//! table:
 //!
 //! ```sh
 //! cargo run --release --example every_seed -- [--clips FOLDER] [--parts whole,lower-upper] [--seeds 20] [--peer "python train.py"]
 //! ```
 //!
-//! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames of a sixth, roll the
-//! model out from those for the length of the sixth trial and compare. Without a folder the bundled walks are used.
+//! The protocol is that of Velychko et al. (2018, section 5.3): train on five trials and the first 5 frames
+//! of a sixth, roll the model out from those for the length of the sixth trial and compare. Without a folder
+//! the bundled walks are used.
 #![allow(missing_docs, clippy::disallowed_methods, clippy::unwrap_used, clippy::panic)]
 
 #[path = "../shared/clips.rs"]
@@ -52,8 +54,8 @@ struct Arguments {
     /// Of the other ways only those that have these words in their schedule.
     #[arg(long, default_value = "")]
     schedule: String,
-    /// A command that trains from a starting point in a file, named last, and prints a JSON object with "elbo", "evaluations" and,
-    /// evaluation by evaluation, a "trace" of seconds and best bounds.
+    /// A command that trains from a starting point in a file, named last, and prints a JSON object with
+    /// "elbo", "evaluations" and, evaluation by evaluation, a "trace" of seconds and best bounds.
     #[arg(long)]
     peer: Option<String>,
     /// Seeds that the peer trains from, from 0.
@@ -117,8 +119,8 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
     };
     let last = problem.dataset.sequences.len() - 1;
     let mse = dtw_mse(&request(problem.actual.nrows(), last), &problem.actual).unwrap().dtw_mse;
-    // No walk: what is left of the movement after ten seconds is a fifth of what the trial does, or the prediction is hardly
-    // better than a motionless one.
+    // No walk: what is left of the movement after ten seconds is a fifth of what the trial does, or the
+    // prediction is hardly better than a motionless one.
     let end = request(300, 0).rows(240, 60).row_variance().sum().sqrt();
     let variance = problem.actual.row_variance().sum();
     let still = end < 0.2 * variance.sqrt() || mse > 0.5 * variance / problem.actual.ncols() as f64;
@@ -304,7 +306,8 @@ fn main() {
     }
 }
 
-/// Whether the bound early in a training tells where it ends: if it did, the best of several short ones could be continued.
+/// Whether the bound early in a training tells where it ends: if it did, the best of several short ones could
+/// be continued.
 fn foretold(all: &[(Way, Vec<Run>)]) {
     println!("Rank correlation over the seeds of the bound after so many evaluations with the last one:\n");
     println!(

@@ -81,7 +81,8 @@ fn fast(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSetting
     with_latents(y, starting_point(y, sequences, settings, seed), sequences, |y| y.clone(), unit)
 }
 
-/// Our start with the principal components of columns that are smoothed twice as far, each of the variance that its share in them asks for.
+/// Our start with the principal components of columns that are smoothed twice as far, each of the variance
+/// that its share in them asks for.
 fn slower(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
     let shares = |x: &DMatrix<f64>, y: &DMatrix<f64>| {
         let spread: Vec<f64> = x.column_iter().map(|x| y.tr_mul(&x).norm()).collect();
@@ -96,8 +97,8 @@ fn slower(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSetti
     )
 }
 
-/// The start with the principal components of other columns: of unit variance and then as large as these numbers say, which are told them
-/// and the columns. The inducing inputs are at the same frames.
+/// The start with the principal components of other columns: of unit variance and then as large as these
+/// numbers say, which are told them and the columns. The inducing inputs are at the same frames.
 fn with_latents(
     y: &[DMatrix<f64>],
     mut params: Params,
@@ -127,8 +128,8 @@ fn with_latents(
     params
 }
 
-/// The columns averaged along time with the weights of a Gaussian as wide as two of the movement's radians (what training starts with:
-/// one).
+/// The columns averaged along time with the weights of a Gaussian as wide as two of the movement's radians
+/// (what training starts with: one).
 fn smoothed(y: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     let ranges: Vec<_> = sequences.ranges().collect();
     let steps: usize = ranges.iter().map(|frames| frames.len() - 1).sum();
@@ -168,7 +169,8 @@ fn straight(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSet
     params
 }
 
-/// Our start with pose maps of the data's variance and squared lengthscales of 1, in which latents of unit variance bend.
+/// Our start with pose maps of the data's variance and squared lengthscales of 1, in which latents of unit
+/// variance bend.
 fn bent(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSettings, seed: u32) -> Params {
     let mut params = starting_point(y, sequences, settings, seed);
     for (part, y) in params.parts.iter_mut().zip(y) {
@@ -188,7 +190,8 @@ fn authors(y: &[DMatrix<f64>], sequences: &Sequences, settings: &VariationalSett
     params
 }
 
-/// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to cluster centres.
+/// Our start with the inducing inputs spread over the latents: each far from the others, or moved on to
+/// cluster centres.
 fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params {
     let histories: Vec<DMatrix<f64>> =
         params.parts.iter().map(|part| sequences.histories(&part.latents).mean).collect();
@@ -201,7 +204,8 @@ fn clustered(mut params: Params, sequences: &Sequences, centres: bool) -> Params
     params
 }
 
-/// From the first row of `z` on, takes the row of `x` that is farthest from those taken; then Lloyd's iterations.
+/// From the first row of `z` on, takes the row of `x` that is farthest from those taken; then Lloyd's
+/// iterations.
 fn spread(x: &DMatrix<f64>, z: &mut DMatrix<f64>, centres: bool) {
     let distance = |t: usize, z: &DMatrix<f64>, k: usize| (x.row(t) - z.row(k)).norm_squared();
     for k in 1..z.nrows() {

@@ -1,5 +1,5 @@
-//! Figure 7 of Velychko et al. (2018): the latent paths of each part, generated solid and training dashed, both movements in one
-//! latent space.
+//! Figure 7 of Velychko et al. (2018): the latent paths of each part, generated solid and training dashed,
+//! both movements in one latent space.
 
 use std::fmt::Write;
 use vcgpdm::models::Reading;
@@ -7,7 +7,8 @@ use vcgpdm::models::library::TrainedLibrary;
 
 const WIDTH: f64 = 420.0;
 const MARGIN: f64 = 34.0;
-/// Readable on white and on black, and told apart without colours: dashed and solid are training and generated.
+/// Readable on white and on black, and told apart without colours: dashed and solid are training and
+/// generated.
 const COLOURS: [&str; 2] = ["#c2543d", "#3b76b0"];
 
 /// Of which movement a path is, whether it is of the training, and its points.

@@ -1,8 +1,8 @@
 //! What is lost when primitives of one training are learned again under the pose maps of another.
 //!
-//! A library of walking is the donor, one of walking with waving the host; neither has seen the other's clips. One walk is held out. Its
-//! prediction from its first frames is made by the donor as it was trained, by the host with the donor's primitives learned again, and by
-//! a library that was trained on both.
+//! A library of walking is the donor, one of walking with waving the host; neither has seen the other's
+//! clips. One walk is held out. Its prediction from its first frames is made by the donor as it was trained,
+//! by the host with the donor's primitives learned again, and by a library that was trained on both.
 
 use crate::{Table, thousandths};
 use nalgebra::DMatrix;
@@ -57,8 +57,8 @@ fn fold(test: &ModularityTest, place: (usize, usize), trained: Trained) -> Train
     training.best().unwrap().1.clone()
 }
 
-/// How far the last sequence of a movement, rolled out, is from the clip that it is the beginning of: in all columns, and in those of
-/// the lower body.
+/// How far the last sequence of a movement, rolled out, is from the clip that it is the beginning of: in all
+/// columns, and in those of the lower body.
 fn errors(library: &TrainedLibrary, movement: usize, actual: &Clip) -> [f64; 2] {
     let actual = library.observed(actual).unwrap();
     let actual = library.body.columns(&actual.y);

@@ -1,6 +1,6 @@
-//! The modularity test of Velychko et al. (2018, section 5.5, figure 7) on the sample trials of walking and of walking with waving: a
-//! library with one walking primitive of the lower body for both movements beside a model of each movement alone. Prints what
-//! docs/modularity.md holds: `npm run modularity`.
+//! The modularity test of Velychko et al. (2018, section 5.5, figure 7) on the sample trials of walking and
+//! of walking with waving: a library with one walking primitive of the lower body for both movements beside a
+//! model of each movement alone. Prints what docs/modularity.md holds: `npm run modularity`.
 //!
 //! What is trained and how it is scored is the library's `ModularityTest`.
 #![allow(clippy::unwrap_used)]

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use vcgpdm::motion::{Clip, bvh};
 
-/// The clips of these files, and of the files of these folders in the order of their names; each is read when it is its turn.
+/// The clips of these files, and of the files of these folders in the order of their names; each is read when
+/// it is its turn.
 pub fn read_clips(places: &[PathBuf]) -> impl Iterator<Item = Clip> {
     let files = places.iter().flat_map(|place| {
         if !place.is_dir() {

@@ -1,4 +1,5 @@
-//! The models that the measurements behind `docs/` are about: the one that the page opens with, and models of the sample walks.
+//! The models that the measurements behind `docs/` are about: the one that the page opens with, and models of
+//! the sample walks.
 
 use std::path::Path;
 use vcgpdm::models::variational::{Trainer, Vcgpdm};

@@ -1,5 +1,5 @@
-//! How far moment matching says what many sampled futures say, as Markdown tables. `npm run uncertainty` puts them into
-//! docs/uncertainty.md.
+//! How far moment matching says what many sampled futures say, as Markdown tables. `npm run uncertainty` puts
+//! them into docs/uncertainty.md.
 //!
 //! ```sh
 //! cargo run --release --example uncertainty

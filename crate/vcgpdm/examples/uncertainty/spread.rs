@@ -51,7 +51,8 @@ impl Cloud {
         Self { points, mean, deviation }
     }
 
-    /// The points inside and outside the region; a point is early or late beside frame `t` of the path [frames x Q].
+    /// The points inside and outside the region; a point is early or late beside frame `t` of the path
+    /// [frames x Q].
     pub fn groups(
         &self,
         mean: &DVector<f64>,

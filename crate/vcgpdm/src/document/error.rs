@@ -7,11 +7,12 @@ use thiserror::Error;
 
 /// What a document says that it is.
 pub(super) const FORMAT: &str = "vcgpdm model";
-/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind". A document is
-/// written in the earliest version that can say it. Raised whenever an older program could no longer read the document.
+/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind".
+/// A document is written in the earliest version that can say it. Raised whenever an older program could no
+/// longer read the document.
 pub(super) const SECOND: usize = 2;
-/// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and models that are combinations of
-/// these.
+/// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and
+/// models that are combinations of these.
 pub(super) const VERSION: usize = 3;
 /// What a library says that it is, beside the kinds of models.
 pub(super) const LIBRARY: &str = "library";

@@ -190,7 +190,8 @@ mod tests {
         assert_eq!(again.to_json().unwrap(), text);
     }
 
-    /// A combination of a library is a model like others: it can be saved alone, and rolls out to the same bits.
+    /// A combination of a library is a model like others: it can be saved alone, and rolls out to the same
+    /// bits.
     #[test]
     fn a_combination_is_a_document_of_its_own() {
         for index in 0..3 {
@@ -213,7 +214,8 @@ mod tests {
         assert!(refused(&value).contains("of all parts or of none"), "{}", refused(&value));
     }
 
-    /// A primitive alone is a library without a whole movement; it says where it comes from, and is read again to the same bits.
+    /// A primitive alone is a library without a whole movement; it says where it comes from, and is read
+    /// again to the same bits.
     #[test]
     fn a_selection_is_a_document_of_its_own() {
         let library = trained();
@@ -265,7 +267,8 @@ mod tests {
         let taken = some.take_in(&TrainedLibrary::from_json(&arms.to_json().unwrap()).unwrap()).unwrap();
         assert_eq!((taken.primitives, taken.added, taken.movements), (vec![2], vec![2], vec![]));
         assert_eq!(some.library.primitives[2].name, "walk");
-        // The combination is the recorded one again, couplings included, as far as a primitive alone knows them.
+        // The combination is the recorded one again, couplings included, as far as a primitive alone knows
+        // them.
         let uses = some.uses("lower=walk+wave,upper=walk").unwrap();
         let alpha = some.library.nearest_couplings(&uses);
         assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));

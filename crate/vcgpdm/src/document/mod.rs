@@ -1,10 +1,11 @@
 //! The shared model as a versioned JSON document. No I/O.
 //!
-//! It holds what a rollout needs and no training clip: skeleton and pose mapping, column means, parts with their pose maps,
-//! the dynamics into each part, couplings, the sums from which experts can be inferred again, start latents and provenance.
-//! A document of tables has the names and units of their columns in the place of skeleton and pose mapping ([`Document`] reads both).
-//! A document of another kind holds the same about the body, and under "model" what that kind needs to roll out; that of a library
-//! holds pose maps, primitives and movements.
+//! It holds what a rollout needs and no training clip: skeleton and pose mapping, column means, parts with
+//! their pose maps, the dynamics into each part, couplings, the sums from which experts can be inferred
+//! again, start latents and provenance. A document of tables has the names and units of their columns in the
+//! place of skeleton and pose mapping ([`Document`] reads both). A document of another kind holds the same
+//! about the body, and under "model" what that kind needs to roll out; that of a library holds pose maps,
+//! primitives and movements.
 
 mod error;
 mod library;

@@ -1,4 +1,5 @@
-//! What a document says of its columns: the pose mapping of a body, or the names and units of a table's columns.
+//! What a document says of its columns: the pose mapping of a body, or the names and units of a table's
+//! columns.
 
 use crate::document::error::{DocumentError, SECOND, VERSION};
 use crate::json::checks::{count, positive};

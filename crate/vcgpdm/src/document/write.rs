@@ -93,7 +93,8 @@ fn variational<S: Subject, P>(
         ];
         with_elsewhere(own, model.elsewhere.get(i))
     });
-    // The first version still says all there is to say about a model of a body that learned from its own rows only.
+    // The first version still says all there is to say about a model of a body that learned from its own rows
+    // only.
     let version = if model.elsewhere.is_empty() { S::VERSIONS[0] } else { VERSION };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);

@@ -1,7 +1,7 @@
 //! What the papers say about the models, held against results.
 //!
-//! A claim is the papers' own sentence. What we hold it against is our criterion, and its answer is an interval: "yes" or "no" only
-//! where the whole of it says so.
+//! A claim is the papers' own sentence. What we hold it against is our criterion, and its answer is an
+//! interval: "yes" or "no" only where the whole of it says so.
 
 use crate::evaluation::contender::Contender;
 use crate::evaluation::correlation::{correlation, training_correlation};
@@ -201,7 +201,8 @@ fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
     }
 }
 
-/// The vCGPDM beside every other model: it is the best when it is better than each, and not when one is better.
+/// The vCGPDM beside every other model: it is the best when it is better than each, and not when one is
+/// better.
 fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
     let mut answers = Vec::new();
     let mut found = Vec::new();
@@ -257,8 +258,8 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
     dynamics_or_poses(claims, &kind.settings, labels);
 }
 
-/// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l and k, for the two numbers
-/// furthest apart that were tried both ways.
+/// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l
+/// and k, for the two numbers furthest apart that were tried both ways.
 fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     let numbers = |row: &Row| row.candidate.size();
     let turned = |row: &Row| {

@@ -1,4 +1,5 @@
-//! What the results of a comparison say: the table of models, bound against error, time against frames, claims.
+//! What the results of a comparison say: the table of models, bound against error, time against frames,
+//! claims.
 
 use crate::evaluation::claims::claims;
 use crate::evaluation::contender::Contender;
@@ -15,7 +16,8 @@ use serde::Serialize;
 /// What the results of a comparison say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    /// Names of the parts whose errors the models have; empty where these are not the same in all that is put together.
+    /// Names of the parts whose errors the models have; empty where these are not the same in all that is put
+    /// together.
     pub parts: Vec<String>,
     /// Every candidate that was trained on all other trials.
     pub models: Vec<ModelSummary>,
@@ -23,7 +25,8 @@ pub struct Comparison {
     pub correlations: Vec<Correlation>,
     /// For every kind of model that was trained on at least three numbers of trials.
     pub growth: Vec<Growth>,
-    /// In every fold that both variational models have: what their bounds say about one part and several, beside their errors.
+    /// In every fold that both variational models have: what their bounds say about one part and several,
+    /// beside their errors.
     pub evidence: Vec<Evidence>,
     /// The claims about which there are results.
     pub claims: Vec<Claim>,
@@ -35,8 +38,9 @@ impl Comparison {
         Self::of_all(&[results])
     }
 
-    /// What several comparisons say together, each of its own trials: a trial counts as a trial, whoever moves in it. Errors are held
-    /// against each other trial by trial, so that those of different people and movements are never mixed.
+    /// What several comparisons say together, each of its own trials: a trial counts as a trial, whoever
+    /// moves in it. Errors are held against each other trial by trial, so that those of different people and
+    /// movements are never mixed.
     pub fn of_all(several: &[&Results]) -> Self {
         let (rows, labels) = (rows(several), Labels::of_all(several));
         let growth = growth(several, &labels);
@@ -121,7 +125,8 @@ mod tests {
             add(ModelSettings::MapGpdm(map(true)), 0.25, None);
         }
         let found = Comparison::of(&results(7, &jobs));
-        // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the CGPDM undecided.
+        // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
+        // CGPDM undecided.
         assert_eq!(answer(&found, "3.2", "12 + 12 inducing points beside MAP GPDM"), Answer::Yes);
         assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), Answer::No);
         assert_eq!(answer(&found, "3.2", "beside MAP CGPDM"), Answer::Undecided);
@@ -135,7 +140,8 @@ mod tests {
         assert_eq!(answer(&found, "2020", "the preferred one"), Answer::No);
         assert_eq!(found.evidence.len(), 7);
         assert_eq!(found.parts, ["lower"]);
-        // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more than its size.
+        // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more
+        // than its size.
         let stand: Vec<usize> = found.models.iter().map(|model| model.stands_for).collect();
         assert_eq!(stand, [0, 3, 0, 0, 3, 0, 1, 1, 1]);
         assert_relative_eq!(found.evidence[2].log_bayes_factor, -5.0);
@@ -223,7 +229,8 @@ mod tests {
             let candidate = ModelSettings::Vgpdm(variational(ips));
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
-        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher, and hard.
+        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher,
+        // and hard.
         for (ips, mse, bound) in [(4, 0.3, 10.0), (8, 0.2, 20.0), (12, 0.1, 30.0)] {
             add(ips, 1, mse, bound);
         }
@@ -328,7 +335,8 @@ mod tests {
     fn errors_on_the_trials_trained_on_are_told_from_those_held_out() {
         let mut jobs = Vec::new();
         for fold in 1..=7 {
-            // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out is another matter.
+            // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out
+            // is another matter.
             for (dynamics_ips, pose_ips, trained_on, bound) in [
                 (5, 5, 0.9, 1.0),
                 (30, 5, 0.4, 3.0),

@@ -19,8 +19,9 @@ pub(super) struct Contender<'a, 'r> {
 }
 
 impl<'a, 'r> Contender<'a, 'r> {
-    /// Where the models have a bound, the settings of the highest in each fold; else those that predict the other trials best. Both can
-    /// be known before the trial held out is. Only folds count that all settings have.
+    /// Where the models have a bound, the settings of the highest in each fold; else those that predict the
+    /// other trials best. Both can be known before the trial held out is. Only folds count that all settings
+    /// have.
     pub fn new(settings: Vec<&'a Row<'r>>) -> Option<Self> {
         let folds = common_folds(&settings);
         let errors: Vec<Errors> = settings.iter().map(|row| row.errors(&folds)).collect();

@@ -9,7 +9,8 @@ use crate::motion::parts::PartSpec;
 const COLUMNS: usize = 3;
 
 impl Job {
-    /// What its training will cost on one core, without that of a TMP or DMP. `trials` are all clips of the comparison in their order.
+    /// What its training will cost on one core, without that of a TMP or DMP. `trials` are all clips of the
+    /// comparison in their order.
     pub fn cost(&self, trials: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> TrainingCost {
         let others = trials.iter().enumerate().filter(|(k, _)| k + 1 != self.held_out);
         let seconds: f64 = others

@@ -1,5 +1,6 @@
-//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on the first
-//! frames of the one held out as a sequence of its own; roll out from those for the length of the trial; score.
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and
+//! on the first frames of the one held out as a sequence of its own; roll out from those for the length of
+//! the trial; score.
 
 use crate::evaluation::dtw::{ScoreError, dtw_mse, score_and_columns};
 use crate::evaluation::outcome::Outcome;
@@ -16,7 +17,8 @@ use crate::motion::{Clip, ClipError};
 use nalgebra::DMatrix;
 use thiserror::Error;
 
-/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko et al. (2018) have 2.
+/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko
+/// et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
@@ -94,7 +96,8 @@ pub struct Fold {
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first `training_trials` of the others.
+    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first
+    /// `training_trials` of the others.
     ///
     /// # Errors
     /// There are not so many trials, or they cannot be trained on together at this frame rate.
@@ -166,7 +169,8 @@ impl Fold {
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
     }
 
-    /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be scored.
+    /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be
+    /// scored.
     fn training_mse(&self, model: &Model) -> Option<f64> {
         let mut begin = 0;
         let mut errors = Vec::new();
@@ -185,7 +189,8 @@ impl Fold {
     /// A training of a candidate in this fold, ready to begin.
     ///
     /// # Errors
-    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one of them.
+    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one
+    /// of them.
     pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let kind = candidate.kind();
         if kind.is_coupled() && self.movements.y.len() == 1 {
@@ -195,8 +200,8 @@ impl Fold {
         Ok(learner.map_err(|reason| DatasetError::about(reason, &self.body.sequences))?)
     }
 
-    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training by saying false:
-    /// then there is no outcome. `seconds` is a clock.
+    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training
+    /// by saying false: then there is no outcome. `seconds` is a clock.
     ///
     /// # Errors
     /// The candidate cannot be trained, or its prediction cannot be scored.
@@ -253,7 +258,8 @@ impl Fold {
             reason: training.reason.as_ref().map(ToString::to_string),
             training_mse: self.training_mse(model),
         };
-        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do not.
+        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do
+        // not.
         for (what, found) in [
             ("its mean squared error after time warping", Some(outcome.score.dtw_mse)),
             ("its mean squared error", Some(outcome.score.mse)),

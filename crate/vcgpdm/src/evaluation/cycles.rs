@@ -1,5 +1,6 @@
-//! Trials cut to whole cycles of a movement that repeats itself, all from the same place in the cycle: what a movement towards a goal
-//! can be learned from (Velychko et al. 2019, section 3.2: every trial holds three gait cycles).
+//! Trials cut to whole cycles of a movement that repeats itself, all from the same place in the cycle: what a
+//! movement towards a goal can be learned from (Velychko et al. 2019, section 3.2: every trial holds three
+//! gait cycles).
 
 use crate::models::{Alignment, Dataset, DatasetError, PhaseAxis, PhaseMap, Source, Trial};
 use crate::motion::parts::PartSpec;
@@ -36,7 +37,8 @@ pub enum CyclesError {
 /// The trials cut to equally many whole cycles, as many as all have, and that number.
 ///
 /// # Errors
-/// The trials cannot be used together at this frame rate, do not repeat themselves, or one is shorter than a cycle.
+/// The trials cannot be used together at this frame rate, do not repeat themselves, or one is shorter than a
+/// cycle.
 pub fn whole_cycles(trials: &[Clip], frames_per_second: f64) -> Result<(Vec<Clip>, usize), CyclesError> {
     let whole: Vec<Source> = trials.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let joints = trials.first().map_or(0, |clip| clip.skeleton.joints.len());

@@ -4,7 +4,8 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Of one column, for a step that advances one of the two motions alone (Sakoe and Chiba's penalty against warping).
+/// Of one column, for a step that advances one of the two motions alone (Sakoe and Chiba's penalty against
+/// warping).
 const PENALTY_PER_COLUMN: f64 = 1e-4;
 
 /// How far a prediction is from a whole trial, in the squared units of the columns.
@@ -69,20 +70,21 @@ const MAX_CELLS: usize = 324_000_000;
 
 /// The score of a predicted motion [T_1 x D] against the actual one [T_2 x D].
 ///
-/// Velychko et al. (2018, section 5.3) compare a rollout, started with the first frames of a held-out trial, with the whole
-/// trial: the mean squared error of the kinematics after dynamic time warping, because a slight difference in phase would
-/// otherwise hide everything else. In detail:
+/// Velychko et al. (2018, section 5.3) compare a rollout, started with the first frames of a held-out trial,
+/// with the whole trial: the mean squared error of the kinematics after dynamic time warping, because a
+/// slight difference in phase would otherwise hide everything else. In detail:
 ///
 /// 1. Each motion is centred by its own column means (over all its frames).
-/// 2. The path is a minimum of the sum over its cells of `|p_i - a_j|^2 / s^2`, where `s^2` is the sum of all squares of the
-///    centred actual motion, plus `1e-4 D` for every step (1, 0) or (0, 1); steps (1, 1) are free. It leads from the first
-///    pair of frames to the last. Of paths that cost the same, the one with the last step (1, 1), then (1, 0), is taken.
-/// 3. `dtw_mse` is the mean of `(p_i - a_j)^2` over the path's cells and the columns, in the original units squared. The
-///    penalty chooses the path and is no part of the score.
+/// 2. The path is a minimum of the sum over its cells of `|p_i - a_j|^2 / s^2`, where `s^2` is the sum of all
+///   squares of the centred actual motion, plus `1e-4 D` for every step (1, 0) or (0, 1); steps (1, 1) are
+///   free. It leads from the first pair of frames to the last. Of paths that cost the same, the one with the
+///   last step (1, 1), then (1, 0), is taken.
+/// 3. `dtw_mse` is the mean of `(p_i - a_j)^2` over the path's cells and the columns, in the original units
+///   squared. The penalty chooses the path and is no part of the score.
 ///
-/// `mse` is the same without alignment over the first min(T_1, T_2) frames (centred as before). A prediction that stands
-/// still is 0 after centring and, when it is as long as the trial, has an `mse` equal to `variance` (1/T_2, not 1/(T_2 - 1)).
-/// For an actual motion that stands still itself, `s` is 1.
+/// `mse` is the same without alignment over the first min(T_1, T_2) frames (centred as before). A prediction
+/// that stands still is 0 after centring and, when it is as long as the trial, has an `mse` equal to
+/// `variance` (1/T_2, not 1/(T_2 - 1)). For an actual motion that stands still itself, `s` is 1.
 ///
 /// Takes O(T_1 T_2 D) operations, one byte for each pair of frames and two rows of costs.
 ///
@@ -183,8 +185,8 @@ enum Step {
     Second,
 }
 
-/// The cheapest path of pairs from (0, 0) to the last pair: cells cost `distance(i, j)`, steps that advance one side alone
-/// cost `penalty`.
+/// The cheapest path of pairs from (0, 0) to the last pair: cells cost `distance(i, j)`, steps that advance
+/// one side alone cost `penalty`.
 fn warp(
     rows: usize,
     columns: usize,
@@ -270,14 +272,16 @@ mod tests {
     #[test]
     fn a_case_worked_by_hand() {
         // Centred: (-1, 0, 1) and (-1, -1, 2). Sum of squares of the actual motion: 6. Penalty: 1e-4.
-        // Cells |p - a|^2: 0 0 9 / 1 1 4 / 4 4 1. The diagonal costs (0 + 1 + 1) / 6; going (0,0) (0,1) (1,2) (2,2)
-        // costs (0 + 0 + 4 + 1) / 6 + 2e-4; (0,0) (0,1) (1,1) (2,2) costs (0 + 0 + 1 + 1) / 6 + 2e-4: the diagonal wins.
+        // Cells |p - a|^2: 0 0 9 / 1 1 4 / 4 4 1. The diagonal costs (0 + 1 + 1) / 6; going (0,0) (0,1) (1,2)
+        // (2,2) costs (0 + 0 + 4 + 1) / 6 + 2e-4; (0,0) (0,1) (1,1) (2,2) costs (0 + 0 + 1 + 1) / 6 + 2e-4:
+        // the diagonal wins.
         let score = dtw_mse(&dmatrix![4.0; 5.0; 6.0], &dmatrix![1.0; 1.0; 4.0]).unwrap();
         assert_relative_eq!(score.dtw_mse, 2.0 / 3.0, max_relative = 1e-12);
         assert_relative_eq!(score.mse, 2.0 / 3.0, max_relative = 1e-12);
         assert_relative_eq!(score.variance, 2.0, max_relative = 1e-12);
-        // Unequal lengths: centred (-2, 0, 0, 2) against (-2, 2); path (0,0) then three cells; two steps wait at one side.
-        // (0,0) (1,0) (2,0) (3,1) and (0,0) (1,0) (2,1) (3,1) and ... all cost (4 + 4) / 8 + 2e-4, mean (4 + 4) / 4.
+        // Unequal lengths: centred (-2, 0, 0, 2) against (-2, 2); path (0,0) then three cells; two steps wait
+        // at one side. (0,0) (1,0) (2,0) (3,1) and (0,0) (1,0) (2,1) (3,1) and ... all cost (4 + 4) / 8 +
+        // 2e-4, mean (4 + 4) / 4.
         let score = dtw_mse(&dmatrix![1.0; 3.0; 3.0; 5.0], &dmatrix![0.0; 4.0]).unwrap();
         assert_relative_eq!(score.dtw_mse, 2.0, max_relative = 1e-12);
         assert_relative_eq!(score.mse, 2.0, max_relative = 1e-12);

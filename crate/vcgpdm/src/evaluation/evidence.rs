@@ -6,7 +6,8 @@ use crate::evaluation::rows::{Row, settings};
 use crate::evaluation::summary::Evidence;
 use crate::models::ModelKind;
 
-/// In each fold that both have. Both models are of the same frames and the same columns; one noise for each part, or one for all.
+/// In each fold that both have. Both models are of the same frames and the same columns; one noise for each
+/// part, or one for all.
 pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
     let contender = |kind| Contender::new(settings(rows, kind, &|_| true));
     let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {

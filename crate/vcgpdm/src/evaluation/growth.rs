@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
 type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 
-/// For each kind the candidate that was trained on most numbers of trials; only folds that all of these numbers have are
-/// compared.
+/// For each kind the candidate that was trained on most numbers of trials; only folds that all of these
+/// numbers have are compared.
 pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
     let mut courses: Vec<(&ModelSettings, Course)> = Vec::new();
     let mut before = 0;

@@ -1,8 +1,8 @@
-//! How well models predict: one model trained and scored in one fold, the jobs of a comparison, their results, and what these
-//! say.
+//! How well models predict: one model trained and scored in one fold, the jobs of a comparison, their
+//! results, and what these say.
 //!
-//! A [`Plan`] asks for jobs, a [`Fold`] trains and scores a candidate, [`Results`] keep the outcomes, and a [`Comparison`] says
-//! what they mean.
+//! A [`Plan`] asks for jobs, a [`Fold`] trains and scores a candidate, [`Results`] keep the outcomes, and a
+//! [`Comparison`] says what they mean.
 
 mod candidate_words;
 mod claims;

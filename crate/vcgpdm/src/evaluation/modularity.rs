@@ -1,5 +1,5 @@
-//! The modularity test (Velychko et al. 2018, section 5.5 and figure 7): are movements that share a primitive predicted as well as by
-//! models of their own?
+//! The modularity test (Velychko et al. 2018, section 5.5 and figure 7): are movements that share a primitive
+//! predicted as well as by models of their own?
 
 use crate::evaluation::cross_validation::EvaluationError;
 use crate::evaluation::dtw::{Score, score_and_columns};
@@ -19,7 +19,8 @@ pub struct MovementTrials {
     pub trials: Vec<Clip>,
 }
 
-/// One trial of one movement held out: a library is trained on all other trials of all movements and on the first frames of that one.
+/// One trial of one movement held out: a library is trained on all other trials of all movements and on the
+/// first frames of that one.
 #[derive(Clone, Debug)]
 pub struct LibraryFold {
     dataset: Dataset,
@@ -46,15 +47,16 @@ pub struct LibraryOutcome {
 }
 
 impl LibraryOutcome {
-    /// Whether the library of this seed stands for its fold rather than that of another seed: its bound is higher.
+    /// Whether the library of this seed stands for its fold rather than that of another seed: its bound is
+    /// higher.
     pub fn is_better_seed(&self, other: &LibraryOutcome) -> bool {
         self.bound > other.bound
     }
 }
 
 impl LibraryFold {
-    /// The trial `held_out`, counted from 1, of the movement `movement`, counted from 0, predicted from its first `start_frames`. The
-    /// parts named in `shared` use the same primitive in all movements.
+    /// The trial `held_out`, counted from 1, of the movement `movement`, counted from 0, predicted from its
+    /// first `start_frames`. The parts named in `shared` use the same primitive in all movements.
     ///
     /// # Errors
     /// There is no such trial, or the trials cannot be trained on together.

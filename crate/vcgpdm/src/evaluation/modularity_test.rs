@@ -1,4 +1,5 @@
-//! The modularity test on the sample trials: what docs/modularity.md measures, and the page does for one trial.
+//! The modularity test on the sample trials: what docs/modularity.md measures, and the page does for one
+//! trial.
 
 use crate::evaluation::cross_validation::{EvaluationError, START_FRAMES};
 use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
@@ -13,13 +14,14 @@ const MOVEMENTS: [(&str, &str); 2] = [("walk", "walk"), ("wave", "walk and wave"
 /// The preset of the body, and of its parts those that have one primitive for all movements.
 const PRESET: &str = "lower-upper";
 const SHARED: [&str; 1] = ["lower"];
-/// Of these the one of the highest bound is taken, as somebody would choose who does not know the trial held out.
+/// Of these the one of the highest bound is taken, as somebody would choose who does not know the trial held
+/// out.
 const SEEDS: [u32; 2] = [1, 2];
 /// The sample trials have very little noise, and need more iterations than recordings.
 const ITERATIONS: usize = 600;
 
-/// Movements of which some parts use the same primitive, beside models of each movement alone (Velychko et al. 2018, section 5.5 and
-/// figure 7).
+/// Movements of which some parts use the same primitive, beside models of each movement alone (Velychko et
+/// al. 2018, section 5.5 and figure 7).
 #[derive(Clone, Debug)]
 pub struct ModularityTest {
     /// The movements with their trials.
@@ -46,8 +48,9 @@ pub enum Trained {
 }
 
 impl ModularityTest {
-    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points a part, 16 dynamics inducing points
-    /// an expert. Empty of parts where no sample has them, which no fold can be made of.
+    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points a part,
+    /// 16 dynamics inducing points an expert. Empty of parts where no sample has them, which no fold can be
+    /// made of.
     pub fn on_samples() -> Self {
         let trials = |movement: &str| {
             let of = samples::list().into_iter().filter(|sample| sample.movement == movement);
@@ -76,7 +79,8 @@ impl ModularityTest {
         }
     }
 
-    /// Where a sample stands: its movement, counted from 0, and its trial, counted from 1; `None` where the test does not have it.
+    /// Where a sample stands: its movement, counted from 0, and its trial, counted from 1; `None` where the
+    /// test does not have it.
     pub fn place_of(sample: &str) -> Option<(usize, usize)> {
         let samples = samples::list();
         MOVEMENTS.iter().enumerate().find_map(|(m, (_, movement))| {
@@ -85,7 +89,8 @@ impl ModularityTest {
         })
     }
 
-    /// The training of a fold, ready to begin: the trial, counted from 1, of the movement, counted from 0, is held out.
+    /// The training of a fold, ready to begin: the trial, counted from 1, of the movement, counted from 0, is
+    /// held out.
     ///
     /// # Errors
     /// There is no such trial, or the trials cannot be trained on.
@@ -136,8 +141,8 @@ impl FoldTraining {
         Ok(Self { fold, settings, seeds, over: 0, trainer, best: None })
     }
 
-    /// One iteration of the optimiser. How far all seeds are together: iterations and their share; the bound is that of the seed at
-    /// work. After the end it does nothing.
+    /// One iteration of the optimiser. How far all seeds are together: iterations and their share; the bound
+    /// is that of the seed at work. After the end it does nothing.
     ///
     /// # Errors
     /// A model cannot be fitted, rolled out or scored, or the training with the next seed cannot begin.
@@ -180,7 +185,8 @@ impl FoldTraining {
         self.seeds.len()
     }
 
-    /// How well the best of the seeds that are over predicts the trial held out, and its library; `None` before there is one.
+    /// How well the best of the seeds that are over predicts the trial held out, and its library; `None`
+    /// before there is one.
     pub fn best(&self) -> Option<&(LibraryOutcome, TrainedLibrary)> {
         self.best.as_ref()
     }
@@ -217,7 +223,8 @@ mod tests {
         }
     }
 
-    /// A library of one movement is the plain model: trained, rolled out and scored as in all other comparisons.
+    /// A library of one movement is the plain model: trained, rolled out and scored as in all other
+    /// comparisons.
     #[test]
     fn alone_it_is_the_plain_model() {
         let test = test(12);

@@ -26,21 +26,23 @@ pub struct Outcome {
     pub stored_numbers: usize,
     /// Why training ended.
     pub reason: Option<String>,
-    /// The terms of the bound, where the model has a bound of such terms; absent in results of earlier programs.
+    /// The terms of the bound, where the model has a bound of such terms; absent in results of earlier
+    /// programs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub terms: Option<BoundTerms>,
-    /// The error of each part along the same warping path, in the order of the setting's parts; empty in results of earlier programs.
+    /// The error of each part along the same warping path, in the order of the setting's parts; empty in
+    /// results of earlier programs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub part_errors: Vec<f64>,
-    /// The mean error over the trials trained on, each rolled out from its own beginning and scored in the same way; absent where one
-    /// of them cannot be, and in results of earlier programs.
+    /// The mean error over the trials trained on, each rolled out from its own beginning and scored in the
+    /// same way; absent where one of them cannot be, and in results of earlier programs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_mse: Option<f64>,
 }
 
 impl Outcome {
-    /// Whether the model of this seed stands for its candidate in the fold rather than that of another seed: what training maximised is
-    /// higher.
+    /// Whether the model of this seed stands for its candidate in the fold rather than that of another seed:
+    /// what training maximised is higher.
     pub fn is_better_seed(&self, other: &Outcome) -> bool {
         self.objective > other.objective
     }

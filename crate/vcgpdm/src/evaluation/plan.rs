@@ -29,14 +29,16 @@ pub struct Plan {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map where `pose_ips` is empty.
+    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map
+    /// where `pose_ips` is empty.
     pub ips: Vec<usize>,
     /// Numbers of inducing points of every pose map: each with each of `ips`.
     #[serde(default)]
     pub pose_ips: Vec<usize>,
     /// Numbers of primitives of the TMP; `None` is the number that the bound prefers.
     pub primitives: Vec<Option<usize>>,
-    /// Whether the TMP's primitives are functions of normalised time, with weights that all trials share, as in the papers.
+    /// Whether the TMP's primitives are functions of normalised time, with weights that all trials share, as
+    /// in the papers.
     #[serde(default)]
     pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.
@@ -52,8 +54,8 @@ pub struct Plan {
     pub seeds: Vec<u32>,
     /// How many of the other trials are trained on; empty: all.
     pub training_trials: Vec<usize>,
-    /// Whether also the coupled models are trained on one trial, on two, and so on, to see how time grows: with the middle
-    /// number of inducing points, in the first fold, with the first seed.
+    /// Whether also the coupled models are trained on one trial, on two, and so on, to see how time grows:
+    /// with the middle number of inducing points, in the first fold, with the first seed.
     pub growth: bool,
 }
 
@@ -228,7 +230,8 @@ mod tests {
     #[test]
     fn every_candidate_in_every_fold_with_every_seed_that_it_has() {
         let jobs = plan().jobs(3).unwrap();
-        // Three sizes of both variational models and one of both MAP models, twice each; the TMP; two sizes of both DMPs.
+        // Three sizes of both variational models and one of both MAP models, twice each; the TMP; two sizes
+        // of both DMPs.
         let fold = 2 * (2 * 3 + 2) + 1 + 2 * 2;
         assert_eq!(jobs.len(), 3 * fold);
         assert!(jobs.iter().all(|job| job.training_trials == 2));

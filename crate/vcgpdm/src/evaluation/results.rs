@@ -1,4 +1,5 @@
-//! What a comparison keeps: what was compared, and what came of it, job by job. The same in a file and on the page. No I/O.
+//! What a comparison keeps: what was compared, and what came of it, job by job. The same in a file and on the
+//! page. No I/O.
 
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::plan::{Plan, PlanError};
@@ -162,7 +163,8 @@ impl Results {
         finished
     }
 
-    /// The jobs that a plan asks for on these trials, and which of them are done: a failure may be tried again.
+    /// The jobs that a plan asks for on these trials, and which of them are done: a failure may be tried
+    /// again.
     ///
     /// # Errors
     /// The plan asks for trials that are not there.

@@ -1,4 +1,5 @@
-//! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them have.
+//! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them
+//! have.
 
 use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
@@ -15,8 +16,8 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
-/// Candidates that were trained on all other trials, in the order of tables: by model, then those that differ in size alone by size. Folds are
-/// numbered on from one comparison to the next.
+/// Candidates that were trained on all other trials, in the order of tables: by model, then those that differ
+/// in size alone by size. Folds are numbered on from one comparison to the next.
 pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let mut rows: Vec<Row> = Vec::new();
     let mut before = 0;
@@ -65,8 +66,8 @@ pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The settings of a kind that differ in size alone: of several such groups the one with most results, of equally many the first.
-/// `wanted` says which groups count.
+/// The settings of a kind that differ in size alone: of several such groups the one with most results, of
+/// equally many the first. `wanted` says which groups count.
 pub(super) fn settings<'a, 'r>(
     rows: &'a [Row<'r>],
     kind: ModelKind,

@@ -68,7 +68,8 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// The clips as trials, the body split into these parts, at about this frame rate, predicted from so many first frames.
+    /// The clips as trials, the body split into these parts, at about this frame rate, predicted from so many
+    /// first frames.
     ///
     /// # Errors
     /// The trials are too few, or two of them are the same motion, or the rate is not positive.
@@ -105,14 +106,16 @@ impl Setting {
         Ok(())
     }
 
-    /// Two trials that are the same motion, counted from 1: whichever is held out, the other would be trained on.
+    /// Two trials that are the same motion, counted from 1: whichever is held out, the other would be trained
+    /// on.
     fn same_motions(&self) -> Option<(usize, usize)> {
         let trials = &self.trials;
         let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is_same_motion(&trials[*other]));
         (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
     }
 
-    /// What differs in the other; absent when results of both go together. What trials and parts are called does not count.
+    /// What differs in the other; absent when results of both go together. What trials and parts are called
+    /// does not count.
     pub(super) fn difference(&self, other: &Setting) -> Option<String> {
         let (trials, parts) = (&self.trials, &self.parts);
         if other.trials.len() != trials.len() {

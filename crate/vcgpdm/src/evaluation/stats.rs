@@ -43,7 +43,8 @@ fn ranks(values: &[f64]) -> Vec<f64> {
     ranks
 }
 
-/// Spearman's rank correlation of pairs; absent where one side does not vary or there are fewer than two pairs.
+/// Spearman's rank correlation of pairs; absent where one side does not vary or there are fewer than two
+/// pairs.
 pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
     let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
     let (a, b) = (ranks(&a), ranks(&b));
@@ -55,8 +56,8 @@ pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| product(&a, ma, &b, mb) / spread)
 }
 
-/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent where x does not
-/// vary.
+/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent
+/// where x does not vary.
 pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
     let logarithms: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect();
     let (x, y): (Vec<f64>, Vec<f64>) = logarithms.iter().copied().unzip();
@@ -93,8 +94,9 @@ impl Interval {
 /// The probability that every interval here covers at least.
 const LEVEL: f64 = 0.95;
 
-/// An interval for the median of whatever the values were drawn from: between two of them, by the sign test, so that it supposes no
-/// distribution and one wild value cannot move it far. Absent for fewer than six values, of which no two are 95 % apart.
+/// An interval for the median of whatever the values were drawn from: between two of them, by the sign test,
+/// so that it supposes no distribution and one wild value cannot move it far. Absent for fewer than six
+/// values, of which no two are 95 % apart.
 pub fn median_interval(values: &[f64]) -> Option<Interval> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -120,7 +122,8 @@ pub fn mean_interval(values: &[f64]) -> Option<Interval> {
     Some(Interval { low: middle - reach, high: middle + reach, level: LEVEL })
 }
 
-/// What a Student t of so many degrees of freedom stays within, to both sides of 0, with a probability of 95 %.
+/// What a Student t of so many degrees of freedom stays within, to both sides of 0, with a probability of 95
+/// %.
 pub fn student_quantile(freedom: usize) -> f64 {
     let even = freedom.is_multiple_of(2);
     // P(|t| < x) in closed form (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
@@ -148,7 +151,8 @@ pub fn student_quantile(freedom: usize) -> f64 {
 const ALL_ORDERS: usize = 7;
 const RANDOM_ORDERS: usize = 20_000;
 
-/// How likely chance alone makes a rank correlation at most as high as that of these pairs: the share of orders of the one side that do.
+/// How likely chance alone makes a rank correlation at most as high as that of these pairs: the share of
+/// orders of the one side that do.
 pub fn chance_of_so_low(pairs: &[(f64, f64)]) -> Option<f64> {
     let found = rank_correlation(pairs)?;
     let (a, mut b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();

@@ -38,19 +38,20 @@ pub struct ModelSummary {
     pub seconds: Spread,
     /// Numbers that must be kept to roll out.
     pub stored_numbers: Spread,
-    /// The share of trainings that ended because nothing changed any more, 0 to 1; absent for models without iterations.
+    /// The share of trainings that ended because nothing changed any more, 0 to 1; absent for models without
+    /// iterations.
     pub converged: Option<f64>,
     /// The terms of the bound, means over folds, where the results hold them.
     pub terms: Option<TermMeans>,
-    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty where the results do not
-    /// hold it.
+    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty
+    /// where the results do not hold it.
     pub part_errors: Vec<f64>,
     /// Number of trials held out.
     pub folds: usize,
     /// Number of trainings.
     pub runs: usize,
-    /// How many candidates it stands for: all that differ in size alone, where it is the one of them that claims choose for most trials;
-    /// else 0.
+    /// How many candidates it stands for: all that differ in size alone, where it is the one of them that
+    /// claims choose for most trials; else 0.
     pub stands_for: usize,
 }
 
@@ -74,13 +75,14 @@ pub struct BoundAndError {
     pub mse: f64,
 }
 
-/// Bound and error of one kind of model over its inducing points (primitives of the TMP), all other settings being the same:
-/// figure 6B of Velychko et al. (2018).
+/// Bound and error of one kind of model over its inducing points (primitives of the TMP), all other settings
+/// being the same: figure 6B of Velychko et al. (2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Correlation {
     /// The kind of model.
     pub model: ModelKind,
-    /// What the candidates have in common, in a few words, where the kind has several such groups; else empty.
+    /// What the candidates have in common, in a few words, where the kind has several such groups; else
+    /// empty.
     pub label: String,
     /// Number of candidates.
     pub settings: usize,
@@ -105,7 +107,8 @@ pub struct FramesAndTime {
     pub training_seconds: f64,
 }
 
-/// Learning time of one candidate over the frames trained on: figure 2 of the supplement of Velychko et al. (2017).
+/// Learning time of one candidate over the frames trained on: figure 2 of the supplement of Velychko et al.
+/// (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Growth {
     /// The kind of model.
@@ -118,11 +121,13 @@ pub struct Growth {
     pub exponent: Option<f64>,
     /// Where k lies, 95 %, by Student's t of the slope.
     pub interval: Option<Interval>,
-    /// The same power for a whole training, which may need more iterations of more frames; absent where it cannot be told.
+    /// The same power for a whole training, which may need more iterations of more frames; absent where it
+    /// cannot be told.
     pub training_exponent: Option<f64>,
     /// Where that lies.
     pub training_interval: Option<Interval>,
-    /// The share of these trainings that ended because nothing changed any more, 0 to 1; absent for models without iterations.
+    /// The share of these trainings that ended because nothing changed any more, 0 to 1; absent for models
+    /// without iterations.
     pub converged: Option<f64>,
 }
 
@@ -131,8 +136,8 @@ pub struct Growth {
 pub struct Evidence {
     /// The trial held out, by its name.
     pub trial: String,
-    /// The bound of the vCGPDM minus that of the vGPDM, in nats: the logarithm of a Bayes factor (2020, equation 2.12), as far as both
-    /// bounds are tight.
+    /// The bound of the vCGPDM minus that of the vGPDM, in nats: the logarithm of a Bayes factor (2020,
+    /// equation 2.12), as far as both bounds are tight.
     pub log_bayes_factor: f64,
     /// The error of the vCGPDM over that of the vGPDM.
     pub error_ratio: f64,

@@ -1,15 +1,18 @@
-//! Golden cases: a problem and a point in its parameter space as one JSON object, in natural parameters, so that another
-//! implementation of the bound can be compared number by number or can start from the same place.
+//! Golden cases: a problem and a point in its parameter space as one JSON object, in natural parameters, so
+//! that another implementation of the bound can be compared number by number or can start from the same
+//! place.
 //!
-//! `input.params.parts[i]` (mu, s, r, kin_lambda, kin_var, beta), `input.params.dyn[j][i]` (z, lambda, var: j predicts i),
-//! `input.params.alpha[j][i]`, `input.y[i]` (centred), `input.lengths`, `input.order`, `input.jitter` (absent: 0).
+//! `input.params.parts[i]` (mu, s, r, kin_lambda, kin_var, beta), `input.params.dyn[j][i]` (z, lambda, var: j
+//! predicts i), `input.params.alpha[j][i]`, `input.y[i]` (centred), `input.lengths`, `input.order`,
+//! `input.jitter` (absent: 0).
 //!
-//! Of movements that share primitives: `input.movements[m]` (lengths, uses: the primitive of each part) instead of the lengths,
-//! `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and `input.params.alpha[m][j][i]`; the frames of all movements
-//! are stacked.
+//! Of movements that share primitives: `input.movements[m]` (lengths, uses: the primitive of each part)
+//! instead of the lengths, `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and
+//! `input.params.alpha[m][j][i]`; the frames of all movements are stacked.
 //!
-//! Of new primitives beside stored ones: movements with `input.stored`, the number of first `primitives` that stay as they are, and the
-//! inducing outputs of the pose maps (`kin[i]`) and of these primitives' experts about each part, stacked (`dyn[i]`): mean and cov.
+//! Of new primitives beside stored ones: movements with `input.stored`, the number of first `primitives` that
+//! stay as they are, and the inducing outputs of the pose maps (`kin[i]`) and of these primitives' experts
+//! about each part, stacked (`dyn[i]`): mean and cov.
 
 mod error;
 mod input;
@@ -51,7 +54,8 @@ impl Case {
         Ok(Self { params, objective, rollouts, sort })
     }
 
-    /// Writes a problem of a plain model and a point in its parameter space as a golden file with an `input` only.
+    /// Writes a problem of a plain model and a point in its parameter space as a golden file with an `input`
+    /// only.
     ///
     /// # Errors
     ///
@@ -70,13 +74,15 @@ impl Case {
         serde_json::to_string(&serde_json::json!({ "input": input }))
     }
 
-    /// Bound, terms, gradient, optimal posteriors; of a plain model the rollouts asked for, of movements the bound under their own
-    /// best inducing outputs and its gradient with respect to latents and couplings. Beside stored primitives only the bound, its terms
-    /// and the gradient with respect to what is not stored.
+    /// Bound, terms, gradient, optimal posteriors; of a plain model the rollouts asked for, of movements the
+    /// bound under their own best inducing outputs and its gradient with respect to latents and couplings.
+    /// Beside stored primitives only the bound, its terms and the gradient with respect to what is not
+    /// stored.
     ///
     /// # Errors
     ///
-    /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot be made.
+    /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot
+    /// be made.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.bound(&self.objective)?;
         let (gradient, further) = match self.sort {

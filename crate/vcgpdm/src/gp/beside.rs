@@ -1,20 +1,21 @@
-//! New processes beside stored ones: the inducing outputs of the first processes of a stack stay as they were learned, those of the
-//! others are the best ones for the rows.
+//! New processes beside stored ones: the inducing outputs of the first processes of a stack stay as they were
+//! learned, those of the others are the best ones for the rows.
 
 use crate::gp::bound::{BoundAdjoint, BoundWorkspace, SparseGp};
 use crate::gp::linalg::NumericsError;
 use crate::gp::stored_outputs::StoredOutputs;
 use nalgebra::DMatrix;
 
-/// The bound of a stack of which the first block h is stored, N(m, S), and the other block f is collapsed, with the room for it.
+/// The bound of a stack of which the first block h is stored, N(m, S), and the other block f is collapsed,
+/// with the room for it.
 ///
-/// Under q(u_h) = N(m, S) the rows tell the others only what the stored ones leave over, b' = b_f - Psi2_fh K_hh^-1 m. With
-/// A = K_ff + Psi2_ff / n, and the symbols of [`crate::gp::bound`], the best q(u_f) gives
+/// Under q(u_h) = N(m, S) the rows tell the others only what the stored ones leave over, b' = b_f - Psi2_fh
+/// K_hh^-1 m. With A = K_ff + Psi2_ff / n, and the symbols of [`crate::gp::bound`], the best q(u_f) gives
 ///
 /// F = G_h + C/2 ( log|K_ff| - log|A| ) + tr( b'^T A^-1 b' ) / (2 n^2) + C tr( K_ff^-1 Psi2_ff ) / (2n),
 ///
-/// where G_h is the bound of the stored block with all of psi0, c2 and the rows ([`StoredOutputs`]); the rest is the collapsed bound of
-/// block f for b' with none of them.
+/// where G_h is the bound of the stored block with all of psi0, c2 and the rows ([`StoredOutputs`]); the rest
+/// is the collapsed bound of block f for b' with none of them.
 pub struct BesideStored {
     stored: StoredOutputs,
     free: BoundWorkspace,

@@ -1,14 +1,14 @@
 //! The collapsed sparse bound of one Gaussian process, with its adjoints. Knows no kernel.
 //!
-//! Titsias (2009) and Titsias and Lawrence (2010) for one process that explains R rows of C target columns with noise
-//! variance n; for one expert, equation (A35) of Velychko et al. (2018), with the trace term of (A34) counted for every
-//! column:
+//! Titsias (2009) and Titsias and Lawrence (2010) for one process that explains R rows of C target columns
+//! with noise variance n; for one expert, equation (A35) of Velychko et al. (2018), with the trace term of
+//! (A34) counted for every column:
 //!
 //! F = - R C/2 log(2 pi n) - c2 / (2n) + C/2 ( log|K| - log|A| ) + tr( b^T A^-1 b ) / (2 n^2) - C gap / (2n)
 //!
-//! with A = K + Psi2 / n, gap = psi0 - tr(K^-1 Psi2) and c2 the sum of the expected squares of all targets. Everything is
-//! computed in the coordinates in which K = L L^T is the identity: A = L ( I + B / n ) L^T with B = L^-1 Psi2 L^-T, which is
-//! well conditioned whatever K is.
+//! with A = K + Psi2 / n, gap = psi0 - tr(K^-1 Psi2) and c2 the sum of the expected squares of all targets.
+//! Everything is computed in the coordinates in which K = L L^T is the identity: A = L ( I + B / n ) L^T with
+//! B = L^-1 Psi2 L^-T, which is well conditioned whatever K is.
 //!
 //! ```
 //! use nalgebra::{DMatrix, dvector};
@@ -107,7 +107,8 @@ pub struct InducingPosterior {
     pub covariance: DMatrix<f64>,
 }
 
-/// Memory for the bound of one Gaussian process and its adjoint, so that computing them again allocates nothing.
+/// Memory for the bound of one Gaussian process and its adjoint, so that computing them again allocates
+/// nothing.
 #[derive(Debug)]
 pub struct BoundWorkspace {
     k: Factor,

@@ -10,7 +10,8 @@ const ROUND: f64 = 6_755_399_441_055_744.0 + 1023.0; // 1.5 * 2^52 + 1023
 /// e^-708 is near the smallest normal number; smaller exponents count as this one.
 const LOWEST: f64 = -708.0;
 const HIGHEST: f64 = 709.0;
-/// The polynomial of degree 11 whose largest relative distance from e^r over |r| <= ln 2 / 2 is least: 3.1e-18 (Remez).
+/// The polynomial of degree 11 whose largest relative distance from e^r over |r| <= ln 2 / 2 is least:
+/// 3.1e-18 (Remez).
 const SERIES: [f64; 12] = [
     1.0,
     1.0,
@@ -26,7 +27,8 @@ const SERIES: [f64; 12] = [
     2.499_425_709_266_684_5e-8,
 ];
 
-/// e^x to about one unit in the last place for x in [-708, 709]; outside, the value at the nearer end. NaN stays NaN.
+/// e^x to about one unit in the last place for x in [-708, 709]; outside, the value at the nearer end. NaN
+/// stays NaN.
 #[inline]
 pub fn exp(x: f64) -> f64 {
     let x = if x > HIGHEST { HIGHEST } else { x };
@@ -35,8 +37,8 @@ pub fn exp(x: f64) -> f64 {
 
 /// [`exp`] of four numbers that are at most 709 and not NaN.
 ///
-/// Branch-free and made of plain multiplications and additions, so that native and wasm agree to the bit: 2^n e^r with
-/// n = round(x / ln 2), and a polynomial for e^r, its even and odd powers apart.
+/// Branch-free and made of plain multiplications and additions, so that native and wasm agree to the bit: 2^n
+/// e^r with n = round(x / ln 2), and a polynomial for e^r, its even and odd powers apart.
 #[inline(always)]
 pub fn exp_below<Q: Quad>(x: Q) -> Q {
     let c = |k: usize| Q::splat(SERIES[k]);

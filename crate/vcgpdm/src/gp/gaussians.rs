@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-/// Independent Gaussians, one for each row and dimension: what is known of N uncertain inputs of P dimensions.
+/// Independent Gaussians, one for each row and dimension: what is known of N uncertain inputs of P
+/// dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gaussians {
     /// Means mu [N x P].

@@ -24,13 +24,14 @@ use nalgebra::{DMatrix, DVector};
 pub struct Kernel {
     /// Squared lengthscales, one per input dimension `[P]`.
     pub lambda: DVector<f64>,
-    /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise an expert of a larger scale with a smaller weight
-    /// would be the same model, and the couplings would mean nothing.
+    /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise an expert of a larger scale with
+    /// a smaller weight would be the same model, and the couplings would mean nothing.
     pub variance: f64,
 }
 
 impl Kernel {
-    /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on its diagonal.
+    /// The covariance of the inducing inputs `z` [K x P] with themselves, with `jitter` times the variance on
+    /// its diagonal.
     pub fn inducing_covariance(&self, z: &DMatrix<f64>, jitter: f64) -> DMatrix<f64> {
         let mut k = DMatrix::zeros(z.nrows(), z.nrows());
         self.inducing_covariance_into(z, jitter, &mut k);
@@ -66,8 +67,9 @@ impl Kernel {
         })
     }
 
-    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance): from `df_dk` [K x K] (symmetric), dF with
-    /// respect to the covariance `k`, to dF with respect to `z` and the kernel, which is added to `into`.
+    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance): from `df_dk` [K x K]
+    /// (symmetric), dF with respect to the covariance `k`, to dF with respect to `z` and the kernel, which is
+    /// added to `into`.
     pub fn inducing_covariance_adjoint(
         &self,
         z: &DMatrix<f64>,
@@ -94,8 +96,9 @@ impl Kernel {
         into.variance += total / self.variance;
     }
 
-    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance) without jitter, for many points `x` [N x P]:
-    /// three products of matrices instead of loops over pairs. `df_dk` [N x N] (symmetric) is overwritten.
+    /// The backward pass of [`inducing_covariance`](Self::inducing_covariance) without jitter, for many
+    /// points `x` [N x P]: three products of matrices instead of loops over pairs. `df_dk` [N x N]
+    /// (symmetric) is overwritten.
     pub fn covariance_adjoint(
         &self,
         x: &DMatrix<f64>,

@@ -4,8 +4,8 @@ use crate::gp::Kernel;
 use crate::gp::exp::exp;
 use nalgebra::DMatrix;
 
-/// f(x) = sum_a k(x, z_a) c_a, and where asked for a linear function more, where the inputs z are [K x P] and the coefficients c [K x C]: the form of every mean prediction
-/// of a Gaussian process.
+/// f(x) = sum_a k(x, z_a) c_a, and where asked for a linear function more, where the inputs z are [K x P] and
+/// the coefficients c [K x C]: the form of every mean prediction of a Gaussian process.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KernelSum {
     /// Inputs z divided by the lengthscales, one after the other [K x P].

@@ -1,8 +1,8 @@
-//! Gaussian processes with inducing points: the kernel, the psi statistics, the collapsed bound, and the linear algebra
-//! under them. Nothing here knows of motion.
+//! Gaussian processes with inducing points: the kernel, the psi statistics, the collapsed bound, and the
+//! linear algebra under them. Nothing here knows of motion.
 //!
-//! Symbols: P input dimensions, K inducing inputs z [K x P], N inputs (rows), C target columns. The glossary of the project
-//! (`docs/glossary.md`) sets them beside the symbols of the papers.
+//! Symbols: P input dimensions, K inducing inputs z [K x P], N inputs (rows), C target columns. The glossary
+//! of the project (`docs/glossary.md`) sets them beside the symbols of the papers.
 
 pub mod beside;
 pub mod bound;

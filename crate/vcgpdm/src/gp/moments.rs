@@ -1,6 +1,6 @@
 //! Expected kernels where the inputs are known up to a Gaussian with a full covariance: the psi statistics of
-//! Velychko et al. 2018, appendix B, for inputs whose dimensions vary together. For inputs of independent dimensions
-//! [`psi`](crate::gp::psi) is the same, and faster.
+//! Velychko et al. 2018, appendix B, for inputs whose dimensions vary together. For inputs of independent
+//! dimensions [`psi`](crate::gp::psi) is the same, and faster.
 
 use crate::elementary::Elementary;
 use crate::gp::linalg::Factor;
@@ -51,11 +51,12 @@ pub fn expected_kernels(
     Ok(ExpectedKernels { psi1, pulls })
 }
 
-/// `E[k(x, z_a) k'(x', z'_b)]` [K x K'] of two kernels whose inputs are jointly Gaussian, with means `[P]` and `[P']` and
-/// the covariance `joint` [(P + P') x (P + P')] of both. The two inputs may be the same one: then all four blocks are alike.
+/// `E[k(x, z_a) k'(x', z'_b)]` [K x K'] of two kernels whose inputs are jointly Gaussian, with means `[P]`
+/// and `[P']` and the covariance `joint` [(P + P') x (P + P')] of both. The two inputs may be the same one:
+/// then all four blocks are alike.
 ///
-/// With y = (x, x'), its covariance V and W = diag(Lambda, Lambda'), the product of the kernels is a Gaussian in y:
-/// sigma^2 sigma'^2 |W|^(1/2) |V + W|^(-1/2) exp( -1/2 d^T (V + W)^-1 d ), d = (z_a, z'_b) - `E[y]`.
+/// With y = (x, x'), its covariance V and W = diag(Lambda, Lambda'), the product of the kernels is a Gaussian
+/// in y: sigma^2 sigma'^2 |W|^(1/2) |V + W|^(-1/2) exp( -1/2 d^T (V + W)^-1 d ), d = (z_a, z'_b) - `E[y]`.
 ///
 /// # Errors
 ///
@@ -71,7 +72,8 @@ pub fn expected_products(
     add_diagonal(&mut spread, 0, &one.kernel.lambda);
     add_diagonal(&mut spread, p, &two.kernel.lambda);
     let factor = Factor::new(&spread, "covariance of the uncertain latents")?;
-    // L^-1 d = L^-1 (z_a - m, 0) + L^-1 (0, z'_b - m'): the quadratic form of a pair is a dot product of two parts.
+    // L^-1 d = L^-1 (z_a - m, 0) + L^-1 (0, z'_b - m'): the quadratic form of a pair is a dot product of two
+    // parts.
     let whitened = |distances: DMatrix<f64>, at: usize| {
         let mut tall = DMatrix::zeros(spread.nrows(), distances.ncols());
         tall.rows_mut(at, distances.nrows()).copy_from(&distances);

@@ -1,4 +1,5 @@
-//! The inducing outputs of a process: at their optimum, so that they drop out of the bound, or as they were learned before.
+//! The inducing outputs of a process: at their optimum, so that they drop out of the bound, or as they were
+//! learned before.
 
 use crate::gp::beside::BesideStored;
 use crate::gp::bound::{BoundAdjoint, BoundWorkspace, SparseGp};
@@ -16,8 +17,8 @@ pub enum Outputs {
 }
 
 impl Outputs {
-    /// Room for a stack of so many `points` with so many `columns`: of the best ones, but for the first ones of the stack where those
-    /// are `stored`.
+    /// Room for a stack of so many `points` with so many `columns`: of the best ones, but for the first ones
+    /// of the stack where those are `stored`.
     pub fn new(stored: Option<&StoredOutputs>, points: usize, columns: usize) -> Self {
         match stored {
             None => Self::Best(Box::new(BoundWorkspace::new(points, columns))),

@@ -14,8 +14,8 @@ use std::f64::consts::TAU;
 ///
 /// H = C ( K^-1 - K^-1 S K^-1 ) - K^-1 m m^T K^-1.
 ///
-/// Constants of the stored outputs themselves are left out: where they are the best ones for these very rows, G is larger than the
-/// collapsed bound by KL( N(m, S) || N(0, K) ).
+/// Constants of the stored outputs themselves are left out: where they are the best ones for these very rows,
+/// G is larger than the collapsed bound by KL( N(m, S) || N(0, K) ).
 #[derive(Clone, Debug)]
 pub struct StoredOutputs {
     /// K^-1 m [K x C].
@@ -26,8 +26,9 @@ pub struct StoredOutputs {
 }
 
 impl StoredOutputs {
-    /// Outputs with the `coefficients` K^-1 m [K x C] under the covariance `k` of the inducing outputs, and A = K + Psi2 / n of the rows
-    /// that they were learned from, so that K^-1 S K^-1 = A^-1: inverting that is more exact than multiplying S by K^-1 twice.
+    /// Outputs with the `coefficients` K^-1 m [K x C] under the covariance `k` of the inducing outputs, and A
+    /// = K + Psi2 / n of the rows that they were learned from, so that K^-1 S K^-1 = A^-1: inverting that is
+    /// more exact than multiplying S by K^-1 twice.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! Checks of a field beyond its type: ranges, shapes, signs. An error says what was expected and what was found.
+//! Checks of a field beyond its type: ranges, shapes, signs. An error says what was expected and what was
+//! found.
 
 use crate::json::field::{Field, FieldError};
 use nalgebra::DMatrix;

@@ -26,7 +26,8 @@ pub struct Field<'a> {
     path: String,
 }
 
-/// An object whose fields are taken one by one. [`Object::end`] refuses a field that was not taken: it is unknown.
+/// An object whose fields are taken one by one. [`Object::end`] refuses a field that was not taken: it is
+/// unknown.
 #[derive(Debug)]
 pub struct Object<'a> {
     fields: Vec<Option<&'a (String, Value)>>,

@@ -1,5 +1,6 @@
-//! JSON, small: a tree of values that is read and written so that every number comes back bit by bit, and a cursor over the
-//! tree that knows the path of the field it stands on. In the wasm it takes a fraction of the space of a general library.
+//! JSON, small: a tree of values that is read and written so that every number comes back bit by bit, and a
+//! cursor over the tree that knows the path of the field it stands on. In the wasm it takes a fraction of the
+//! space of a general library.
 
 pub mod checks;
 mod field;

@@ -1,5 +1,5 @@
-//! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips; and what it was
-//! trained on.
+//! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips;
+//! and what it was trained on.
 
 use crate::models::dataset::{Dataset, SequenceInfo};
 use crate::models::observed::Observed;
@@ -11,8 +11,8 @@ use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::skeleton::MAX_PLACES;
 use nalgebra::DMatrix;
 
-/// The body that a model moves, whatever the model; or, with [`Columns`](crate::series::Columns) in the place of the mapping, the table
-/// whose columns it predicts.
+/// The body that a model moves, whatever the model; or, with [`Columns`](crate::series::Columns) in the place
+/// of the mapping, the table whose columns it predicts.
 #[derive(Clone, Debug)]
 pub struct Body<S = PoseMapping> {
     /// From columns to joint rotations; of tables, the names and units of the columns.
@@ -39,8 +39,8 @@ impl<S: Observed> Body<S> {
         }
     }
 
-    /// Checks that a rollout of so many frames, with `width` latent dimensions in all, can be written as BVH, read again and held in
-    /// memory.
+    /// Checks that a rollout of so many frames, with `width` latent dimensions in all, can be written as BVH,
+    /// read again and held in memory.
     ///
     /// # Errors
     ///
@@ -50,8 +50,8 @@ impl<S: Observed> Body<S> {
         if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }
     }
 
-    /// All columns, means included [frames x D], from the centred columns of each part [frames x D_i]; a part without rows stays
-    /// at its mean pose.
+    /// All columns, means included [frames x D], from the centred columns of each part [frames x D_i]; a part
+    /// without rows stays at its mean pose.
     pub fn columns(&self, parts: &[DMatrix<f64>]) -> DMatrix<f64> {
         let frames = parts.iter().map(|y| y.nrows()).max().unwrap_or(0);
         let mut columns = DMatrix::from_fn(frames, self.column_means.len(), |_, d| self.column_means[d]);
@@ -78,7 +78,8 @@ impl Body {
         Ok(clip)
     }
 
-    /// World positions of the figure's nodes [frames x nodes x 3] at all columns [frames x D], y up, for a body 1.7 m tall.
+    /// World positions of the figure's nodes [frames x nodes x 3] at all columns [frames x D], y up, for a
+    /// body 1.7 m tall.
     ///
     /// # Errors
     ///

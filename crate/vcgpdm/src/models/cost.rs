@@ -1,10 +1,11 @@
-//! What a training will cost, before it begins: so that one that would take a day, or more memory than there is, is not begun unawares.
+//! What a training will cost, before it begins: so that one that would take a day, or more memory than there
+//! is, is not begun unawares.
 
 use crate::models::settings::{MapSettings, ModelSettings, VariationalSettings};
 use std::iter::Sum;
 
-/// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on one core of a usual machine.
-/// `cargo run --release --example scaling` sets measured beside estimated times.
+/// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on
+/// one core of a usual machine. `cargo run --release --example scaling` sets measured beside estimated times.
 const ROW_STEP: f64 = 6e-10;
 /// The same of a covariance's entry, one at a time.
 const ENTRY_STEP: f64 = 1e-9;
@@ -12,7 +13,8 @@ const ENTRY_STEP: f64 = 1e-9;
 const DENSE_STEP: f64 = 5e-11;
 /// Evaluations of the bound in an iteration: now and then a line search needs a second one.
 const EVALUATIONS: f64 = 1.06;
-/// Vectors of all parameters that the optimiser holds: 20 pairs of steps and gradients, and those of its line search.
+/// Vectors of all parameters that the optimiser holds: 20 pairs of steps and gradients, and those of its line
+/// search.
 const OPTIMISER_VECTORS: f64 = 60.0;
 
 /// What a training will cost on one core: an estimate, good to a factor of two or so.
@@ -34,7 +36,8 @@ impl VariationalSettings {
             [frames, columns.len(), self.latent, self.order, self.pose_ips, self.dynamics_ips]
                 .map(|count| count as f64);
         let (pose_pairs, pairs) = (l * (l + 1.0) / 2.0, k * (k + 1.0) / 2.0);
-        // Of each frame: psi2 and psi1 with the observations of every pose map; psi2 of every expert, psi2 of every two experts, psi1.
+        // Of each frame: psi2 and psi1 with the observations of every pose map; psi2 of every expert, psi2 of
+        // every two experts, psi1.
         let poses = m * pose_pairs * (1.0 + q) + l * d;
         let dynamics = m * m * (pairs * (1.0 + p * q) + (m - 1.0) / 2.0 * k * k + k * q);
         let factors = m * ((m * k).powi(3) + l.powi(3));
@@ -48,23 +51,25 @@ impl VariationalSettings {
 }
 
 impl MapSettings {
-    /// As for variational models. It grows with the cube of the frames, and its memory with their square: every map is a Gaussian process
-    /// over all frames.
+    /// As for variational models. It grows with the cube of the frames, and its memory with their square:
+    /// every map is a Gaussian process over all frames.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let d = columns.iter().sum::<usize>() as f64;
         let [n, m, q, p] = [frames, columns.len(), self.latent, self.order].map(|count| count as f64);
-        // Of each part two covariances: that of its poses, and that of its dynamics, of an expert from each part.
+        // Of each part two covariances: that of its poses, and that of its dynamics, of an expert from each
+        // part.
         let factors = DENSE_STEP * 2.0 * m * n.powi(3);
         let kernels = ENTRY_STEP * n * n * (m * (2.0 + 2.0 * q) + m * m * (2.0 + 2.0 * p * q));
-        // An expert's kernel each, the covariance, its factor, its inverse, and what is on the way between them.
+        // An expert's kernel each, the covariance, its factor, its inverse, and what is on the way between
+        // them.
         let numbers = n * m * q * OPTIMISER_VECTORS + (m + 5.0) * n * n + 4.0 * n * d;
         TrainingCost::of(factors + kernels, self.max_iterations, numbers)
     }
 }
 
 impl ModelSettings {
-    /// As for variational models; one that does not couple parts takes all columns as one. Nothing for TMP and DMP: beside the others they
-    /// cost little.
+    /// As for variational models; one that does not couple parts takes all columns as one. Nothing for TMP
+    /// and DMP: beside the others they cost little.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let whole = [columns.iter().sum()];
         let columns = if self.kind().is_coupled() { columns } else { &whole };

@@ -1,7 +1,8 @@
 //! Couplings: how strongly each part listens to each other part.
 //!
-//! The product of experts turns coupling variances `alpha[source][target]` into weights (Velychko et al. 2018, equation 1):
-//! alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji}. The larger the variance, the less the source says.
+//! The product of experts turns coupling variances `alpha[source][target]` into weights (Velychko et al.
+//! 2018, equation 1): alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji}. The larger the
+//! variance, the less the source says.
 
 use nalgebra::DMatrix;
 use serde::Deserialize;
@@ -68,7 +69,8 @@ pub fn check_couplings(alpha: &DMatrix<f64>, parts: usize) -> Result<(), Couplin
     Ok(())
 }
 
-/// The combined variance alpha^i and the weights w_{ji} `[M]` that the coupling variances `alpha` `[M]` into one target i give.
+/// The combined variance alpha^i and the weights w_{ji} `[M]` that the coupling variances `alpha` `[M]` into
+/// one target i give.
 pub fn coupling_weights(alpha: &[f64]) -> (f64, Vec<f64>) {
     let mut weights = vec![0.0; alpha.len()];
     (coupling_weights_into(alpha, &mut weights), weights)
@@ -83,7 +85,8 @@ pub(crate) fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
     combined
 }
 
-/// The weights `w[source][target]` that coupling variances `alpha[source][target]` give [M x M]; those into each part sum to 1.
+/// The weights `w[source][target]` that coupling variances `alpha[source][target]` give [M x M]; those into
+/// each part sum to 1.
 ///
 /// ```
 /// use nalgebra::DMatrix;

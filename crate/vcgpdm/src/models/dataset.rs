@@ -29,9 +29,11 @@ pub struct SequenceInfo {
     pub sha256: String,
     /// Frames of the sequence.
     pub frames: usize,
-    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not known.
+    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not
+    /// known.
     pub rests_from: Option<f64>,
-    /// The frames of the file that were used, as [`Clip::piece`](crate::motion::Clip::piece) has them; `None`: all, or not known.
+    /// The frames of the file that were used, as [`Clip::piece`](crate::motion::Clip::piece) has them;
+    /// `None`: all, or not known.
     pub piece: Option<(usize, usize)>,
     /// The name of the clip whose bones it was given; `None`: it kept its own, or not known.
     pub bones_of: Option<String>,
@@ -158,13 +160,13 @@ fn body_error(first: &Clip, clip: &Clip, reason: BodyMismatch) -> DatasetError {
 const SAME_RATE: f64 = 0.02;
 
 impl Dataset {
-    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all training frames. The
-    /// body and the frame time are those of the first clip.
+    /// Brings the clips to about `frames_per_second`, encodes their poses and centres the columns over all
+    /// training frames. The body and the frame time are those of the first clip.
     ///
     /// # Errors
     ///
-    /// When there is no clip, the bodies differ, a clip is shorter than what is asked of it, cannot be resampled or cannot be
-    /// turned into rows, or the parts do not fit the body.
+    /// When there is no clip, the bodies differ, a clip is shorter than what is asked of it, cannot be
+    /// resampled or cannot be turned into rows, or the parts do not fit the body.
     pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
         let first = sources.first().ok_or(DatasetError::Empty)?;
         for source in &sources[1..] {
@@ -173,7 +175,8 @@ impl Dataset {
         let mut clips: Vec<Clip> = Vec::new();
         for source in sources {
             let mut clip = source.clip.resample(frames_per_second)?;
-            // A clip of another rate that also came near the one asked for is brought to the first clip's exactly.
+            // A clip of another rate that also came near the one asked for is brought to the first clip's
+            // exactly.
             if let Some(first) = clips.first()
                 && (clip.frame_time / first.frame_time - 1.0).abs() > SAME_RATE
             {

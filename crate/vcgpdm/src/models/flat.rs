@@ -16,8 +16,8 @@ pub enum Group {
     InducingInputs,
 }
 
-/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm), the box it is held in and the
-/// unit in which the optimiser counts it.
+/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm), the box
+/// it is held in and the unit in which the optimiser counts it.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// Its block.
@@ -49,16 +49,17 @@ impl Kind {
 
 /// The largest coupling variance that training can reach.
 pub const LARGEST_COUPLING: f64 = 10.0;
-/// The smallest variance S that training can reach. A tenth to a half of a trained model's stand here: smaller ones would raise the bound, and
-/// some models would then predict worse or stand still (docs/training.md).
+/// The smallest variance S that training can reach. A tenth to a half of a trained model's stand here:
+/// smaller ones would raise the bound, and some models would then predict worse or stand still
+/// (docs/training.md).
 pub const SMALLEST_S: f64 = 1e-3;
 
-// The boxes keep the search away from numbers at which a covariance is no longer one. A good model stays inside them, but for S and for
-// lengthscales, which are largest where a map is straight.
+// The boxes keep the search away from numbers at which a covariance is no longer one. A good model stays
+// inside them, but for S and for lengthscales, which are largest where a map is straight.
 //
-// A search gets on well when a step of one unit changes the objective about as much in whatever direction it goes. Where S is best, log S has
-// the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S wants a far larger unit; log beta has N D / 2, some ten thousands,
-// and wants a smaller one.
+// A search gets on well when a step of one unit changes the objective about as much in whatever direction it
+// goes. Where S is best, log S has the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S
+// wants a far larger unit; log beta has N D / 2, some ten thousands, and wants a smaller one.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
 pub(crate) const S: Kind = positive(Group::Latents, SMALLEST_S, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
@@ -75,8 +76,8 @@ pub trait Parameters: Clone {
     /// The same, to change the values.
     fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64]));
 
-    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their boxes and counted in the
-    /// units of their kinds.
+    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their
+    /// boxes and counted in the units of their kinds.
     fn to_flat(&self) -> Vec<f64> {
         let mut flat = Vec::new();
         self.visit(&mut |kind, values| {
@@ -97,7 +98,8 @@ pub trait Parameters: Clone {
         });
     }
 
-    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural parameters `at`.
+    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural
+    /// parameters `at`.
     fn to_flat_gradient(&self, at: &Self) -> Vec<f64> {
         let mut flat = Vec::new();
         self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));

@@ -7,7 +7,8 @@ use crate::models::variational::Vcgpdm;
 use crate::motion::measures::still_from;
 use std::cmp::Ordering;
 
-/// A part has left the range of its training where its inducing points explain less than this share of the variance.
+/// A part has left the range of its training where its inducing points explain less than this share of the
+/// variance.
 const FAMILIAR: f64 = 0.5;
 /// A part has left for good when it is away for at least this long, to the end; in seconds.
 const AWAY_FOR: f64 = 1.0;
@@ -29,7 +30,8 @@ pub enum Health {
         /// Seconds.
         from: f64,
     },
-    /// From here to the end the latents of a part are far from those of the training; see [`Vcgpdm::familiarity`].
+    /// From here to the end the latents of a part are far from those of the training; see
+    /// [`Vcgpdm::familiarity`].
     LeavesTraining {
         /// Seconds.
         from: f64,
@@ -41,8 +43,8 @@ pub enum Health {
 }
 
 impl Health {
-    /// Of several models of one data set, how good to show is one whose rollout ends so; the higher the better. Those of one rank are
-    /// told apart by their bounds.
+    /// Of several models of one data set, how good to show is one whose rollout ends so; the higher the
+    /// better. Those of one rank are told apart by their bounds.
     pub fn rank(&self) -> u8 {
         match self {
             Health::MovesOn | Health::RestsAsRecorded { .. } => 2,
@@ -52,8 +54,8 @@ impl Health {
     }
 }
 
-/// Which of several models of one data set is to be shown: of those of the highest [rank](Health::rank) the one of the highest bound, of
-/// equals the first. Each is a rank and a bound in nats; `None` without a model.
+/// Which of several models of one data set is to be shown: of those of the highest [rank](Health::rank) the
+/// one of the highest bound, of equals the first. Each is a rank and a bound in nats; `None` without a model.
 pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize> {
     let better = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
     let first = |best: (usize, (u8, f64)), next: (usize, (u8, f64))| {
@@ -63,8 +65,9 @@ pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize
 }
 
 impl TrainedModel<Vcgpdm> {
-    /// How the rollout that this model makes of `request` ends, where `positions` are those that [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its training is said to stand still,
-    /// for this can be seen.
+    /// How the rollout that this model makes of `request` ends, where `positions` are those that
+    /// [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its
+    /// training is said to stand still, for this can be seen.
     ///
     /// # Errors
     ///

@@ -1,12 +1,13 @@
-//! The mean dynamics of the latents of all parts, under given couplings: iterated, they are the latent path of a rollout (as in
-//! Velychko et al. 2018, figure 3F).
+//! The mean dynamics of the latents of all parts, under given couplings: iterated, they are the latent path
+//! of a rollout (as in Velychko et al. 2018, figure 3F).
 
 use crate::gp::KernelSum;
 use crate::models::latent_paths::LatentPaths;
 use crate::models::rollout::RolloutError;
 use nalgebra::DMatrix;
 
-/// The mean dynamics of all parts under given couplings: x^i_t = sum_j w_{ji} f^{ji}(x^j_{t-p}, ..., x^j_{t-1}).
+/// The mean dynamics of all parts under given couplings: x^i_t = sum_j w_{ji} f^{ji}(x^j_{t-p}, ...,
+/// x^j_{t-1}).
 #[derive(Clone, Debug)]
 pub struct LatentDynamics {
     order: usize,
@@ -17,14 +18,14 @@ pub struct LatentDynamics {
 }
 
 impl LatentDynamics {
-    /// Dynamics of this `order` of parts with `latent` dimensions each; `experts[target][source]` are the weighted predictions
-    /// w_{ji} f^{ji}, from histories [p Q_j] to latents `[Q_i]`.
+    /// Dynamics of this `order` of parts with `latent` dimensions each; `experts[target][source]` are the
+    /// weighted predictions w_{ji} f^{ji}, from histories [p Q_j] to latents `[Q_i]`.
     pub(crate) fn new(order: usize, latent: Vec<usize>, experts: Vec<Vec<KernelSum>>) -> Self {
         Self { order, latent, experts }
     }
 
-    /// The latent path of every part [frames x Q_i]: the `start` [p x Q_i] of each part, then the mean dynamics, all parts
-    /// advancing together.
+    /// The latent path of every part [frames x Q_i]: the `start` [p x Q_i] of each part, then the mean
+    /// dynamics, all parts advancing together.
     ///
     /// # Errors
     ///

@@ -4,7 +4,8 @@ use crate::models::rollout::{Push, RolloutError};
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// The latent paths of all parts up to now. There are always at least p frames, the history that the dynamics begin with.
+/// The latent paths of all parts up to now. There are always at least p frames, the history that the dynamics
+/// begin with.
 #[derive(Clone, Debug)]
 pub(crate) struct LatentPaths {
     order: usize,

@@ -1,4 +1,5 @@
-//! Where the training of every model with latents starts: latents from principal components, variances from the data's spread.
+//! Where the training of every model with latents starts: latents from principal components, variances from
+//! the data's spread.
 
 use crate::gp::Kernel;
 use crate::models::sequences::Sequences;
@@ -15,13 +16,13 @@ pub(crate) const STAND_IN: f64 = 0.1;
 const ALPHA_OWN: f64 = 1.0;
 const ALPHA_OTHER: f64 = 2.0;
 
-/// Checks what every model with latents asks of its centred observations `y` [N x D_i], of the lengths T_s of its sequences
-/// and of its settings.
+/// Checks what every model with latents asks of its centred observations `y` [N x D_i], of the lengths T_s of
+/// its sequences and of its settings.
 ///
 /// # Errors
 ///
-/// When a setting is out of its range, there is no part, a sequence is too short for the order, or the rows of a part are not
-/// as many as the frames of all sequences.
+/// When a setting is out of its range, there is no part, a sequence is too short for the order, or the rows
+/// of a part are not as many as the frames of all sequences.
 pub(crate) fn check_training(
     y: &[DMatrix<f64>],
     lengths: Vec<usize>,
@@ -50,24 +51,28 @@ pub(crate) fn check_dimensions(latent: usize, order: usize) -> Result<(), Traini
     in_range("the order of the dynamics", order, MOST_DIMENSIONS)
 }
 
-/// The pose kernel and the noise variance beta that a part with the centred observations `y` [N x D] starts with.
+/// The pose kernel and the noise variance beta that a part with the centred observations `y` [N x D] starts
+/// with.
 pub(crate) fn starting_pose(y: &DMatrix<f64>, latent: usize) -> (Kernel, f64) {
     // A part that does not move at all still needs a positive variance.
     let variance = (y.norm_squared() / y.len().max(1) as f64).max(1e-6);
     (Kernel { lambda: DVector::from_element(latent, 1.0), variance }, NOISE_SHARE * variance)
 }
 
-/// The kernel that the dynamics from a part of `latent` dimensions start with, in histories of `order` frames.
+/// The kernel that the dynamics from a part of `latent` dimensions start with, in histories of `order`
+/// frames.
 pub(crate) fn starting_dynamics(latent: usize, order: usize) -> Kernel {
     Kernel { lambda: DVector::from_element(latent * order, 1.0), variance: 1.0 }
 }
 
-/// The coupling variances alpha [M x M] that training starts with: each part listens to itself more than to the others.
+/// The coupling variances alpha [M x M] that training starts with: each part listens to itself more than to
+/// the others.
 pub(crate) fn starting_couplings(parts: usize) -> DMatrix<f64> {
     DMatrix::from_fn(parts, parts, |j, i| if i == j { ALPHA_OWN } else { ALPHA_OTHER })
 }
 
-/// The first `count` principal component scores of the centred rows `y` [N x D], scaled to unit variance [N x count].
+/// The first `count` principal component scores of the centred rows `y` [N x D], scaled to unit variance [N x
+/// count].
 ///
 /// Where the data have fewer dimensions than asked for, small noise stands in for the missing ones.
 pub(crate) fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
@@ -90,7 +95,8 @@ pub(crate) fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut Cha
             } else {
                 (y * vector / eigen.eigenvalues[k].sqrt(), vector.into_owned())
             };
-            // An eigenvector's sign is arbitrary; the largest loading positive makes it one and the same everywhere.
+            // An eigenvector's sign is arbitrary; the largest loading positive makes it one and the same
+            // everywhere.
             let sign = if loading[loading.iamax()] < 0.0 { -1.0 } else { 1.0 };
             scores.set_column(q, &(score * sign));
         } else {

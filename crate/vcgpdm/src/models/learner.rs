@@ -4,7 +4,8 @@ use crate::gp::NumericsError;
 use crate::models::model::Model;
 use crate::models::progress::LearningProgress;
 
-/// A training under way. Whoever calls it loops, shows progress and may stop at any time: the best so far is kept.
+/// A training under way. Whoever calls it loops, shows progress and may stop at any time: the best so far is
+/// kept.
 ///
 /// ```
 /// use vcgpdm::models::{DmpSettings, ModelSettings, Movements, Sequence};
@@ -23,7 +24,8 @@ pub trait Learner {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> LearningProgress;
 
-    /// Computes in so many threads from now on, where the model knows how to; the outcome is the same to the bit.
+    /// Computes in so many threads from now on, where the model knows how to; the outcome is the same to the
+    /// bit.
     #[cfg(feature = "threads")]
     fn use_threads(&mut self, _threads: usize) {}
 

@@ -1,4 +1,5 @@
-//! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on the way.
+//! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on
+//! the way.
 
 use crate::models::latent_dynamics::LatentDynamics;
 use crate::models::latent_paths::LatentPaths;
@@ -28,14 +29,14 @@ pub struct LiveFrames {
     pub latents: Vec<DMatrix<f64>>,
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub positions: Vec<f32>,
-    /// Where each part stands on the learned cycle, all parts of the first frame, then of the next [frames x M]; empty where the
-    /// learned rollout does not repeat itself.
+    /// Where each part stands on the learned cycle, all parts of the first frame, then of the next [frames x
+    /// M]; empty where the learned rollout does not repeat itself.
     pub places: Vec<CyclePlace>,
 }
 
 impl LiveRollout {
-    /// Goes on behind `frame` of a rollout of the model, counted from 0; from its first frames on where it has no history yet.
-    /// The learned cycle is that of the training sequence `sequence`.
+    /// Goes on behind `frame` of a rollout of the model, counted from 0; from its first frames on where it
+    /// has no history yet. The learned cycle is that of the training sequence `sequence`.
     ///
     /// # Errors
     ///
@@ -96,9 +97,9 @@ impl LiveRollout {
         Ok(())
     }
 
-    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres, as far as the part of its
-    /// joint can: the smallest latent displacement d with J d = `by`, where J says how the node moves with the part's latents.
-    /// Where the figure stands and which way it faces does not count.
+    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres, as far as
+    /// the part of its joint can: the smallest latent displacement d with J d = `by`, where J says how the
+    /// node moves with the part's latents. Where the figure stands and which way it faces does not count.
     ///
     /// # Errors
     ///

@@ -1,12 +1,14 @@
-//! The models of movement, and what they have in common: what they learn from, a training under way, a fitted model that
-//! rolls out, and the body that it moves.
+//! The models of movement, and what they have in common: what they learn from, a training under way, a fitted
+//! model that rolls out, and the body that it moves.
 //!
-//! [`variational`] is the vCGPDM and, of one part, the vGPDM (Velychko et al. 2018). The others are what it is compared with:
-//! [`map`] the GPDM and CGPDM with point latents, [`tmp`] temporal and [`dmp`] dynamic movement primitives.
+//! [`variational`] is the vCGPDM and, of one part, the vGPDM (Velychko et al. 2018). The others are what it
+//! is compared with: [`map`] the GPDM and CGPDM with point latents, [`tmp`] temporal and [`dmp`] dynamic
+//! movement primitives.
 //!
-//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`ModelSettings`] give a [`Learner`] of these, and that a
-//! [`Model`]; a [`TrainedModel`] has with it the [`Body`] that turns its columns into poses, and its [`Provenance`].
-//! Tables of numbers that are no poses go the same way: `Dataset::of_tables`, and a [`SeriesModel`] at the end.
+//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`ModelSettings`] give a [`Learner`]
+//! of these, and that a [`Model`]; a [`TrainedModel`] has with it the [`Body`] that turns its columns into
+//! poses, and its [`Provenance`]. Tables of numbers that are no poses go the same way: `Dataset::of_tables`,
+//! and a [`SeriesModel`] at the end.
 
 pub(crate) mod body;
 mod cost;

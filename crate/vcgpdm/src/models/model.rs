@@ -8,7 +8,8 @@ use crate::models::tmp::Tmp;
 use crate::models::variational::{BoundTerms, Vcgpdm};
 use nalgebra::DMatrix;
 
-/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over all training frames).
+/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over
+/// all training frames).
 #[derive(Clone, Debug)]
 pub enum Model {
     /// A vCGPDM or, of one part, a vGPDM.
@@ -50,8 +51,8 @@ impl Model {
         }
     }
 
-    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the same for all models
-    /// and do not count.
+    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the
+    /// same for all models and do not count.
     pub fn stored_numbers(&self) -> usize {
         match self {
             Model::Vcgpdm(model) => model.stored_numbers(),

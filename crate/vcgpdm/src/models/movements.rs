@@ -5,8 +5,8 @@ use nalgebra::DMatrix;
 
 /// What a model learns from.
 ///
-/// A comparison trains on all trials but one and on the first frames of the one held out, as a sequence of its own; then it
-/// rolls out from that sequence for the length of the trial.
+/// A comparison trains on all trials but one and on the first frames of the one held out, as a sequence of
+/// its own; then it rolls out from that sequence for the length of the trial.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movements {
     /// Centred columns of each part [N x D_i], stacked sequence after sequence.

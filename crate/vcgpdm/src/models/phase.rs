@@ -1,8 +1,8 @@
 //! Trials on a common phase: recordings start anywhere in a gait cycle and walk at their own pace.
 //!
-//! The phase of frame t of a trial is start + rate t. Each trial is fitted to the mean of all (the template), the template is
-//! formed anew, and so on. A straight line, not a free warp of time: it is what can be known about a trial of which only the
-//! first frames are there, and it cannot explain differences of shape away.
+//! The phase of frame t of a trial is start + rate t. Each trial is fitted to the mean of all (the template),
+//! the template is formed anew, and so on. A straight line, not a free warp of time: it is what can be known
+//! about a trial of which only the first frames are there, and it cannot explain differences of shape away.
 
 use crate::elementary::Elementary;
 use crate::motion::{Period, RHYTHMIC, period};
@@ -14,13 +14,15 @@ const TEMPLATE: usize = 64;
 const ROUNDS: usize = 4;
 /// A cycle that was asked for has the period that is found, unless the movement hardly repeats at all.
 const FAINT: f64 = 0.3;
-/// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut roughly alike.
+/// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut
+/// roughly alike.
 const MOST_SHIFT: f64 = 0.25;
 const MOST_STRETCH: f64 = 1.25;
-/// A trial of which only the first frames are known begins where trials begin: by at most this part of a movement later than
-/// all the others, and not before them, where no trial tells how it goes on.
+/// A trial of which only the first frames are known begins where trials begin: by at most this part of a
+/// movement later than all the others, and not before them, where no trial tells how it goes on.
 const START_MARGIN: f64 = 0.1;
-/// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which one is best.
+/// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which
+/// one is best.
 const STRETCHES: i32 = 6;
 /// The period of a trial is at most so many times longer or shorter than the common one.
 const MOST_PACE: f64 = 1.5;
@@ -51,8 +53,8 @@ impl PhaseMap {
         self.start + self.rate * t as f64
     }
 
-    /// Start and rate changed so that the phase in the middle of `frames` frames moves by `shift`, and the phase that
-    /// passes over all of them grows by `stretch`.
+    /// Start and rate changed so that the phase in the middle of `frames` frames moves by `shift`, and the
+    /// phase that passes over all of them grows by `stretch`.
     pub fn moved(&self, frames: usize, shift: f64, stretch: f64) -> Self {
         let length = frames.saturating_sub(1).max(1) as f64;
         Self { start: self.start + shift - 0.5 * stretch, rate: self.rate + stretch / length }
@@ -84,7 +86,8 @@ impl Alignment {
         whole().map(|(_, map)| map.rate).sum::<f64>() / whole().count().max(1) as f64
     }
 
-    /// The whole movement in normalised time: every whole trial from 0 to 1, every other one at the mean rate.
+    /// The whole movement in normalised time: every whole trial from 0 to 1, every other one at the mean
+    /// rate.
     pub fn normalised_time(trials: &[Trial]) -> Self {
         let rate = |trial: &Trial| 1.0 / trial.y.nrows().saturating_sub(1).max(1) as f64;
         let mut maps: Vec<PhaseMap> =
@@ -96,8 +99,8 @@ impl Alignment {
         Self { axis: PhaseAxis::Trial, maps }
     }
 
-    /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits every trial to it.
-    /// At least one trial has to be whole.
+    /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits
+    /// every trial to it. At least one trial has to be whole.
     pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
         let whole: Vec<DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| t.y.clone()).collect();
         let longest = whole.iter().map(|y| y.nrows()).max().unwrap_or(1);
@@ -145,7 +148,8 @@ impl Alignment {
         Self { axis, maps }
     }
 
-    /// The mean of the whole trials at the phases 0, 1/G, ... (a cycle) or 0, 1/(G-1), ..., 1 (a movement): [G x D].
+    /// The mean of the whole trials at the phases 0, 1/G, ... (a cycle) or 0, 1/(G-1), ..., 1 (a movement):
+    /// [G x D].
     pub fn template(&self, trials: &[Trial]) -> DMatrix<f64> {
         let frames: Vec<(DMatrix<f64>, PhaseMap)> = (trials.iter().zip(&self.maps))
             .filter(|(trial, _)| trial.whole)
@@ -181,8 +185,8 @@ fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64
     (starts().fold(f64::INFINITY, f64::min), starts().fold(f64::NEG_INFINITY, f64::max) + START_MARGIN)
 }
 
-/// The period of all trials together. Walks at several speeds share none: then the median of those of the trials, where most of them
-/// repeat themselves within half of their length.
+/// The period of all trials together. Walks at several speeds share none: then the median of those of the
+/// trials, where most of them repeat themselves within half of their length.
 fn common_period(trials: &[DMatrix<f64>]) -> Option<Period> {
     let together = period(trials);
     if together.is_some_and(|p| p.correlation >= RHYTHMIC) {
@@ -197,7 +201,8 @@ fn common_period(trials: &[DMatrix<f64>]) -> Option<Period> {
     if 2 * own.len() > trials.len() { own.get(own.len() / 2).copied() } else { together }
 }
 
-/// The period of one trial where it is clear, and neither half nor twice the `common` one: people walk slowly or briskly.
+/// The period of one trial where it is clear, and neither half nor twice the `common` one: people walk slowly
+/// or briskly.
 fn own_period(y: &DMatrix<f64>, common: f64) -> f64 {
     match period(std::slice::from_ref(y)) {
         Some(p) if p.frames < MOST_PACE * common && common < MOST_PACE * p.frames => p.frames,
@@ -257,8 +262,8 @@ impl Template {
         sum / frames.ncols().max(1) as f64
     }
 
-    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first. A start on a movement
-    /// that is no cycle moves by at most `reach`.
+    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first. A
+    /// start on a movement that is no cycle moves by at most `reach`.
     fn fit(
         &self,
         frames: &DMatrix<f64>,

@@ -20,7 +20,8 @@ pub struct RolloutRequest {
     pub frames: usize,
     /// The training sequence whose start latents begin it, counted from 0.
     pub sequence: usize,
-    /// The frame of the sequence that it begins with, counted from 0: a model may keep the latents of all of them.
+    /// The frame of the sequence that it begins with, counted from 0: a model may keep the latents of all of
+    /// them.
     #[serde(default)]
     pub frame: usize,
     /// Coupling variances [M x M], row the source, column the target; absent: as learned.
@@ -44,7 +45,8 @@ impl RolloutRequest {
     }
 }
 
-/// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not listen to the source.
+/// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not
+/// listen to the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// The source part, counted from 0.
@@ -57,8 +59,8 @@ pub struct Cut {
     pub to: usize,
 }
 
-/// A push that a part gets: its last p latent states are moved together before the frame is predicted, so that its place changes
-/// and its speed does not.
+/// A push that a part gets: its last p latent states are moved together before the frame is predicted, so
+/// that its place changes and its speed does not.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Push {
     /// The part, counted from 0.

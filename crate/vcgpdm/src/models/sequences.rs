@@ -25,7 +25,8 @@ pub enum SequencesError {
         /// The limit.
         most: usize,
     },
-    /// A sequence is shorter than the history of a frame, or none is longer: there is no transition to learn from.
+    /// A sequence is shorter than the history of a frame, or none is longer: there is no transition to learn
+    /// from.
     #[error("sequence {index} {}", too_short(*frames, *order))]
     TooShort {
         /// Which sequence, counted from 0.
@@ -56,8 +57,8 @@ impl Sequences {
     ///
     /// # Errors
     ///
-    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or none has more. One of exactly so many, the
-    /// beginning of a movement to predict, has initial frames and no transition.
+    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or none has more.
+    /// One of exactly so many, the beginning of a movement to predict, has initial frames and no transition.
     pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -77,7 +78,8 @@ impl Sequences {
         }
     }
 
-    /// Some of the sequences, one after the other, where they lie in the same stack of frames: those of one movement.
+    /// Some of the sequences, one after the other, where they lie in the same stack of frames: those of one
+    /// movement.
     ///
     /// # Errors
     ///
@@ -125,7 +127,8 @@ impl Sequences {
         self.ranges().flat_map(|r| r.start..r.start + self.order)
     }
 
-    /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves) [R x Q].
+    /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves)
+    /// [R x Q].
     pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
         let mut out = DMatrix::zeros(self.transitions(), x.ncols());
         self.lagged_into(x, lag, &mut out);

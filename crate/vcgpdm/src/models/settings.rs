@@ -1,9 +1,11 @@
-//! What a training is asked for: one type of settings for each model, without the seed, and the enum of all of them.
+//! What a training is asked for: one type of settings for each model, without the seed, and the enum of all
+//! of them.
 
 use crate::models::kind::ModelKind;
 use serde::{Deserialize, Serialize};
 
-/// The most latent dimensions of a part, and the highest order of the dynamics: more would not fit a browser's memory, or anybody's patience.
+/// The most latent dimensions of a part, and the highest order of the dynamics: more would not fit a
+/// browser's memory, or anybody's patience.
 pub const MOST_DIMENSIONS: usize = 100;
 /// The most inducing points of a map.
 pub const MOST_INDUCING: usize = 1000;
@@ -44,10 +46,11 @@ pub struct MapSettings {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise the latents are
-    /// at the maximum of their posterior density itself.
+    /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise
+    /// the latents are at the maximum of their posterior density itself.
     pub balanced: bool,
-    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008); the variational models have none.
+    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008); the variational models have
+    /// none.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub linear: bool,
 }
@@ -64,8 +67,8 @@ impl Default for MapSettings {
 pub struct TmpSettings {
     /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
     pub primitives: Option<usize>,
-    /// Whether the primitives are functions of normalised time, with weights that all trials share (Clever et al. 2016);
-    /// otherwise of a phase that is learned for each trial, as are its weights.
+    /// Whether the primitives are functions of normalised time, with weights that all trials share (Clever et
+    /// al. 2016); otherwise of a phase that is learned for each trial, as are its weights.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub normalised_time: bool,
 }
@@ -84,7 +87,8 @@ impl Default for DmpSettings {
     }
 }
 
-/// A kind of model with its settings. In JSON its field "model" names the kind, and the settings stand beside it.
+/// A kind of model with its settings. In JSON its field "model" names the kind, and the settings stand beside
+/// it.
 ///
 /// ```
 /// use vcgpdm::models::{DmpSettings, ModelKind, ModelSettings};
@@ -127,8 +131,8 @@ impl ModelSettings {
         }
     }
 
-    /// The numbers that say how large it is: inducing points of dynamics and poses, primitives, or bases; 0 where the data are the size
-    /// and where it is chosen by the bound.
+    /// The numbers that say how large it is: inducing points of dynamics and poses, primitives, or bases; 0
+    /// where the data are the size and where it is chosen by the bound.
     pub(crate) fn size(&self) -> (usize, usize) {
         match self {
             ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
@@ -138,7 +142,8 @@ impl ModelSettings {
         }
     }
 
-    /// The same without the size (inducing points, primitives, bases): equal for settings that differ in size alone.
+    /// The same without the size (inducing points, primitives, bases): equal for settings that differ in size
+    /// alone.
     pub(crate) fn without_size(&self) -> ModelSettings {
         let mut settings = self.clone();
         match &mut settings {

@@ -6,8 +6,8 @@ use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
 
 impl Dataset<Columns> {
-    /// The tables as sequences, their columns in the order of the first, each without its mean and counted in its standard deviation.
-    /// `rate` is the rows a second where the tables have no column of times.
+    /// The tables as sequences, their columns in the order of the first, each without its mean and counted in
+    /// its standard deviation. `rate` is the rows a second where the tables have no column of times.
     ///
     /// # Errors
     ///

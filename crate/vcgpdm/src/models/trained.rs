@@ -34,8 +34,9 @@ impl Fitted for Vcgpdm {
 
 /// A trained model with the body that it moves, ready to roll out. It holds no training clip.
 ///
-/// `TrainedModel` alone is of any kind and rolls out as it was learned; a `TrainedModel<Vcgpdm>` has couplings that can be
-/// changed, and latents to show. `S` is what its columns are: poses, or the columns of tables (a [`SeriesModel`]).
+/// `TrainedModel` alone is of any kind and rolls out as it was learned; a `TrainedModel<Vcgpdm>` has
+/// couplings that can be changed, and latents to show. `S` is what its columns are: poses, or the columns of
+/// tables (a [`SeriesModel`]).
 #[derive(Clone, Debug)]
 pub struct TrainedModel<M: Fitted = Model, S = PoseMapping> {
     /// The fitted model.
@@ -50,8 +51,8 @@ pub struct TrainedModel<M: Fitted = Model, S = PoseMapping> {
 pub type SeriesModel<M = Model> = TrainedModel<M, Columns>;
 
 impl<S: Observed> TrainedModel<Model, S> {
-    /// The best model of a training so far; `settings`, `seed` and `frames_per_second` are what the training and the data set
-    /// were asked for.
+    /// The best model of a training so far; `settings`, `seed` and `frames_per_second` are what the training
+    /// and the data set were asked for.
     ///
     /// # Errors
     ///
@@ -151,14 +152,16 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
     ///
     /// # Errors
     ///
-    /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or too large.
+    /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or
+    /// too large.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
         self.check_frames(request.frames)?;
         Ok(self.rollout_along(self.model.path(request)?, request))
     }
 
-    /// Sampled rollouts, one for each of `seeds`, made one after the other: every frame is drawn from what the experts predict, with
-    /// their variances. The poses are the mean poses at the sampled latents. Cuts and pushes are for mean rollouts alone.
+    /// Sampled rollouts, one for each of `seeds`, made one after the other: every frame is drawn from what
+    /// the experts predict, with their variances. The poses are the mean poses at the sampled latents. Cuts
+    /// and pushes are for mean rollouts alone.
     ///
     /// # Errors
     ///
@@ -176,8 +179,8 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
             .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
     }
 
-    /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes are for mean rollouts
-    /// alone.
+    /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes
+    /// are for mean rollouts alone.
     ///
     /// # Errors
     ///
@@ -192,7 +195,8 @@ impl<S: Observed> TrainedModel<Vcgpdm, S> {
     ///
     /// # Errors
     ///
-    /// When the couplings do not fit the model, the request has cuts or pushes, or a covariance cannot be factorised.
+    /// When the couplings do not fit the model, the request has cuts or pushes, or a covariance cannot be
+    /// factorised.
     pub fn predictive_dynamics(&self, request: &RolloutRequest) -> Result<PredictiveDynamics, RolloutError> {
         if !request.cuts.is_empty() || !request.pushes.is_empty() {
             return Err(RolloutError::Disturbed);
@@ -225,7 +229,8 @@ impl TrainedModel<Vcgpdm> {
         self.body.positions(&rollout.y)
     }
 
-    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point `[Q_i]` and the others at their mean pose.
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point `[Q_i]` and the
+    /// others at their mean pose.
     ///
     /// # Errors
     ///

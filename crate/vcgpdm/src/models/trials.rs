@@ -12,8 +12,8 @@ const LEAST_FRAMES: usize = 4;
 ///
 /// # Errors
 ///
-/// When there is no column, a part does not have as many rows as the sequences have frames, a sequence is too short, or none is a
-/// whole movement.
+/// When there is no column, a part does not have as many rows as the sequences have frames, a sequence is too
+/// short, or none is a whole movement.
 pub fn split_trials(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), TrainingError> {
     let columns: Vec<usize> = movements.y.iter().map(|y| y.ncols()).collect();
     if columns.iter().sum::<usize>() == 0 {
@@ -42,7 +42,8 @@ pub fn split_trials(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), T
     Ok((trials, columns))
 }
 
-/// The columns `y` [T x D] of all parts, divided into those of each part [T x D_i]; `columns` are the numbers D_i.
+/// The columns `y` [T x D] of all parts, divided into those of each part [T x D_i]; `columns` are the numbers
+/// D_i.
 pub fn split(y: &DMatrix<f64>, columns: &[usize]) -> Vec<DMatrix<f64>> {
     let mut at = 0;
     let part = |&width: &usize| {

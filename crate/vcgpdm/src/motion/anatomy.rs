@@ -58,7 +58,8 @@ impl Anatomy {
         kept.map(|(_, place)| *place).collect()
     }
 
-    /// The farthest node of a limb, along the bones: the tip of the toes or fingers as far as the file knows it.
+    /// The farthest node of a limb, along the bones: the tip of the toes or fingers as far as the file knows
+    /// it.
     pub(crate) fn tip(&self, skeleton: &Skeleton, limb: Region) -> Option<usize> {
         let paths = path_lengths(skeleton);
         farthest(skeleton, &paths, |joint| self.regions[joint] == limb)
@@ -69,7 +70,8 @@ impl Anatomy {
         self.tip(skeleton, Region::Leg(side))
     }
 
-    /// The top of the head: the farthest trunk node at or beyond a joint named so, else the farthest trunk node.
+    /// The top of the head: the farthest trunk node at or beyond a joint named so, else the farthest trunk
+    /// node.
     pub(crate) fn head(&self, skeleton: &Skeleton) -> Option<usize> {
         let paths = path_lengths(skeleton);
         let mut within_head = vec![false; skeleton.joints.len()];
@@ -138,8 +140,8 @@ struct Pair {
     ends: [Vector3<f64>; 2],
 }
 
-/// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest); arms are the
-/// longest such pair elsewhere.
+/// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest); arms
+/// are the longest such pair elsewhere.
 fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
     let pairs = mirrored_pairs(skeleton);
     let longest = pairs.iter().map(|pair| pair.reach).fold(0.0, f64::max);
@@ -154,7 +156,8 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
         .filter(|pair| height(pair) > height(legs))
         .max_by(|a, b| a.reach.total_cmp(&b.reach));
     let mut regions = vec![Region::Trunk; skeleton.joints.len()];
-    // The toes point to the front, and left = up x front; without toes, left is taken to be where x is larger.
+    // The toes point to the front, and left = up x front; without toes, left is taken to be where x is
+    // larger.
     let rest = skeleton.rest_pose().positions;
     let mut front = 0.5 * (legs.ends[0] + legs.ends[1] - rest[legs.members[0]] - rest[legs.members[1]]);
     front[up] = 0.0;
@@ -231,8 +234,8 @@ fn is_within(skeleton: &Skeleton, joint: usize, top: usize) -> bool {
     joint == top || ancestors(skeleton, joint).any(|ancestor| ancestor == top)
 }
 
-/// The axis along which a body at rest without names probably stands: y unless z is clearly longer. The span of the
-/// arms is usually along x.
+/// The axis along which a body at rest without names probably stands: y unless z is clearly longer. The span
+/// of the arms is usually along x.
 fn up_of_rest(skeleton: &Skeleton) -> usize {
     let extent = extents(&skeleton.rest_pose().positions);
     match (extent[2] > 1.5 * extent[1], extent[1] > 1e-9 * extent.max()) {
@@ -242,8 +245,8 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// The vector from the feet to the head when the body is at rest; `None` where the body at rest does not stand, as in
-/// files whose offsets all point along the bones' own axes.
+/// The vector from the feet to the head when the body is at rest; `None` where the body at rest does not
+/// stand, as in files whose offsets all point along the bones' own axes.
 pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
     let rest = skeleton.rest_pose().positions;
     let paths = path_lengths(skeleton);
@@ -264,13 +267,14 @@ fn feet_to_head(
     Some((upward, paths[head] + 0.5 * (paths[left] + paths[right])))
 }
 
-/// The height of a standing body, as a share of the length along its bones from the toes to the top of the head: feet and
-/// hips lie across.
+/// The height of a standing body, as a share of the length along its bones from the toes to the top of the
+/// head: feet and hips lie across.
 const STANDING: f64 = 0.87;
 
 impl Skeleton {
-    /// The body's height in file units, from the rest pose: from the lowest to the highest point of legs and trunk. Where
-    /// the rest pose does not stand, from the lengths of the bones; for a body without legs, the longest side of its box.
+    /// The body's height in file units, from the rest pose: from the lowest to the highest point of legs and
+    /// trunk. Where the rest pose does not stand, from the lengths of the bones; for a body without legs, the
+    /// longest side of its box.
     pub fn height(&self) -> f64 {
         let rest = self.rest_pose().positions;
         let height = Anatomy::of(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {

@@ -6,10 +6,11 @@ use crate::motion::skeleton::Skeleton;
 use nalgebra::Vector3;
 
 impl Clip {
-    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same tree. The joint angles
-    /// stay. The way of the root is scaled as the height of the root above the lowest point of the body is, on average over the clip:
-    /// by the length of the legs as the motion uses them, and from one file's units to the other's. So feet that stand keep standing on
-    /// the ground, nearly: a leg that is bent elsewhere along its length reaches a little more or less far. A clip of the same body is
+    /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same
+    /// tree. The joint angles stay. The way of the root is scaled as the height of the root above the lowest
+    /// point of the body is, on average over the clip: by the length of the legs as the motion uses them, and
+    /// from one file's units to the other's. So feet that stand keep standing on the ground, nearly: a leg
+    /// that is bent elsewhere along its length reaches a little more or less far. A clip of the same body is
     /// given back as it is; another gets a warning that says what was done.
     ///
     /// # Errors
@@ -53,7 +54,8 @@ impl Clip {
         Ok(clip)
     }
 
-    /// Mean height of the root above the lowest point of a body with these bones and the joint angles of the clip, in file units.
+    /// Mean height of the root above the lowest point of a body with these bones and the joint angles of the
+    /// clip, in file units.
     fn root_height(&self, bones: &Skeleton) -> f64 {
         let up = self.up_axis().to_y_up();
         let offsets: Vec<Vector3<f64>> = bones.joints.iter().map(|joint| joint.offset.into()).collect();
@@ -73,7 +75,8 @@ mod tests {
     use super::*;
     use crate::motion::{samples, stage::STAGE_HEIGHT};
 
-    /// The walk of another body, in other units: its thighs, shins and arms are longer or shorter by these factors.
+    /// The walk of another body, in other units: its thighs, shins and arms are longer or shorter by these
+    /// factors.
     fn other_body(walk: &Clip, thigh: f64, shin: f64, arm: f64, unit: f64) -> Clip {
         let mut other = walk.clone();
         for joint in &mut other.skeleton.joints {
@@ -94,7 +97,8 @@ mod tests {
         other
     }
 
-    /// The lowest point of the body in each frame, in metres on a stage whose ground is that of the whole clip.
+    /// The lowest point of the body in each frame, in metres on a stage whose ground is that of the whole
+    /// clip.
     fn lowest(clip: &Clip) -> Vec<f64> {
         let stage = clip.stage();
         assert!((stage.metres_per_unit() * stage.height - STAGE_HEIGHT).abs() < 1e-9);

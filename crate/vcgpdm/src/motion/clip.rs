@@ -10,8 +10,8 @@ use thiserror::Error;
 /// A motion: recorded, made by the project, or rolled out from a model.
 ///
 /// Every row belongs to the motion. The T-pose that some files put before it is looked for once, where a
-/// [`Recording`](crate::motion::Recording) becomes a clip, and never again: a clip that is cut may begin with any jerk and
-/// keeps its first frame.
+/// [`Recording`](crate::motion::Recording) becomes a clip, and never again: a clip that is cut may begin with
+/// any jerk and keeps its first frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     /// The file's name, for messages and provenance.
@@ -20,19 +20,23 @@ pub struct Clip {
     pub skeleton: Skeleton,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
-    /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
+    /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees,
+    /// file units).
     pub values: DMatrix<f64>,
     /// What was odd about the file, in words; it could be read all the same.
     pub warnings: Vec<String>,
-    /// SHA-256 of the file's bytes in lower-case hexadecimal; for a clip that was never a file, of the text that
-    /// [`bvh::write`](crate::motion::bvh::write) gives. A cut or resampled clip keeps the hash of the whole.
+    /// SHA-256 of the file's bytes in lower-case hexadecimal; for a clip that was never a file, of the text
+    /// that [`bvh::write`](crate::motion::bvh::write) gives. A cut or resampled clip keeps the hash of the
+    /// whole.
     pub sha256: String,
-    /// The frames of the file that a cut kept: the first, and the one after the last; `None`: not cut. Counted at the file's
-    /// rate, from 0, without a leading T-pose.
+    /// The frames of the file that a cut kept: the first, and the one after the last; `None`: not cut.
+    /// Counted at the file's rate, from 0, without a leading T-pose.
     pub piece: Option<(usize, usize)>,
-    /// Seconds from one frame of the file to the next. Resampling changes [`frame_time`](Self::frame_time), not this.
+    /// Seconds from one frame of the file to the next. Resampling changes [`frame_time`](Self::frame_time),
+    /// not this.
     pub file_frame_time: f64,
-    /// The name of the clip whose bones this one took over ([`Clip::with_bones_of`]); `None`: they are its own.
+    /// The name of the clip whose bones this one took over ([`Clip::with_bones_of`]); `None`: they are its
+    /// own.
     pub bones_of: Option<String>,
 }
 
@@ -86,21 +90,21 @@ impl Clip {
         self.values.nrows()
     }
 
-    /// The rotations and positions of all joints in their parents' frames: `R = R_first R_second R_third` in the order of
-    /// the joint's channels. A position channel replaces the joint's offset, axis by axis.
+    /// The rotations and positions of all joints in their parents' frames: `R = R_first R_second R_third` in
+    /// the order of the joint's channels. A position channel replaces the joint's offset, axis by axis.
     pub fn local_pose(&self, frame: usize) -> LocalPose {
         self.skeleton.local_pose(&self.values, frame)
     }
 
-    /// The positions of all nodes of [`Skeleton::figure`] and the rotations of all joints in the world of the file: in its
-    /// units and axes.
+    /// The positions of all nodes of [`Skeleton::figure`] and the rotations of all joints in the world of the
+    /// file: in its units and axes.
     pub fn world_pose(&self, frame: usize) -> WorldPose {
         let local = self.local_pose(frame);
         self.skeleton.forward_kinematics(&local.rotations, &local.positions)
     }
 
-    /// The frames from `first` up to but not including `end`, counted from 0. [`Clip::piece`] then says where they were in the
-    /// file.
+    /// The frames from `first` up to but not including `end`, counted from 0. [`Clip::piece`] then says where
+    /// they were in the file.
     ///
     /// ```
     /// use vcgpdm::motion::samples;
@@ -131,9 +135,9 @@ impl Clip {
 
     /// The same motion at about `fps` frames a second.
     ///
-    /// Where the clip's rate is a whole multiple k of `fps` (to 2%), every k-th frame is kept as it is and the frame time is
-    /// exactly k times the clip's. Otherwise rotations are interpolated on the shortest arc (slerp) and written back
-    /// to each joint's own channels, positions linearly.
+    /// Where the clip's rate is a whole multiple k of `fps` (to 2%), every k-th frame is kept as it is and
+    /// the frame time is exactly k times the clip's. Otherwise rotations are interpolated on the shortest arc
+    /// (slerp) and written back to each joint's own channels, positions linearly.
     ///
     /// ```
     /// use vcgpdm::motion::samples;
@@ -147,7 +151,8 @@ impl Clip {
     ///
     /// # Errors
     ///
-    /// [`ClipError::Rate`] for a rate outside [`Clip::RATES`], [`ClipError::TooLong`] when the result would be too large.
+    /// [`ClipError::Rate`] for a rate outside [`Clip::RATES`], [`ClipError::TooLong`] when the result would
+    /// be too large.
     pub fn resample(&self, fps: f64) -> Result<Clip, ClipError> {
         if !Self::RATES.contains(&fps) {
             return Err(ClipError::Rate { name: self.name.clone(), found: fps });

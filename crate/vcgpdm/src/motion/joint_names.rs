@@ -1,5 +1,5 @@
-//! What the name of a joint says: which limb, which side. Knows the conventions of CMU, Mixamo, Biovision, Perception
-//! Neuron, Biped, Xsens, Acclaim and others, in any spelling.
+//! What the name of a joint says: which limb, which side. Knows the conventions of CMU, Mixamo, Biovision,
+//! Perception Neuron, Biped, Xsens, Acclaim and others, in any spelling.
 
 /// A side of the body, as the body itself sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -41,7 +41,8 @@ pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     }
 }
 
-/// Whether the name contains "head". Callers also check which joint it belongs to, because a "headlight" may be in a hand.
+/// Whether the name contains "head". Callers also check which joint it belongs to, because a "headlight" may
+/// be in a hand.
 pub(crate) fn looks_like_head(name: &str) -> bool {
     words(name).iter().any(|word| word.contains("head"))
 }
@@ -51,8 +52,8 @@ pub(crate) fn looks_like_spine(name: &str) -> bool {
     words(name).iter().any(|word| SPINE_WORDS.iter().any(|known| word.contains(known)))
 }
 
-/// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg` gives
-/// mixamorig, left, up, leg).
+/// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg`
+/// gives mixamorig, left, up, leg).
 fn words(name: &str) -> Vec<String> {
     let letters: Vec<char> = name.chars().collect();
     let mut words: Vec<String> = Vec::new();

@@ -13,8 +13,8 @@ pub struct Landmarks {
     pub head: Option<usize>,
     /// The tips of the left and the right foot; absent where these are not known.
     pub feet: Option<[usize; 2]>,
-    /// What a point-light walker (Johansson 1973) shows: the head, and shoulders, elbows, wrists, hips, knees and ankles where these are
-    /// known; else every node.
+    /// What a point-light walker (Johansson 1973) shows: the head, and shoulders, elbows, wrists, hips, knees
+    /// and ankles where these are known; else every node.
     pub dots: Vec<usize>,
 }
 
@@ -39,7 +39,8 @@ impl Landmarks {
     }
 }
 
-/// The ends of the two bones of a limb that together are longest, and the joint between: hip, knee and ankle of a leg.
+/// The ends of the two bones of a limb that together are longest, and the joint between: hip, knee and ankle
+/// of a leg.
 fn hinges(skeleton: &Skeleton, anatomy: &Anatomy, limb: Region) -> Vec<usize> {
     let nodes = skeleton.figure();
     let rest = skeleton.rest_pose().positions;
@@ -57,8 +58,8 @@ fn hinges(skeleton: &Skeleton, anatomy: &Anatomy, limb: Region) -> Vec<usize> {
     longest.map_or(chain.clone(), <[usize]>::to_vec)
 }
 
-/// The direction in which a body faces on the stage, averaged over the frames of its places [frames x nodes x 3]: level, of length 1. Absent
-/// where left and right are not known, or the body turns too much for a mean.
+/// The direction in which a body faces on the stage, averaged over the frames of its places [frames x nodes x
+/// 3]: level, of length 1. Absent where left and right are not known, or the body turns too much for a mean.
 pub fn facing(skeleton: &Skeleton, positions: &[f32]) -> Option<Vector3<f64>> {
     let anatomy = Anatomy::of(skeleton)?;
     let nodes = skeleton.node_count();

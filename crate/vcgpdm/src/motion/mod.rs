@@ -1,9 +1,10 @@
-//! Motion: bodies, clips and BVH files, and the poses of a clip as rows of numbers that a model can learn from.
+//! Motion: bodies, clips and BVH files, and the poses of a clip as rows of numbers that a model can learn
+//! from.
 //!
-//! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`] makes a [`Clip`] of
-//! it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`] turns the poses of a clip into rows
-//! of Y and back; [`parts`] says which columns of Y belong to which part of the body; [`measures`] says what a body does.
-//! [`samples`] are clips that the project makes itself.
+//! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`]
+//! makes a [`Clip`] of it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`]
+//! turns the poses of a clip into rows of Y and back; [`parts`] says which columns of Y belong to which part
+//! of the body; [`measures`] says what a body does. [`samples`] are clips that the project makes itself.
 //!
 //! ```
 //! use vcgpdm::motion::pose::PoseMapping;

@@ -4,7 +4,8 @@ use nalgebra::DMatrix;
 
 /// A movement that repeats itself less exactly than this is not rhythmic.
 pub const RHYTHMIC: f64 = 0.6;
-/// Of peaks nearly as high as the highest, the one of the shortest lag is the period; the others are its multiples.
+/// Of peaks nearly as high as the highest, the one of the shortest lag is the period; the others are its
+/// multiples.
 const NEARLY: f64 = 0.9;
 /// Lags that fewer frames than this support are not looked at.
 const LEAST_FRAMES: usize = 8;
@@ -20,10 +21,10 @@ pub struct Period {
 
 /// The period of `sequences` (each [T_s x D]), absent where no lag stands out.
 ///
-/// For each lag L, rho(L) = sum y_t . y_{t+L} / sqrt(sum |y_t|^2 sum |y_{t+L}|^2) over all columns, frames and sequences, each
-/// sequence centred by itself. The period is the first high peak behind the first place where rho turns upward again, refined
-/// by a parabola. Half a gait cycle is no such peak: left and right swap there, and what is correlated in the trunk is
-/// anticorrelated in the limbs.
+/// For each lag L, rho(L) = sum y_t . y_{t+L} / sqrt(sum |y_t|^2 sum |y_{t+L}|^2) over all columns, frames
+/// and sequences, each sequence centred by itself. The period is the first high peak behind the first place
+/// where rho turns upward again, refined by a parabola. Half a gait cycle is no such peak: left and right
+/// swap there, and what is correlated in the trunk is anticorrelated in the limbs.
 pub fn period(sequences: &[DMatrix<f64>]) -> Option<Period> {
     let centred: Vec<DMatrix<f64>> = sequences.iter().filter(|y| y.nrows() > 1).map(centred).collect();
     let longest = centred.iter().map(|y| y.ncols()).max()?;

@@ -6,8 +6,8 @@ use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton};
 use nalgebra::DMatrix;
 
-/// The rows of a file as they were recorded. The first row, or several, may be a T-pose that does not belong to the motion:
-/// [`Recording::into_clip`] looks for it, once, and leaves it out.
+/// The rows of a file as they were recorded. The first row, or several, may be a T-pose that does not belong
+/// to the motion: [`Recording::into_clip`] looks for it, once, and leaves it out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     /// The file's name, for messages and provenance.
@@ -16,7 +16,8 @@ pub struct Recording {
     pub skeleton: Skeleton,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
-    /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees, file units).
+    /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees,
+    /// file units).
     pub values: DMatrix<f64>,
     /// What was odd about the file, in words; it could be read all the same.
     pub warnings: Vec<String>,
@@ -37,7 +38,8 @@ impl Recording {
         self.values.nrows()
     }
 
-    /// The motion: the rows without the T-pose that may stand before them. Where it was left out, a warning says so.
+    /// The motion: the rows without the T-pose that may stand before them. Where it was left out, a warning
+    /// says so.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
@@ -66,9 +68,10 @@ impl Recording {
 
     /// How many rows there are before the motion: a T-pose.
     ///
-    /// Conversions of the CMU recordings add the body at rest as row 0, and sometimes twice. Rows in which nearly all angles are zero are
-    /// known by the step to the next row, which is larger than the steps of the motion itself; a single first row is known by a far
-    /// larger step, whatever its angles. A motion that starts smoothly from rest keeps its first frame.
+    /// Conversions of the CMU recordings add the body at rest as row 0, and sometimes twice. Rows in which
+    /// nearly all angles are zero are known by the step to the next row, which is larger than the steps of
+    /// the motion itself; a single first row is known by a far larger step, whatever its angles. A motion
+    /// that starts smoothly from rest keeps its first frame.
     pub fn rows_before_motion(&self) -> usize {
         let steps = self.steps();
         let ends = |added: usize| {
@@ -85,7 +88,8 @@ impl Recording {
         (1..=MOST_ADDED).rev().find(|added| ends(*added)).unwrap_or(0)
     }
 
-    /// The share of angles that are zero in a row, among those that are in use (not zero in the row `first` of the motion).
+    /// The share of angles that are zero in a row, among those that are in use (not zero in the row `first`
+    /// of the motion).
     fn share_at_rest(&self, row: usize, first: usize) -> f64 {
         // The root is left out: the added pose keeps the place, and sometimes the heading, of the body.
         let channels = self.skeleton.joints.iter().skip(1).flat_map(|joint| &joint.channels);
@@ -158,8 +162,9 @@ mod tests {
         assert!(clip.warnings.iter().any(|warning| warning.contains("T-pose")));
     }
 
-    /// CMU subject 7, trial 12: the body at rest but for a few joints, once more at rest, and then the walk. With the second row, whatever
-    /// predicts from the first frames began with a body that flies. In a file of a lower rate the motion's own steps are large, too.
+    /// CMU subject 7, trial 12: the body at rest but for a few joints, once more at rest, and then the walk.
+    /// With the second row, whatever predicts from the first frames began with a body that flies. In a file
+    /// of a lower rate the motion's own steps are large, too.
     #[test]
     fn two_added_rows_are_left_out() {
         for slower in [1, 4, 12] {

@@ -1,4 +1,5 @@
-//! Rotations as files and models need them: Euler angles in any order and rotation vectors, both without jumps in time.
+//! Rotations as files and models need them: Euler angles in any order and rotation vectors, both without
+//! jumps in time.
 
 use crate::elementary::Elementary;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -6,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 
 /// The rotation by `|r|` radians about `r` (the exponential map).
 pub fn exp(r: &Vector3<f64>) -> UnitQuaternion<f64> {
-    // Every joint of every frame comes here. nalgebra's own norms take libm's square root, which in wasm is many instructions;
-    // the processor's is rounded the same way.
+    // Every joint of every frame comes here. nalgebra's own norms take libm's square root, which in wasm is
+    // many instructions; the processor's is rounded the same way.
     let half = 0.5 * r.norm_squared().sqrt();
     let (sine, cosine) = half.sine_cosine();
     // sin(half) / |r|; the series loses nothing below 1e-4: its next term is of the order 1e-18.
@@ -63,15 +64,16 @@ pub fn wrapped(angle: f64) -> f64 {
 
 /// Angles a, b, c (radians) with `R = R_i(a) R_j(b) R_k(c)` for the axes `i, j, k`, all different.
 ///
-/// Of the two solutions, (a, b, c) and (a + pi, pi - b, c + pi), and all full turns, the one nearest to `previous`. Where
-/// the first and the last axis fall together (gimbal lock), a stays what it was.
+/// Of the two solutions, (a, b, c) and (a + pi, pi - b, c + pi), and all full turns, the one nearest to
+/// `previous`. Where the first and the last axis fall together (gimbal lock), a stays what it was.
 pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3]) -> [f64; 3] {
     let [i, j, k] = axes;
     let sign = parity(i, j);
     let m = q.to_rotation_matrix();
     let (sine, cosine) = (-sign * m[(j, k)], m[(k, k)]);
     let a = if sine.hypotenuse(cosine) < 1e-12 { previous[0] } else { sine.arctangent(cosine) };
-    // The rest is solved after removing R_i(a), so that c corrects for an inaccurate a: the product stays exact.
+    // The rest is solved after removing R_i(a), so that c corrects for an inaccurate a: the product stays
+    // exact.
     let rest = about(i, -a).to_rotation_matrix() * m;
     let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
     let c = (sign * rest[(j, i)]).arctangent(rest[(j, j)]);
@@ -81,8 +83,8 @@ pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3])
     if distance(&second) < distance(&first) { second } else { first }
 }
 
-/// Angles of a joint's rotation channels (radians, in the order of `axes`, 0 to 3 different axes), nearest to `previous`.
-/// With fewer than three axes they give the part of the rotation that those axes can express.
+/// Angles of a joint's rotation channels (radians, in the order of `axes`, 0 to 3 different axes), nearest to
+/// `previous`. With fewer than three axes they give the part of the rotation that those axes can express.
 pub fn angles_near(q: &UnitQuaternion<f64>, axes: &[usize], previous: &[f64]) -> [f64; 3] {
     match *axes {
         [i, j, k] => euler_near(q, [i, j, k], [previous[0], previous[1], previous[2]]),

@@ -61,20 +61,20 @@ pub enum BodyMismatch {
 }
 
 impl BodyMismatch {
-    /// Whether the joints are the same and only the bones differ: then [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) makes
-    /// one body of the two.
+    /// Whether the joints are the same and only the bones differ: then
+    /// [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) makes one body of the two.
     pub fn is_of_bones(&self) -> bool {
         matches!(self, BodyMismatch::Offset { .. })
     }
 }
 
-/// The most that an offset may differ, relative to the body's height. Files of one subject have equal offsets up to
-/// rounding; grown-ups recorded with the same joints differ by 2% and more in some bone.
+/// The most that an offset may differ, relative to the body's height. Files of one subject have equal offsets
+/// up to rounding; grown-ups recorded with the same joints differ by 2% and more in some bone.
 const SAME_BODY_TOLERANCE: f64 = 0.01;
 
 impl Skeleton {
-    /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to 1% of the
-    /// body's height. Channels may differ: motions are compared as rotations.
+    /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to
+    /// 1% of the body's height. Channels may differ: motions are compared as rotations.
     ///
     /// # Errors
     ///

@@ -8,8 +8,8 @@ use thiserror::Error;
 /// The most joints that a body may have, and the most end sites; a file with more is broken or hostile.
 pub const MAX_JOINTS: usize = 2_000;
 
-/// The most places (a node in a frame) that one clip may hold: what a browser's memory and a visitor's patience bear. A body of 40
-/// nodes can move for 17 minutes at 120 frames a second.
+/// The most places (a node in a frame) that one clip may hold: what a browser's memory and a visitor's
+/// patience bear. A body of 40 nodes can move for 17 minutes at 120 frames a second.
 pub const MAX_PLACES: usize = 5_000_000;
 
 /// Nothing in a file is larger, in any unit; sums and products of such numbers stay finite.
@@ -75,7 +75,8 @@ impl Channel {
     }
 }
 
-/// One joint. A joint is identified by its place in the skeleton (its index), because names need not be unique.
+/// One joint. A joint is identified by its place in the skeleton (its index), because names need not be
+/// unique.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name as written in the file.
@@ -198,8 +199,9 @@ impl Skeleton {
         self.joints.iter().enumerate().filter(move |(_, j)| j.parent == Some(joint)).map(|(i, _)| i)
     }
 
-    /// Checks what every other method relies on: one root in place 0, parents before children, finite offsets and
-    /// each channel at most once in a joint. A skeleton from [`bvh::read`](crate::motion::bvh::read) is always valid.
+    /// Checks what every other method relies on: one root in place 0, parents before children, finite offsets
+    /// and each channel at most once in a joint. A skeleton from [`bvh::read`](crate::motion::bvh::read) is
+    /// always valid.
     ///
     /// # Errors
     ///
@@ -245,8 +247,9 @@ impl Skeleton {
         nodes.chain(ends).collect()
     }
 
-    /// The local rotations and positions in one row of channel values [frames x channels]: `R = R_first R_second R_third` in
-    /// the order of the joint's channels. A position channel replaces the joint's offset, axis by axis.
+    /// The local rotations and positions in one row of channel values [frames x channels]: `R = R_first
+    /// R_second R_third` in the order of the joint's channels. A position channel replaces the joint's
+    /// offset, axis by axis.
     pub(crate) fn local_pose(&self, values: &DMatrix<f64>, frame: usize) -> LocalPose {
         let mut pose = LocalPose::default();
         let mut column = 0;
@@ -270,8 +273,8 @@ impl Skeleton {
 
     /// World places of all nodes of [`Skeleton::figure`] and world rotations of all joints.
     ///
-    /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local positions `t_j`
-    /// [one for each joint]; those of the root are its orientation and place in the world.
+    /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local
+    /// positions `t_j` [one for each joint]; those of the root are its orientation and place in the world.
     pub fn forward_kinematics(
         &self,
         rotations: &[UnitQuaternion<f64>],

@@ -1,5 +1,5 @@
-//! The stage: the world in which bodies are shown, with y up, in metres, every body 1.7 m tall, the ground at y = 0. From a
-//! clip it finds which way is up, how tall the body is and where the ground is.
+//! The stage: the world in which bodies are shown, with y up, in metres, every body 1.7 m tall, the ground at
+//! y = 0. From a clip it finds which way is up, how tall the body is and where the ground is.
 
 use crate::motion::anatomy::{Anatomy, extents, standing_at_rest};
 use crate::motion::clip::Clip;
@@ -125,19 +125,21 @@ impl Clip {
         Stage { up, height: self.height_with(up), ground }
     }
 
-    /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the motion does not.
+    /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the
+    /// motion does not.
     pub fn up_axis(&self) -> UpAxis {
         self.up_axis_of(&self.reach())
     }
 
-    /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height); for a skeleton whose rest
-    /// pose does not stand, as high as the body (without arms) gets in 95 of 100 frames.
+    /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height);
+    /// for a skeleton whose rest pose does not stand, as high as the body (without arms) gets in 95 of 100
+    /// frames.
     pub fn height(&self) -> f64 {
         self.height_with(self.up_axis())
     }
 
-    /// World positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its lowest point
-    /// over the clip at y = 0.
+    /// World positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its
+    /// lowest point over the clip at y = 0.
     pub fn stage_positions(&self) -> Vec<f32> {
         let stage = self.stage();
         let turn = stage.up.to_y_up();
@@ -149,7 +151,8 @@ impl Clip {
         all
     }
 
-    /// Where the body is over the whole clip, frame after frame: a long clip's places are never held together.
+    /// Where the body is over the whole clip, frame after frame: a long clip's places are never held
+    /// together.
     fn reach(&self) -> Reach {
         let ends = Anatomy::of(&self.skeleton).and_then(|anatomy| {
             let foot = |side| anatomy.foot(&self.skeleton, side);
@@ -189,7 +192,8 @@ impl Clip {
         let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
         if let Some(rest) = rest {
             let standing = rest.iamax();
-            // A body that lies on the ground for the whole clip points along another axis than at rest: the ground decides.
+            // A body that lies on the ground for the whole clip points along another axis than at rest: the
+            // ground decides.
             let on_ground = near_zero(ends(standing).0) && !near_zero(ends(axis).0);
             if standing != axis && (!clear || on_ground) {
                 return UpAxis::new(standing, rest[standing] < 0.0);

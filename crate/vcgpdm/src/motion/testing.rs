@@ -20,7 +20,8 @@ pub(crate) fn any_clip() -> impl Strategy<Value = Clip> {
                         Channel::ALL.into_iter().filter(|c| !channels.contains(c)).collect();
                     channels.extend(missing);
                 }
-                // The parent of each joint is the one before it or the root, so that the order is that of a file.
+                // The parent of each joint is the one before it or the root, so that the order is that of a
+                // file.
                 let parent = (place > 0).then(|| if parent.index(3) > 0 { place - 1 } else { 0 });
                 Joint { name: format!("joint {place}"), parent, offset, channels, end_sites }
             })

@@ -130,7 +130,8 @@ fn regressions(settings: &[SettingResult], options: &AnalysisOptions) -> Vec<Reg
     pairs.filter_map(|(kind, score)| regression(settings, kind, score, options)).collect()
 }
 
-/// How a score predicts the rates of a kind's settings; absent where too few have it, or it is the same for all.
+/// How a score predicts the rates of a kind's settings; absent where too few have it, or it is the same for
+/// all.
 fn regression(
     settings: &[SettingResult],
     model: Option<ModelKind>,

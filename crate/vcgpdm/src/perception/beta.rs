@@ -51,7 +51,8 @@ impl Rate {
         0.5 * (low + high)
     }
 
-    /// The probability that the rate is exactly one half, when that was as likely before as any other rate, all of which were equally likely.
+    /// The probability that the rate is exactly one half, when that was as likely before as any other rate,
+    /// all of which were equally likely.
     pub fn is_half(self) -> f64 {
         let half = terms(self.trials, 0.5).get(self.hits).copied().unwrap_or(0.0);
         // Any number of hits is equally likely where the rate is uniform.

@@ -5,11 +5,14 @@
 pub struct Design {
     /// Blocks of about equally many trials, with pauses between.
     pub blocks: usize,
-    /// Trials of a generated beside a natural movement, spread over the settings of the models as evenly as can be.
+    /// Trials of a generated beside a natural movement, spread over the settings of the models as evenly as
+    /// can be.
     pub comparisons: usize,
-    /// Trials of an obviously failed movement beside a natural one; none where the study has no failed movement.
+    /// Trials of an obviously failed movement beside a natural one; none where the study has no failed
+    /// movement.
     pub attention_checks: usize,
-    /// Trials of a natural movement that no model was trained on beside one that was, in the last quarter; none where the study has none.
+    /// Trials of a natural movement that no model was trained on beside one that was, in the last quarter;
+    /// none where the study has none.
     pub catch_trials: usize,
     /// The shortest pause between blocks, in seconds.
     pub pause_seconds: usize,

@@ -26,8 +26,8 @@ impl Study {
         text(&document(self))
     }
 
-    /// SHA-256 of what is shown, in lower-case hexadecimal: of the figure and the movements, their models and scores, not of the design, the texts
-    /// and the marks of failures. Answers name the study by it.
+    /// SHA-256 of what is shown, in lower-case hexadecimal: of the figure and the movements, their models and
+    /// scores, not of the design, the texts and the marks of failures. Answers name the study by it.
     ///
     /// # Errors
     /// It holds a number that is not finite.

@@ -25,7 +25,8 @@ impl Draw {
         }
     }
 
-    /// `count` items: each once in random order, then each once again, and so on; none where there are no items.
+    /// `count` items: each once in random order, then each once again, and so on; none where there are no
+    /// items.
     pub fn dealt<T: Copy>(&mut self, items: &[T], count: usize) -> Vec<T> {
         let mut dealt = Vec::with_capacity(count);
         while dealt.len() < count && !items.is_empty() {

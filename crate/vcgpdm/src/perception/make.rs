@@ -81,8 +81,8 @@ struct Made {
 }
 
 impl Maker {
-    /// Of movements of this body, each so many seconds long, after the `skipped` first frames that predictions start from.
-    /// `frames_per_second` are those of the movements: the study has 30 or 60.
+    /// Of movements of this body, each so many seconds long, after the `skipped` first frames that
+    /// predictions start from. `frames_per_second` are those of the movements: the study has 30 or 60.
     pub fn new(skeleton: &Skeleton, seconds: f64, frames_per_second: f64, skipped: usize) -> Self {
         let rate = if frames_per_second < FAST { 30 } else { 60 };
         Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new(), made: Vec::new() }
@@ -97,7 +97,8 @@ impl Maker {
         self.add(id, shown, Source::Natural { seen })
     }
 
-    /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the [best](Outcome::is_better_seed) stays.
+    /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the
+    /// [best](Outcome::is_better_seed) stays.
     ///
     /// # Errors
     /// It is too short, not finite, or of another body.

@@ -1,8 +1,9 @@
-//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people tell a model's movement from a natural one, and do
-//! the models' scores know?
+//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people tell a model's
+//! movement from a natural one, and do the models' scores know?
 //!
-//! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] is what one participant is shown, [`read_answers`] reads what
-//! participants answered, and [`PerceptionResults`] is what that says: rates, curves over the models' scores, orders of the models.
+//! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] is what one participant
+//! is shown, [`read_answers`] reads what participants answered, and [`PerceptionResults`] is what that says:
+//! rates, curves over the models' scores, orders of the models.
 
 mod analysis;
 mod answers;

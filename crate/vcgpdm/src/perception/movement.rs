@@ -1,8 +1,9 @@
 //! A movement as a short text: places of nodes over time, as whole numbers of a unit.
 //!
-//! For each node and axis the first place, the first step, and then how much each step differs from the one before: small numbers, where a movement is
-//! smooth. They stand one after the other in base 64 with variable length, as in source maps: six bits a letter of `A-Za-z0-9+/`, of which the
-//! highest says that more follow; the lowest bit of a number is its sign.
+//! For each node and axis the first place, the first step, and then how much each step differs from the one
+//! before: small numbers, where a movement is smooth. They stand one after the other in base 64 with variable
+//! length, as in source maps: six bits a letter of `A-Za-z0-9+/`, of which the highest says that more follow;
+//! the lowest bit of a number is its sign.
 
 use thiserror::Error;
 

@@ -1,10 +1,12 @@
-//! The experiment of Knopp et al. (2019), as far as it can be computed again: from the counts that its printed rates and errors imply.
+//! The experiment of Knopp et al. (2019), as far as it can be computed again: from the counts that its
+//! printed rates and errors imply.
 
 use crate::perception::beta::Rate;
 use crate::perception::ordering::{Ordering, ordering};
 use crate::perception::power::{trials_for_precision, trials_to_tell};
 
-/// The best setting of each kind of model, from the highest rate to the lowest: its name in the paper, and how often it was taken for the natural one.
+/// The best setting of each kind of model, from the highest rate to the lowest: its name in the paper, and
+/// how often it was taken for the natural one.
 pub const BEST: [(&str, usize, usize); 6] = [
     ("TMP", 109, 170),
     ("vGPDM", 28, 51),

@@ -7,8 +7,9 @@ const MOST: usize = 5_000;
 /// The largest probability of calling a rate of one half another one.
 const LEVEL: f64 = 0.05;
 
-/// The fewest trials with which the exact one-sided binomial test, at 5 %, tells a rate that differs from one half by `difference` with
-/// at least this power. Knopp et al. (2019) have 158: a difference of 0.1, the width of [0.45, 0.55], and a power of 0.8.
+/// The fewest trials with which the exact one-sided binomial test, at 5 %, tells a rate that differs from one
+/// half by `difference` with at least this power. Knopp et al. (2019) have 158: a difference of 0.1, the
+/// width of [0.45, 0.55], and a power of 0.8.
 pub fn trials_to_tell(difference: f64, power: f64) -> Option<usize> {
     let rate = 0.5 + difference.abs();
     let possible = rate > 0.5 && rate <= 1.0 && power < 1.0;
@@ -31,7 +32,8 @@ fn power_of(trials: usize, rate: f64) -> f64 {
     power
 }
 
-/// The fewest trials after which a rate that is found to be one half lies within `width` / 2 of it with at least this posterior probability.
+/// The fewest trials after which a rate that is found to be one half lies within `width` / 2 of it with at
+/// least this posterior probability.
 pub fn trials_for_precision(width: f64, probability: f64) -> Option<usize> {
     let within = |trials: usize| {
         let rate = Rate::new(trials / 2, trials);

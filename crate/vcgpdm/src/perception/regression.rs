@@ -1,5 +1,5 @@
-//! Logistic regression with a ceiling: how often a movement is taken for the natural one, from a score of its model
-//! (Knopp et al. 2019, equations 8 to 10).
+//! Logistic regression with a ceiling: how often a movement is taken for the natural one, from a score of its
+//! model (Knopp et al. 2019, equations 8 to 10).
 
 use crate::elementary::Elementary;
 use crate::models::search::optimizer::Optimizer;
@@ -7,8 +7,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Weights stay in this box: where a score tells all answers apart, the best weight would be infinite.
 const LARGEST: f64 = 30.0;
-/// What the optimiser takes for one unit, in nats per trial. It ends where the gradient is a millionth of a unit; where a score nearly tells all
-/// answers apart, the likelihood still rises long after it is flat to a millionth of a nat.
+/// What the optimiser takes for one unit, in nats per trial. It ends where the gradient is a millionth of a
+/// unit; where a score nearly tells all answers apart, the likelihood still rises long after it is flat to a
+/// millionth of a nat.
 const UNIT: f64 = 1e-8;
 /// Iterations of a search over two weights; it ends long before.
 const MOST_ITERATIONS: usize = 500;
@@ -61,7 +62,8 @@ impl Curve {
         points.iter().map(|point| log_likelihood(point, self.ceiling, self.weights).0).sum()
     }
 
-    /// The standard errors of both weights, from the expected information; absent where the answers do not tell both.
+    /// The standard errors of both weights, from the expected information; absent where the answers do not
+    /// tell both.
     pub fn errors(&self, points: &[Point]) -> Option<[f64; 2]> {
         let [w0, w1] = self.weights;
         let (mut a, mut b, mut c) = (0.0, 0.0, 0.0);
@@ -192,8 +194,8 @@ mod tests {
         assert!((0.9..1.0).contains(&(inside as f64 / count as f64)), "{inside} of {count}");
     }
 
-    /// The best curve is steep, and the likelihood nearly flat on the way there. How steep the curve was found to be once depended on where the
-    /// optimiser happened to stop.
+    /// The best curve is steep, and the likelihood nearly flat on the way there. How steep the curve was
+    /// found to be once depended on where the optimiser happened to stop.
     #[test]
     fn a_score_that_nearly_tells_answers_apart_has_its_steep_curve() {
         let points = [-1.0, 1.0].map(|score| Point {

@@ -215,7 +215,8 @@ pub struct Regression {
     pub weights: [f64; 2],
     /// Their standard errors; absent where the answers do not tell both.
     pub errors: Option<[f64; 2]>,
-    /// The logarithm of the Bayes factor beside a constant, a block: the mean over the blocks left out; absent with fewer answers than blocks.
+    /// The logarithm of the Bayes factor beside a constant, a block: the mean over the blocks left out;
+    /// absent with fewer answers than blocks.
     pub log_bayes_factor: Option<f64>,
     /// Its standard error over the blocks.
     pub log_bayes_factor_error: Option<f64>,
@@ -252,7 +253,8 @@ pub struct Order {
 pub struct Catch {
     /// How often the movement that was not seen before was taken for the more natural one.
     pub confusion: Confusion,
-    /// The probability that this rate is one half, when that was as likely before as any other rate: nobody knows the seen ones by heart.
+    /// The probability that this rate is one half, when that was as likely before as any other rate: nobody
+    /// knows the seen ones by heart.
     pub is_half: f64,
 }
 

@@ -1,4 +1,5 @@
-//! A movement as it is shown: on its way along z, feet on the ground, above the origin, at the study's frame rate.
+//! A movement as it is shown: on its way along z, feet on the ground, above the origin, at the study's frame
+//! rate.
 
 use crate::motion::Skeleton;
 use crate::motion::landmarks::facing;
@@ -36,8 +37,9 @@ pub struct Staged {
     pub speed: f64,
 }
 
-/// The `seconds` of a movement that follow its first `skipped` frames, or, where it is too short for that, its last ones: at `rate` frames a second, on its
-/// way along z. A camera goes along with it at a constant speed, so that it stays above the origin and keeps its own ups and downs.
+/// The `seconds` of a movement that follow its first `skipped` frames, or, where it is too short for that,
+/// its last ones: at `rate` frames a second, on its way along z. A camera goes along with it at a constant
+/// speed, so that it stays above the origin and keeps its own ups and downs.
 ///
 /// `positions` [frames x nodes x 3] are metres on a stage with y up, `frame_time` seconds a frame.
 ///
@@ -94,7 +96,8 @@ pub fn staged(
     Ok(Staged { positions: staged, speed })
 }
 
-/// The mean place of the root, and its velocity by the straight line nearest to its way in least squares; both level.
+/// The mean place of the root, and its velocity by the straight line nearest to its way in least squares;
+/// both level.
 fn way(places: &[f64], width: usize, rate: usize) -> (Vector3<f64>, Vector3<f64>) {
     let roots: Vec<Vector3<f64>> =
         places.chunks_exact(width).map(|frame| Vector3::new(frame[0], 0.0, frame[2])).collect();

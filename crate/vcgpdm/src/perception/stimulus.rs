@@ -25,7 +25,8 @@ pub struct Stimulus {
 pub enum Source {
     /// It was recorded.
     Natural {
-        /// Whether it is one of those that are shown all along, on which models were trained; else it is kept for catch trials.
+        /// Whether it is one of those that are shown all along, on which models were trained; else it is kept
+        /// for catch trials.
         seen: bool,
     },
     /// A model made it.
@@ -74,7 +75,8 @@ impl Scores {
         self.terms.as_ref().map(|terms| terms.kinematics.iter().sum())
     }
 
-    /// The part of the bound about dynamics: the dynamics terms of all parts, the first frames, and the entropy of the latents.
+    /// The part of the bound about dynamics: the dynamics terms of all parts, the first frames, and the
+    /// entropy of the latents.
     pub fn dynamics(&self) -> Option<f64> {
         self.terms.as_ref().map(|terms| terms.dynamics.iter().sum::<f64>() + terms.initial + terms.entropy)
     }

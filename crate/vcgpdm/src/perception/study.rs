@@ -123,8 +123,8 @@ impl Study {
         frames.map_or(f64::INFINITY, |frames| frames as f64 / self.frames_per_second as f64)
     }
 
-    /// The places of a movement's nodes as they are shown [frames x nodes x 3]: y up, in metres, the ground at y = 0, the figure above the
-    /// origin and on its way along z.
+    /// The places of a movement's nodes as they are shown [frames x nodes x 3]: y up, in metres, the ground
+    /// at y = 0, the figure above the origin and on its way along z.
     pub fn positions(&self, stimulus: usize) -> Option<Vec<f32>> {
         self.stimuli.get(stimulus).map(|stimulus| stimulus.movement.positions(self.frames(), self.unit))
     }
@@ -134,7 +134,8 @@ impl Study {
         self.stimuli.iter().position(|stimulus| stimulus.id == id)
     }
 
-    /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's are shown whole.
+    /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's
+    /// are shown whole.
     pub fn with_preset(mut self, preset: Preset) -> Self {
         let (seconds, cross) = preset.seconds();
         (self.seconds, self.cross_seconds) = (seconds.min(self.longest()), cross);

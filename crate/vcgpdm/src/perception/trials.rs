@@ -11,7 +11,8 @@ pub enum TrialKind {
     Comparison,
     /// An obviously failed one beside a natural one: who looks sees it.
     Attention,
-    /// A natural movement that was not shown before beside one that was: who only knows the natural ones by heart is found out.
+    /// A natural movement that was not shown before beside one that was: who only knows the natural ones by
+    /// heart is found out.
     Catch,
 }
 
@@ -119,8 +120,8 @@ impl Study {
         self.sides(pairs, &mut draw)
     }
 
-    /// The generated movements that are compared: settings are shown equally often, as far as the number of trials allows, and so are the movements
-    /// of a setting.
+    /// The generated movements that are compared: settings are shown equally often, as far as the number of
+    /// trials allows, and so are the movements of a setting.
     fn comparisons(&self, draw: &mut Draw) -> Vec<usize> {
         let mut settings: Vec<(&ModelSettings, Vec<usize>)> = Vec::new();
         for (k, stimulus) in self.stimuli.iter().enumerate() {

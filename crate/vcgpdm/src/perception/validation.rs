@@ -1,4 +1,5 @@
-//! Whether a score predicts answers better than a constant does: n-fold cross-validation (Knopp et al. 2019, section 3.3).
+//! Whether a score predicts answers better than a constant does: n-fold cross-validation (Knopp et al. 2019,
+//! section 3.3).
 
 use crate::elementary::Elementary;
 use crate::evaluation::stats::{mean, standard_error};
@@ -19,8 +20,8 @@ pub(super) struct LogBayesFactor {
     pub folds: usize,
 }
 
-/// Splits all answers at random into blocks, fits curve and constant without each, and asks which expected the answers of the block more.
-/// Absent with fewer answers than blocks.
+/// Splits all answers at random into blocks, fits curve and constant without each, and asks which expected
+/// the answers of the block more. Absent with fewer answers than blocks.
 pub(super) fn log_bayes_factor(
     points: &[Point],
     ceiling: f64,

@@ -2,8 +2,8 @@
 
 /// The columns of tables: their names, and the unit in which a model counts each.
 ///
-/// A model counts a column in its standard deviations, because one noise variance belongs to all columns of a part: otherwise metres and
-/// volts would count by their size.
+/// A model counts a column in its standard deviations, because one noise variance belongs to all columns of a
+/// part: otherwise metres and volts would count by their size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
     pub(crate) names: Vec<String>,
@@ -21,7 +21,8 @@ impl Columns {
         &self.names
     }
 
-    /// The unit of each column: its standard deviation over all training frames, or 1 where it does not change.
+    /// The unit of each column: its standard deviation over all training frames, or 1 where it does not
+    /// change.
     pub fn units(&self) -> &[f64] {
         &self.units
     }

@@ -1,4 +1,5 @@
-//! Tables as CSV (RFC 4180, also with semicolons or tabs): a header row with names, then a row of numbers a moment.
+//! Tables as CSV (RFC 4180, also with semicolons or tabs): a header row with names, then a row of numbers a
+//! moment.
 
 use crate::motion::sha256;
 use crate::series::error::SeriesError;
@@ -16,16 +17,16 @@ const MOST_COLUMNS: usize = 10_000;
 const UNEVEN: f64 = 0.05;
 
 impl Table {
-    /// A trial of numbers [rows x columns] that a program has at hand, `frame_time` seconds from row to row. It is known by the hash of
-    /// what [`write`](write()) makes of it.
+    /// A trial of numbers [rows x columns] that a program has at hand, `frame_time` seconds from row to row.
+    /// It is known by the hash of what [`write`](write()) makes of it.
     pub fn new(name: &str, columns: Vec<String>, values: DMatrix<f64>, frame_time: f64) -> Table {
         let sha256 = sha256(write(&columns, &values, frame_time).as_bytes());
         Table { name: name.to_owned(), sha256, columns, values, frame_time: Some(frame_time) }
     }
 }
 
-/// Reads a trial. A column `time` (or `t`, `seconds`) holds seconds and says how far rows are apart; it and a column `frame` are not
-/// numbers to learn.
+/// Reads a trial. A column `time` (or `t`, `seconds`) holds seconds and says how far rows are apart; it and a
+/// column `frame` are not numbers to learn.
 ///
 /// ```
 /// let table = vcgpdm::series::read("trial.csv", b"time,x,y\n0,1,2\n0.5,3,4\n")?;
@@ -127,8 +128,8 @@ pub fn write(names: &[String], values: &DMatrix<f64>, frame_time: f64) -> String
     text
 }
 
-/// A field (RFC 4180). What a spreadsheet would compute begins with an apostrophe, which makes it a text: names come from strangers'
-/// files.
+/// A field (RFC 4180). What a spreadsheet would compute begins with an apostrophe, which makes it a text:
+/// names come from strangers' files.
 fn quoted(field: &str) -> String {
     let field =
         &if field.starts_with(['=', '+', '-', '@', '\t']) { format!("'{field}") } else { field.to_owned() };
@@ -139,7 +140,8 @@ fn quoted(field: &str) -> String {
     }
 }
 
-/// Fields of each row, with the line on which the row begins, counted from 1; or the line of a quote that is never closed.
+/// Fields of each row, with the line on which the row begins, counted from 1; or the line of a quote that is
+/// never closed.
 fn records(text: &str, separator: char) -> Result<Vec<(usize, Vec<String>)>, usize> {
     let (mut records, mut fields, mut field) = (Vec::new(), Vec::new(), String::new());
     let (mut line, mut begin, mut opened) = (1, 1, None);
@@ -213,7 +215,8 @@ fn number(field: &str) -> Result<f64, &'static str> {
     }
 }
 
-/// Seconds from one row to the next by the times in a column; or the row that is not where it should be, and where that is.
+/// Seconds from one row to the next by the times in a column; or the row that is not where it should be, and
+/// where that is.
 fn step(rows: &[Vec<f64>], column: usize) -> Result<f64, (usize, &'static str)> {
     let time = |row: usize| rows[row][column];
     let step = (time(rows.len() - 1) - time(0)) / (rows.len() - 1) as f64;

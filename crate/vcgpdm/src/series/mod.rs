@@ -1,7 +1,8 @@
-//! Time series that are no body: tables of numbers from CSV, their columns, and which columns belong to which part.
+//! Time series that are no body: tables of numbers from CSV, their columns, and which columns belong to which
+//! part.
 //!
-//! [`read`] makes a [`Table`] of a file, one trial each; [`parts_from_words`] and [`parts_from_json`] say how the columns are split.
-//! A [`Dataset`](crate::models::Dataset) of tables is trained on like one of clips.
+//! [`read`] makes a [`Table`] of a file, one trial each; [`parts_from_words`] and [`parts_from_json`] say how
+//! the columns are split. A [`Dataset`](crate::models::Dataset) of tables is trained on like one of clips.
 
 mod columns;
 mod csv;

@@ -9,7 +9,8 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
     vec![PartSpec { name: "whole".to_owned(), joints: (0..columns).collect() }]
 }
 
-/// Reads a split from words: `arm=x,y;leg=z` names the columns of each part; a name that ends with `*` means all columns that begin so.
+/// Reads a split from words: `arm=x,y;leg=z` names the columns of each part; a name that ends with `*` means
+/// all columns that begin so.
 ///
 /// # Errors
 ///
@@ -75,8 +76,8 @@ fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, 
     Ok(places)
 }
 
-/// Checks that every column is in exactly one part, and that every part has columns and a name of its own. The places in a
-/// [`PartSpec`] are those of columns here.
+/// Checks that every column is in exactly one part, and that every part has columns and a name of its own.
+/// The places in a [`PartSpec`] are those of columns here.
 ///
 /// # Errors
 ///

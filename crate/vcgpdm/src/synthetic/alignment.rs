@@ -13,7 +13,8 @@ pub struct Alignment {
     pub explained: f64,
 }
 
-/// Maps the `learned` latents [N x Q] to the `actual` ones [N x Q_true] by the best affine map (least squares).
+/// Maps the `learned` latents [N x Q] to the `actual` ones [N x Q_true] by the best affine map (least
+/// squares).
 ///
 /// # Errors
 ///

@@ -25,7 +25,8 @@ const LEAD: usize = 100;
 const PERIODS: [f64; 2] = [19.0, 11.0];
 /// Standard deviation of that evidence: it lets the draws differ.
 const LOOSENESS: f64 = 0.05;
-/// A part whose standard deviation (both dimensions together) is smaller than this is at rest. On the unit circle it is 1.
+/// A part whose standard deviation (both dimensions together) is smaller than this is at rest. On the unit
+/// circle it is 1.
 const REST: f64 = 0.3;
 /// The most draws: one in which a part is at rest is drawn again.
 const DRAWS: usize = 20;
@@ -66,12 +67,14 @@ pub enum SyntheticError {
 }
 
 impl Synthetic {
-    /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share of g^1 in the
-    /// second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do with each other.
+    /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share
+    /// of g^1 in the second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do
+    /// with each other.
     ///
     /// # Errors
     ///
-    /// [`SyntheticError::Drive`] for another share, [`SyntheticError::Numerics`] when a covariance cannot be factorised.
+    /// [`SyntheticError::Drive`] for another share, [`SyntheticError::Numerics`] when a covariance cannot be
+    /// factorised.
     pub fn draw(seed: u32, drive: f64) -> Result<Self, SyntheticError> {
         if !(0.0..=1.0).contains(&drive) {
             return Err(SyntheticError::Drive(drive));
@@ -95,8 +98,8 @@ impl Synthetic {
         Ok(Self { latents, y, drive })
     }
 
-    /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as in the paper, and
-    /// iterations enough for the bound to settle.
+    /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as
+    /// in the paper, and iterations enough for the bound to settle.
     pub fn settings() -> VariationalSettings {
         VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
     }
@@ -110,8 +113,9 @@ impl Synthetic {
         Trainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
-    /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part on to its data;
-    /// the mean over the parts. Each part is warped on its own, because it has a rhythm of its own.
+    /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part
+    /// on to its data; the mean over the parts. Each part is warped on its own, because it has a rhythm of
+    /// its own.
     ///
     /// # Errors
     ///

@@ -24,8 +24,9 @@ pub(super) struct DrawnFunction {
 }
 
 impl DrawnFunction {
-    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and the conditional mean of these
-    /// elsewhere, so the points should lie closer than a lengthscale wherever the functions are used.
+    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and the conditional
+    /// mean of these elsewhere, so the points should lie closer than a lengthscale wherever the functions are
+    /// used.
     pub fn prior(
         kernel: Kernel,
         points: DMatrix<f64>,
@@ -39,8 +40,8 @@ impl DrawnFunction {
         Ok(Self { kernel, points, coefficients })
     }
 
-    /// Turns a draw from the prior into one from the posterior: the error of the draw at the evidence is interpolated and
-    /// subtracted (Matheron's rule).
+    /// Turns a draw from the prior into one from the posterior: the error of the draw at the evidence is
+    /// interpolated and subtracted (Matheron's rule).
     pub fn given(self, evidence: &Evidence, random: &mut ChaCha8Rng) -> Result<Self, NumericsError> {
         let Evidence { inputs, values, noise_variance } = evidence;
         let mut correction = values - self.at(inputs);

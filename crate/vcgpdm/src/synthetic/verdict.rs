@@ -10,9 +10,11 @@ pub const ALIKE: f64 = 4.0;
 /// What coupling variances `alpha[source][target]` say about who drives whom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// alpha^{21} / alpha^{11}: how many times weaker the second part drives the first than the first itself does.
+    /// alpha^{21} / alpha^{11}: how many times weaker the second part drives the first than the first itself
+    /// does.
     pub back: f64,
-    /// alpha^{12} / alpha^{22}: how many times weaker the first part drives the second than the second itself does.
+    /// alpha^{12} / alpha^{22}: how many times weaker the first part drives the second than the second itself
+    /// does.
     pub forth: f64,
 }
 
@@ -27,7 +29,8 @@ impl Verdict {
         self.back >= MUCH
     }
 
-    /// Whether it says that the first part drives the second if, and only if, the share `drive` of it is not 0.
+    /// Whether it says that the first part drives the second if, and only if, the share `drive` of it is not
+    /// 0.
     pub fn forth_is_right(&self, drive: f64) -> bool {
         if drive > 0.0 { (1.0 / ALIKE..=ALIKE).contains(&self.forth) } else { self.forth >= MUCH }
     }

@@ -1,13 +1,15 @@
 //! Motions as the CMU database keeps them, beside their usual conversion to BVH.
 //!
-//! The files are not part of the project. They are looked for in the folder that VCGPDM_ACCLAIM names: of a motion `01_01.amc` its
-//! skeleton `01.asf` and its conversion `01_01.bvh`. Without them this test says that it skips.
+//! The files are not part of the project. They are looked for in the folder that VCGPDM_ACCLAIM names: of a
+//! motion `01_01.amc` its skeleton `01.asf` and its conversion `01_01.bvh`. Without them this test says that
+//! it skips.
 
 use std::path::PathBuf;
 use vcgpdm::motion::asf::{self, File};
 use vcgpdm::motion::bvh;
 
-/// The joints that the conversion sets at the beginning of their parent's bone instead of its end: it leaves out the thorax and the hands.
+/// The joints that the conversion sets at the beginning of their parent's bone instead of its end: it leaves
+/// out the thorax and the hands.
 const MOVED: [&str; 7] =
     ["Neck", "LeftShoulder", "RightShoulder", "LeftFingerBase", "RightFingerBase", "LThumb", "RThumb"];
 

@@ -58,7 +58,8 @@ fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
     }
 }
 
-/// Frames that were made before a change and are not needed any more are taken back: the walk is as if they had never been made.
+/// Frames that were made before a change and are not needed any more are taken back: the walk is as if they
+/// had never been made.
 #[test]
 fn a_walk_that_goes_back_goes_on_as_if_it_had_never_been_farther() {
     let trained = trained(10);

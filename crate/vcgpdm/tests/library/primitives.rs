@@ -1,7 +1,7 @@
 //! TMP and DMP on recorded walks: what they predict of a trial of which they saw five frames.
 //!
-//! The walks are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
-//! beside the repository; without them the test says that it skips.
+//! The walks are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in
+//! `shared/bvh` beside the repository; without them the test says that it skips.
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! Every recorded clip that is there: read, written, mapped to rows of Y and back.
 //!
-//! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in `shared/bvh`
-//! beside the repository; without them these tests say that they skip.
+//! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in
+//! `shared/bvh` beside the repository; without them these tests say that they skip.
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
@@ -128,7 +128,8 @@ fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
     }
 }
 
-/// What the index lists of each file: path, up axis, body height where it was measured, and whether row 0 is an added T-pose.
+/// What the index lists of each file: path, up axis, body height where it was measured, and whether row 0 is
+/// an added T-pose.
 fn index() -> Vec<(String, String, Option<f64>, bool)> {
     let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap_or_default();
     let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
@@ -207,7 +208,8 @@ fn every_row_before_a_walk_of_subject_7_is_dropped() {
     }
 }
 
-/// Prints the time that a rollout's poses take: `cargo test --release --test library -- real_clips --ignored --nocapture`.
+/// Prints the time that a rollout's poses take: `cargo test --release --test library -- real_clips --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "a measurement, not a check"]
 fn poses_of_a_rollout_are_fast() {

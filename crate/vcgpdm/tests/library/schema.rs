@@ -1,4 +1,5 @@
-//! docs/model.schema.json against the reader: what the library writes is valid, and both refuse the same shapes.
+//! docs/model.schema.json against the reader: what the library writes is valid, and both refuse the same
+//! shapes.
 
 use crate::documents::DOCUMENTS;
 use boon::{Compiler, SchemaIndex, Schemas};
@@ -61,7 +62,8 @@ fn same_type(a: &Value, b: &Value) -> bool {
     std::mem::discriminant(a) == std::mem::discriminant(b)
 }
 
-/// Changes at one place, and whether the shape is another one: otherwise it is only the number or the length that is.
+/// Changes at one place, and whether the shape is another one: otherwise it is only the number or the length
+/// that is.
 fn changes(value: &Value) -> Vec<(Value, bool)> {
     let others =
         [Value::Null, json!(true), json!("x"), json!(3), json!([]), json!({}), json!(-1), json!(0.5)];

@@ -1,4 +1,5 @@
-//! The T-pose that some files put before a motion is looked for once, when a recording becomes a clip, and never again.
+//! The T-pose that some files put before a motion is looked for once, when a recording becomes a clip, and
+//! never again.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::{Dataset, Source};
@@ -14,7 +15,8 @@ fn frames_trained_on(clip: &Clip) -> usize {
 #[test]
 fn a_file_loses_its_t_pose_exactly_once() {
     let walk = samples::clip("walk-1").unwrap();
-    // As in conversions of the CMU recordings: the body at rest, all angles zero, at the place where the walk begins.
+    // As in conversions of the CMU recordings: the body at rest, all angles zero, at the place where the walk
+    // begins.
     let mut values = walk.values.clone().insert_row(0, 0.0);
     for column in 0..3 {
         values[(0, column)] = walk.values[(0, column)];

@@ -1,4 +1,5 @@
-//! Sampled futures and moment matching are two answers to one question, on the model that walks first on the page.
+//! Sampled futures and moment matching are two answers to one question, on the model that walks first on the
+//! page.
 
 use crate::start_model;
 
@@ -29,7 +30,8 @@ fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
                     assert!(shift < 4.0 / count.sqrt(), "{found}");
                     assert!((ratio * ratio - 1.0).abs() < 4.0 * (2.0 / count).sqrt(), "{found}");
                 }
-                // Then the phases of the futures part along the bent cycle, and a Gaussian says ever less: docs/uncertainty.md.
+                // Then the phases of the futures part along the bent cycle, and a Gaussian says ever less:
+                // docs/uncertainty.md.
                 if t < 15 {
                     assert!(shift < 0.25 && (0.8..1.25).contains(&ratio), "{found}");
                 }

@@ -51,9 +51,10 @@ fn distance(ours: &Value, expected: &Value, path: &str) -> f64 {
     }
 }
 
-/// Agreement relative to the largest number of the field. Entry by entry would compare rounding: the inducing inputs of
-/// case 2 give covariances with eigenvalues down to 5e-9, and computed with 50 digits its smallest gradient entries differ
-/// from the golden ones by up to 3e-6 (from ours by 2e-7), in a gradient whose largest entry is 150.
+/// Agreement relative to the largest number of the field. Entry by entry would compare rounding: the inducing
+/// inputs of case 2 give covariances with eigenvalues down to 5e-9, and computed with 50 digits its smallest
+/// gradient entries differ from the golden ones by up to 3e-6 (from ours by 2e-7), in a gradient whose
+/// largest entry is 150.
 pub fn golden_cases_agree() {
     for (k, text) in CASES.into_iter().enumerate() {
         agrees(&format!("case {k}"), text, &["posterior", "rollouts"]);

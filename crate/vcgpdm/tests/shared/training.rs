@@ -1,4 +1,5 @@
-//! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model that can be shared.
+//! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model
+//! that can be shared.
 
 use vcgpdm::models::variational::{Trainer, Vcgpdm};
 use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
@@ -23,8 +24,8 @@ fn spread(x: &nalgebra::DMatrix<f64>) -> f64 {
     x.row_variance().sum().sqrt()
 }
 
-/// The reference numbers are this test's own, printed by a native run: what they guard is that native and wasm agree. A difference in
-/// the last bit of a sine was once a difference of 0.1 % after fifty iterations.
+/// The reference numbers are this test's own, printed by a native run: what they guard is that native and
+/// wasm agree. A difference in the last bit of a sine was once a difference of 0.1 % after fifty iterations.
 pub fn native_and_wasm_take_the_same_path() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 160);

@@ -1,6 +1,7 @@
 //! Four numbers in one register, on processors of the x86 family that have such (AVX2).
 //!
-//! No multiplication is fused with an addition (FMA): a model would then depend on the processor that trained it.
+//! No multiplication is fused with an addition (FMA): a model would then depend on the processor that trained
+//! it.
 #![allow(unsafe_code)]
 
 use crate::gp::lanes::quad::Quad;

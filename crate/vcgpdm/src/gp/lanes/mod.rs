@@ -1,4 +1,5 @@
-//! Eight numbers side by side, on which the sums over rows are computed, in the widest registers that the processor has.
+//! Eight numbers side by side, on which the sums over rows are computed, in the widest registers that the
+//! processor has.
 
 /// Addition, subtraction, multiplication and division of a pair, each half on its own.
 macro_rules! by_halves {

@@ -4,8 +4,8 @@ use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Sub};
 use wide::{f64x2, u64x2};
 
-/// Four numbers that are computed side by side. Every kind computes each of them by the same operations, so that the results are the same
-/// to the bit.
+/// Four numbers that are computed side by side. Every kind computes each of them by the same operations, so
+/// that the results are the same to the bit.
 pub trait Quad:
     Copy + Debug + Send + Sync + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {

@@ -1,4 +1,5 @@
-//! Cholesky factor and inverse of large matrices by halves, so that nearly all of the work is products of matrices.
+//! Cholesky factor and inverse of large matrices by halves, so that nearly all of the work is products of
+//! matrices.
 
 use nalgebra::{Cholesky, DMatrix, DMatrixView, DMatrixViewMut, Dyn};
 
@@ -10,8 +11,8 @@ pub fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
 }
 
-/// Replaces the lower triangle of a symmetric `a` [n x n] by its Cholesky factor; the rest is left as it is. False when `a`
-/// is not positive definite.
+/// Replaces the lower triangle of a symmetric `a` [n x n] by its Cholesky factor; the rest is left as it is.
+/// False when `a` is not positive definite.
 fn cholesky(a: &mut DMatrixViewMut<f64>) -> bool {
     let n = a.nrows();
     if n <= LEAF {
@@ -108,8 +109,8 @@ fn gram(w: &DMatrixView<f64>, out: &mut DMatrixViewMut<f64>) {
     out.view_mut((h, 0), (n - h, h)).gemm(1.0, &w.view((h, h), (n - h, n - h)).transpose(), &below, 0.0);
 }
 
-/// Adds `factor` times the product `a` [n x k] `b` [k x n], which is symmetric, to the lower triangle of `out` [n x n]; above
-/// the diagonal, some of it.
+/// Adds `factor` times the product `a` [n x k] `b` [k x n], which is symmetric, to the lower triangle of
+/// `out` [n x n]; above the diagonal, some of it.
 fn add_product(factor: f64, a: &DMatrixView<f64>, b: &DMatrixView<f64>, out: &mut DMatrixViewMut<f64>) {
     let (n, k) = a.shape();
     if n <= LEAF {

@@ -39,7 +39,8 @@ thread_local! {
     static JITTERED: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Does some work, and counts the factorisations in it that needed jitter: they are made deep inside of sums, most of them for a moment.
+/// Does some work, and counts the factorisations in it that needed jitter: they are made deep inside of sums,
+/// most of them for a moment.
 pub fn counting_jittered<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let before = JITTERED.get();
     let done = work();
@@ -59,7 +60,8 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// Factorises `matrix` [n x n]. Only after a failure is jitter added: 1e-6 of the mean diagonal, times 10 up to 10 times.
+    /// Factorises `matrix` [n x n]. Only after a failure is jitter added: 1e-6 of the mean diagonal, times 10
+    /// up to 10 times.
     pub fn new(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
         let mut factor = Self::default();
         factor.refactor(matrix, what)?;
@@ -73,7 +75,8 @@ impl Factor {
         Ok(factor)
     }
 
-    /// Becomes the factor of `matrix`, as [`new`](Self::new). Allocates nothing when the size stays and no jitter is needed.
+    /// Becomes the factor of `matrix`, as [`new`](Self::new). Allocates nothing when the size stays and no
+    /// jitter is needed.
     pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
         self.refactor_by(Cholesky::new, matrix, what)
     }

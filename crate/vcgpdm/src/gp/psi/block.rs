@@ -1,7 +1,8 @@
-//! The sums over rows, block by block: what a block of rows adds to the exponents, and the way back to its inputs.
+//! The sums over rows, block by block: what a block of rows adds to the exponents, and the way back to its
+//! inputs.
 //!
-//! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into one term for each
-//! of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
+//! A block stays in the first-level cache; within it rows go in [`Lanes`]. The exponent of psi2 splits into
+//! one term for each of a and b and a product sum_q z_aq z_bq / (lambda_q + 2 s_q).
 
 use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
@@ -22,8 +23,8 @@ fn lanes<Q: Quad>(matrix: &DMatrix<f64>, column: usize, start: usize, len: usize
 
 /// What one block of rows adds to the exponents. Rows past the end have scale 0, so they count for nothing.
 ///
-/// Rows come as chunks of lanes; what also depends on the dimension q is at `[chunk * P + q]`, what depends on the
-/// inducing input a at `[a * CHUNKS + chunk]`.
+/// Rows come as chunks of lanes; what also depends on the dimension q is at `[chunk * P + q]`, what depends
+/// on the inducing input a at `[a * CHUNKS + chunk]`.
 pub(super) struct Block<Q: Quad> {
     dims: usize,
     ips: usize,
@@ -147,7 +148,8 @@ impl<Q: Quad> Block<Q> {
         })
     }
 
-    /// The terms of psi2's exponent that belong to a or b alone; their sum is the exponent but for the pairs' products.
+    /// The terms of psi2's exponent that belong to a or b alone; their sum is the exponent but for the pairs'
+    /// products.
     pub(super) fn split_exponent(&mut self) {
         Q::run(move || {
             for a in 0..self.ips {
@@ -158,8 +160,8 @@ impl<Q: Quad> Block<Q> {
         })
     }
 
-    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x pairs], and into the sums
-    /// if `count`. `spread` are the pairs' own terms of the exponent.
+    /// psi2 of the block's rows, chunk after chunk and pair after pair (b <= a), into `values` [chunks x
+    /// pairs], and into the sums if `count`. `spread` are the pairs' own terms of the exponent.
     pub(super) fn psi2(&mut self, spread: &[f64], values: &mut [Stored], count: bool) {
         Q::run(move || {
             let pairs = spread.len();
@@ -201,8 +203,9 @@ impl<Q: Quad> Block<Q> {
     }
 }
 
-/// Sums of h = (dF/dpsi) psi over the inducing inputs, or ordered pairs of them, of one block. With c the centre of an
-/// inducing input (z_a) or of a pair ((z_a + z_b) / 2): `total` = sum h, `first` = sum h c_q, `second` = sum h c_q^2.
+/// Sums of h = (dF/dpsi) psi over the inducing inputs, or ordered pairs of them, of one block. With c the
+/// centre of an inducing input (z_a) or of a pair ((z_a + z_b) / 2): `total` = sum h, `first` = sum h c_q,
+/// `second` = sum h c_q^2.
 pub(super) struct PullBack<Q> {
     total: Vec<Lanes<Q>>,
     first: Vec<Lanes<Q>>,
@@ -355,8 +358,8 @@ impl<Q: Quad> PullBack<Q> {
     }
 }
 
-/// For one a: the sum over b of h, and of h c_q for `N` dimensions q into `out`. `pairs` are h of all pairs b <= a; the `centres`
-/// of b and the next are `dims` apart.
+/// For one a: the sum over b of h, and of h c_q for `N` dimensions q into `out`. `pairs` are h of all pairs b
+/// <= a; the `centres` of b and the next are `dims` apart.
 #[inline(always)]
 fn fold<Q: Quad, const N: usize>(
     pairs: &[Lanes<Q>],

@@ -1,10 +1,11 @@
 //! The psi statistics: expectations of a kernel under Gaussian inputs, and their adjoints. Knows no bound.
 //!
-//! For one row with mean m, variances s and inducing inputs z (Velychko et al. 2018, appendix B: A13, A16 and A17 with a
-//! diagonal covariance; lambda and sigma^2 are those of the [`Kernel`](crate::gp::Kernel)):
+//! For one row with mean m, variances s and inducing inputs z (Velychko et al. 2018, appendix B: A13, A16 and
+//! A17 with a diagonal covariance; lambda and sigma^2 are those of the [`Kernel`](crate::gp::Kernel)):
 //!
 //! - psi0 = sigma^2
-//! - psi1_a = sigma^2 prod_q (lambda_q / (lambda_q + s_q))^1/2 exp( -1/2 sum_q (m_q - z_aq)^2 / (lambda_q + s_q) )
+//! - psi1_a = sigma^2 prod_q (lambda_q / (lambda_q + s_q))^1/2 exp( -1/2 sum_q (m_q - z_aq)^2 / (lambda_q +
+//!   s_q) )
 //! - psi2_ab = sigma^4 prod_q (lambda_q / (lambda_q + 2 s_q))^1/2
 //!   exp( - sum_q (z_aq - z_bq)^2 / (4 lambda_q) - sum_q (m_q - (z_aq + z_bq) / 2)^2 / (lambda_q + 2 s_q) )
 //!

@@ -8,7 +8,8 @@ use crate::gp::lanes::{LANES, Quad, Stored, in_widest_registers};
 use crate::gp::psi::block::{BLOCK, Block, PullBack};
 use nalgebra::DMatrix;
 
-/// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are computed again.
+/// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are
+/// computed again.
 const MOST_KEPT: usize = 4 << 20;
 
 /// The psi statistics of K inducing inputs, with the memory to compute them again and again.
@@ -124,8 +125,8 @@ impl PsiStatistics {
         self.room.forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace);
     }
 
-    /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with respect to the
-    /// arguments, which must be the same as then. It is added to `into_x` and `into_kernel`.
+    /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with
+    /// respect to the arguments, which must be the same as then. It is added to `into_x` and `into_kernel`.
     pub fn pull_back(
         &mut self,
         (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
@@ -137,7 +138,8 @@ impl PsiStatistics {
         into_kernel.variance += x.mean.nrows() as f64 * adjoint.psi0;
         let statistics = (&self.psi1, self.spread.as_slice());
         self.room.backward((x, kernel), statistics, adjoint, workspace, into_x, into_kernel);
-        // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs' own distance.
+        // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs'
+        // own distance.
         let psi1_total = adjoint.psi1.dot(&self.psi1);
         let psi2_total = adjoint.psi2.dot(&self.psi2);
         into_kernel.variance += (psi1_total + 2.0 * psi2_total) / kernel.variance;

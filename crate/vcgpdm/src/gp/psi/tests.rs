@@ -30,7 +30,8 @@ fn psi_statistics(
     (statistics, workspace)
 }
 
-/// Gauss-Hermite nodes and weights for the standard normal, 24 points, by Newton's method on the Hermite functions.
+/// Gauss-Hermite nodes and weights for the standard normal, 24 points, by Newton's method on the Hermite
+/// functions.
 fn hermite() -> Vec<(f64, f64)> {
     let n = 24_usize;
     let polynomial = |x: f64| {

@@ -9,7 +9,8 @@ use crate::models::rollout::{RolloutError, check_frames};
 use crate::models::trials::split;
 use nalgebra::{DMatrix, DVector};
 
-/// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial, one way in all.
+/// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial,
+/// one way in all.
 const CLEAR_WAY: f64 = 0.25;
 /// How fast x fades: alpha_z / 3, as Ijspeert et al. choose it.
 const ALPHA_X: f64 = ALPHA_Z / 3.0;
@@ -45,8 +46,9 @@ pub struct DmpDiscrete {
 }
 
 impl DmpDiscrete {
-    /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of one movement do not all
-    /// begin at the same place in it, and forces of different places must not be averaged.
+    /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of
+    /// one movement do not all begin at the same place in it, and forces of different places must not be
+    /// averaged.
     ///
     /// # Errors
     ///
@@ -90,7 +92,8 @@ impl DmpDiscrete {
             (0..d).map(|_| (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, 1))).collect();
         for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
             let y = &trial.y;
-            // Where the way scales the force its own goal counts, elsewhere the one that the rollout will have.
+            // Where the way scales the force its own goal counts, elsewhere the one that the rollout will
+            // have.
             let own = end(y);
             let goal = DVector::from_fn(d, |k, _| if model.scaled[k] { own[k] } else { model.goal[k] });
             let curve = Curve::new(y);
@@ -143,7 +146,8 @@ impl DmpDiscrete {
         Ok(integrate(&spring.position, &spring.velocity, goal, 1.0 / rate, frames, |t, out| {
             let phase = start.map.start + rate * t;
             if phase > 1.0 {
-                // No trial tells what the force is behind the end of all of them; the spring alone leads to the goal.
+                // No trial tells what the force is behind the end of all of them; the spring alone leads to
+                // the goal.
                 return out.fill(0.0);
             }
             out.copy_from(&self.weights.tr_mul(&self.features(phase)));

@@ -42,8 +42,9 @@ pub struct DmpRhythmic {
 }
 
 impl DmpRhythmic {
-    /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns; starts and rates of the
-    /// trials are aligned to their mean cycle. A movement without a period is one cycle, as long as the longest trial.
+    /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns;
+    /// starts and rates of the trials are aligned to their mean cycle. A movement without a period is one
+    /// cycle, as long as the longest trial.
     ///
     /// # Errors
     ///
@@ -92,7 +93,8 @@ impl DmpRhythmic {
         psi / sum
     }
 
-    /// The limit cycle of amplitude 1 around 0, at [`PLACES`] phases from 0 on [PLACES x D]; all rates have the same.
+    /// The limit cycle of amplitude 1 around 0, at [`PLACES`] phases from 0 on [PLACES x D]; all rates have
+    /// the same.
     fn limit_cycle(&self) -> DMatrix<f64> {
         // Time in places instead of frames; whatever the start was is forgotten after one cycle.
         let tau = PLACES as f64 / TAU;
@@ -123,7 +125,8 @@ impl DmpRhythmic {
 }
 
 impl RhythmicStart {
-    /// The phase (of a sequence that is not whole) and the amplitude at which `cycle` is nearest to the frames.
+    /// The phase (of a sequence that is not whole) and the amplitude at which `cycle` is nearest to the
+    /// frames.
     fn place(&mut self, cycle: &DMatrix<f64>, centre: &DVector<f64>, trial: &Trial) {
         let places = cycle.nrows();
         let away: Vec<DVector<f64>> = trial.y.row_iter().map(|row| row.transpose() - centre).collect();

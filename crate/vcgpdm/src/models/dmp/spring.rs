@@ -1,4 +1,5 @@
-//! The transformation system that every dynamic movement primitive shares, and the regression of its forcing term.
+//! The transformation system that every dynamic movement primitive shares, and the regression of its forcing
+//! term.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
@@ -7,7 +8,8 @@ use nalgebra::{DMatrix, DVector};
 /// alpha_z and beta_z = alpha_z / 4 of Ijspeert et al. (2013): critically damped.
 pub const ALPHA_Z: f64 = 25.0;
 pub const BETA_Z: f64 = ALPHA_Z / 4.0;
-/// Of the regression, relative to the mean energy of a basis: enough to keep it solvable, too little to smooth.
+/// Of the regression, relative to the mean energy of a basis: enough to keep it solvable, too little to
+/// smooth.
 const RIDGE: f64 = 1e-6;
 /// A step of the integration is at most this part of tau; the spring's own time is tau / 12.5.
 const LARGEST_STEP: f64 = 0.02;
@@ -20,8 +22,8 @@ const BETWEEN: usize = 4;
 /// tau z' = alpha_z (beta_z (g - y) - z) + f, tau y' = z, for all columns, by the classic fourth order
 /// Runge-Kutta method with several steps a frame.
 ///
-/// `force(t, out)` fills in f of all columns at time `t`, in frames. Returns y at 0, 1, ..., frames - 1 [frames x D]; `velocity` is
-/// y' at 0, per frame.
+/// `force(t, out)` fills in f of all columns at time `t`, in frames. Returns y at 0, 1, ..., frames - 1
+/// [frames x D]; `velocity` is y' at 0, per frame.
 pub fn integrate(
     start: &DVector<f64>,
     velocity: &DVector<f64>,
@@ -64,8 +66,9 @@ pub fn integrate(
 
 /// A trial between its frames: the cubic spline through them, with parabolas at both ends.
 ///
-/// The derivatives of a spline belong to one curve, so that the integrated system comes back to the frames. Differences of
-/// neighbouring frames do not: at six waves in a cycle of 34 frames they are a tenth too small.
+/// The derivatives of a spline belong to one curve, so that the integrated system comes back to the frames.
+/// Differences of neighbouring frames do not: at six waves in a cycle of 34 frames they are a tenth too
+/// small.
 pub struct Curve<'a> {
     y: &'a DMatrix<f64>,
     /// y'' at the frames [T x D].
@@ -78,7 +81,8 @@ impl<'a> Curve<'a> {
         let (frames, columns) = y.shape();
         let mut bends = DMatrix::zeros(frames, columns);
         if frames > 2 {
-            // bends_{i-1} + 4 bends_i + bends_{i+1} = 6 (y_{i-1} - 2 y_i + y_{i+1}), the first two and the last two equal.
+            // bends_{i-1} + 4 bends_i + bends_{i+1} = 6 (y_{i-1} - 2 y_i + y_{i+1}), the first two and the
+            // last two equal.
             let inner = frames - 2;
             let mut diagonal = vec![4.0; inner];
             diagonal[0] += 1.0;
@@ -104,8 +108,8 @@ impl<'a> Curve<'a> {
         Self { y, bends }
     }
 
-    /// Times, in frames, at which forces are learned: several between any two frames, or bases as narrow as a frame would be free
-    /// there.
+    /// Times, in frames, at which forces are learned: several between any two frames, or bases as narrow as a
+    /// frame would be free there.
     pub fn times(&self) -> Vec<f64> {
         let count = (self.y.nrows() - 1) * BETWEEN + 1;
         (0..count).map(|i| i as f64 / BETWEEN as f64).collect()
@@ -133,8 +137,8 @@ impl<'a> Curve<'a> {
         DVector::from_fn(self.y.ncols(), |k, _| self.at(0.0, k).1)
     }
 
-    /// The force that would have made the system follow the curve, tau^2 y'' - alpha_z (beta_z (g - y) - tau y'), at
-    /// [`Self::times`] [times x D].
+    /// The force that would have made the system follow the curve, tau^2 y'' - alpha_z (beta_z (g - y) - tau
+    /// y'), at [`Self::times`] [times x D].
     pub fn forces(&self, goal: &DVector<f64>, tau: f64) -> DMatrix<f64> {
         let times = self.times();
         DMatrix::from_fn(times.len(), self.y.ncols(), |i, k| {
@@ -144,8 +148,9 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The weights [B x D] of `gram` w = `moment`, sums over frames of the basis functions' products [B x B] and of their products with
-/// the targets [B x D]: ridge regression, each basis measured by its own energy, so that those of little effect are learned as well.
+/// The weights [B x D] of `gram` w = `moment`, sums over frames of the basis functions' products [B x B] and
+/// of their products with the targets [B x D]: ridge regression, each basis measured by its own energy, so
+/// that those of little effect are learned as well.
 pub fn regress(gram: &DMatrix<f64>, moment: &DMatrix<f64>) -> Result<DMatrix<f64>, NumericsError> {
     let largest = gram.diagonal().max();
     let scale = gram.diagonal().map(|e| if e > 1e-200 * largest && e > 0.0 { 1.0 / e.sqrt() } else { 0.0 });

@@ -69,7 +69,8 @@ fn a_moved_goal_is_reached_and_scales_the_way() {
     let moved = model.path(0, 160).unwrap();
     let last = moved.row(159).transpose();
     assert!((&last - &goal).amax() < 1e-3, "{last} {goal}");
-    // A column that is scaled keeps its shape exactly: (y - y0) / (g - y0) is the same, but for the initial velocity.
+    // A column that is scaled keeps its shape exactly: (y - y0) / (g - y0) is the same, but for the initial
+    // velocity.
     let way = (goal[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
     for t in 0..160 {
         let expected = plain[(0, 0)] + way * (plain[(t, 0)] - plain[(0, 0)]);
@@ -112,7 +113,8 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
     let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
-    // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same centre.
+    // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same
+    // centre.
     model.starts[2].spring.position.add_scalar_mut(3.0);
     let pushed = model.path(2, 200).unwrap();
     assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);

@@ -22,12 +22,14 @@ impl Library {
         self.model(&movement.uses, &movement.alpha, Some(movement), movement.starts.clone())
     }
 
-    /// The model of any combination: the primitive `uses[part]` of each part, under the couplings `alpha` [M x M]. Where no movement
-    /// of the library is just this combination, there are no rows of its own from which its experts could be inferred again.
+    /// The model of any combination: the primitive `uses[part]` of each part, under the couplings `alpha` [M
+    /// x M]. Where no movement of the library is just this combination, there are no rows of its own from
+    /// which its experts could be inferred again.
     ///
     /// # Errors
     ///
-    /// When a part is not given one of its primitives, the couplings do not fit, or a covariance cannot be factorised.
+    /// When a part is not given one of its primitives, the couplings do not fit, or a covariance cannot be
+    /// factorised.
     pub fn combination(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Vcgpdm, CombinationError> {
         self.check_uses(uses)?;
         check_couplings(alpha, self.part_count())?;
@@ -108,7 +110,8 @@ impl Library {
         DynamicsSums::zeros(points, self.parts[i].r().ncols())
     }
 
-    /// The inducing outputs of the experts about part `i` of these primitives, as they are kept while something else is learned.
+    /// The inducing outputs of the experts about part `i` of these primitives, as they are kept while
+    /// something else is learned.
     pub(super) fn kept(&self, i: usize, uses: &[usize]) -> Result<StoredOutputs, NumericsError> {
         let Known { precision, b } = self.known(i, uses, &|_| false)?;
         let k = block_diagonal(uses.iter().map(|a| self.primitives[*a].experts[i].fitted.k()));
@@ -118,8 +121,9 @@ impl Library {
         StoredOutputs::new(&k, &a, coefficients)
     }
 
-    /// What all rows but those of movements that are left `out` say about the experts about part `i` of these primitives. The other
-    /// primitives are integrated out: what rows say about two experts together, they say of each with the uncertainty of the other.
+    /// What all rows but those of movements that are left `out` say about the experts about part `i` of these
+    /// primitives. The other primitives are integrated out: what rows say about two experts together, they
+    /// say of each with the uncertainty of the other.
     pub(super) fn known(
         &self,
         i: usize,
@@ -136,7 +140,8 @@ impl Library {
         all.about(&used, &rest, || block_diagonal(blocks()))
     }
 
-    /// A - K and b / n of all primitives' experts about part `i`, stacked, from all rows but those of movements that are left `out`.
+    /// A - K and b / n of all primitives' experts about part `i`, stacked, from all rows but those of
+    /// movements that are left `out`.
     fn gathered(&self, i: usize, out: &dyn Fn(&LearnedMovement) -> bool) -> Known {
         let offsets = self.offsets(i);
         let mut all = Known::nothing(offsets[offsets.len() - 1], self.parts[i].r().ncols());

@@ -10,24 +10,26 @@ use nalgebra::DMatrix;
 
 /// More iterations than any fit of couplings needs, or learning primitives again.
 pub const MOST_ITERATIONS: usize = 10_000;
-/// Iterations in which the latents come near the new frames, before the couplings are free too, as a part of all.
+/// Iterations in which the latents come near the new frames, before the couplings are free too, as a part of
+/// all.
 const LATENTS_FIRST: usize = 4;
 
-/// A fit of couplings under way: of a combination of stored primitives, to new frames. Latents of these frames and couplings are
-/// learned; pose maps, primitives and their inducing outputs stay.
+/// A fit of couplings under way: of a combination of stored primitives, to new frames. Latents of these
+/// frames and couplings are learned; pose maps, primitives and their inducing outputs stay.
 pub struct CouplingTrainer {
     trainer: Trainer,
     uses: Vec<usize>,
 }
 
 impl CouplingTrainer {
-    /// Ready to fit the combination `uses` of a library to the observations `y` [N x D_i] of each part, centred by the means of the
-    /// library's columns and stacked as the `lengths` of the sequences say, in at most so many iterations.
+    /// Ready to fit the combination `uses` of a library to the observations `y` [N x D_i] of each part,
+    /// centred by the means of the library's columns and stacked as the `lengths` of the sequences say, in at
+    /// most so many iterations.
     ///
     /// # Errors
     ///
-    /// When a part is not given one of its primitives, the observations do not fit the library or the lengths, or the bound cannot be
-    /// computed at the start.
+    /// When a part is not given one of its primitives, the observations do not fit the library or the
+    /// lengths, or the bound cannot be computed at the start.
     pub fn new(
         library: &Library,
         uses: &[usize],
@@ -75,8 +77,8 @@ impl CouplingTrainer {
         self.trainer.best().alpha.swap_remove(0)
     }
 
-    /// The combination with the best couplings so far, as a movement of that name that starts where the new frames do. It has no
-    /// sums: the primitives have learned nothing from these frames.
+    /// The combination with the best couplings so far, as a movement of that name that starts where the new
+    /// frames do. It has no sums: the primitives have learned nothing from these frames.
     pub fn movement(&self, name: &str) -> LearnedMovement {
         let (mut best, progress) = (self.trainer.best(), self.trainer.progress());
         let objective = self.trainer.objective();

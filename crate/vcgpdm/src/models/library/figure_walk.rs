@@ -30,12 +30,14 @@ pub struct LibraryWalk {
     /// Its latents.
     pub latents: LatentWalk,
     track: RootTrack,
-    /// As it was when each of its last frames had been made, the newest last; before them the one that they go on from.
+    /// As it was when each of its last frames had been made, the newest last; before them the one that they
+    /// go on from.
     states: VecDeque<State>,
 }
 
 impl TrainedLibrary {
-    /// Checks that a walk in this library can go on in one that it has grown into: with the same body, pose maps and primitives, and more.
+    /// Checks that a walk in this library can go on in one that it has grown into: with the same body, pose
+    /// maps and primitives, and more.
     ///
     /// # Errors
     ///
@@ -115,8 +117,8 @@ impl LibraryWalk {
         Ok(WalkFrames { latents, positions })
     }
 
-    /// Takes the last frames back: the walk is what it was when the frame before them had been made. What was changed since is taken
-    /// back as well, also with 0 frames.
+    /// Takes the last frames back: the walk is what it was when the frame before them had been made. What was
+    /// changed since is taken back as well, also with 0 frames.
     ///
     /// # Errors
     ///

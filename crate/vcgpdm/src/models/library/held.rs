@@ -1,4 +1,5 @@
-//! What a library brings to a training of new frames in which some of it stays as it is: [`CouplingTrainer`] and [`ImportTrainer`].
+//! What a library brings to a training of new frames in which some of it stays as it is: [`CouplingTrainer`]
+//! and [`ImportTrainer`].
 //!
 //! [`CouplingTrainer`]: crate::models::library::CouplingTrainer
 //! [`ImportTrainer`]: crate::models::library::ImportTrainer
@@ -24,7 +25,8 @@ impl Library {
         Ok(maps)
     }
 
-    /// The pose maps as parameters, with the latents that come nearest to new observations `y` [N x D_i] of each part.
+    /// The pose maps as parameters, with the latents that come nearest to new observations `y` [N x D_i] of
+    /// each part.
     pub(super) fn parts_near(&self, y: &[DMatrix<f64>], sequences: &Sequences) -> Vec<PartParams> {
         let part = |(mean, map): (DMatrix<f64>, &PoseMap)| {
             let s = first_variance(&mean, sequences);
@@ -53,7 +55,8 @@ impl Library {
         self.latent_dimensions().into_iter().max().unwrap_or(0)
     }
 
-    /// The settings of a training that learns these `experts` or nothing but their couplings, as its provenance has them.
+    /// The settings of a training that learns these `experts` or nothing but their couplings, as its
+    /// provenance has them.
     pub(super) fn settings_of(&self, experts: &[Vec<Expert>], max_iterations: usize) -> VariationalSettings {
         VariationalSettings {
             latent: self.largest_latent(),

@@ -35,8 +35,8 @@ impl Known {
         }
     }
 
-    /// What is known about the rows `used` of the stack when the rows `rest` are integrated out, which have the covariance `k` with the
-    /// others of the stack.
+    /// What is known about the rows `used` of the stack when the rows `rest` are integrated out, which have
+    /// the covariance `k` with the others of the stack.
     pub fn about(
         &self,
         used: &[usize],
@@ -58,8 +58,8 @@ impl Known {
         })
     }
 
-    /// What the rest of the stack learns from the rows when the outputs of its first experts stay as they are, with the `coefficients`
-    /// K^-1 m [H x Q_i]: what these leave over.
+    /// What the rest of the stack learns from the rows when the outputs of its first experts stay as they
+    /// are, with the `coefficients` K^-1 m [H x Q_i]: what these leave over.
     pub fn beside(&self, coefficients: &DMatrix<f64>) -> Known {
         let (first, height) = (coefficients.nrows(), self.b.nrows());
         let others = height - first;

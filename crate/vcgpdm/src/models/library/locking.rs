@@ -9,14 +9,16 @@ use std::f64::consts::TAU;
 const MOST_FRAMES: usize = 2_000_000;
 
 impl Library {
-    /// How firmly a target part is locked to a source part, for each tempo of the target and each strength of the coupling between
-    /// them: the length of the mean of exp(2 pi i (phase of target - phase of source)) over the second half of `frames`, 1 locked, 0
-    /// not at all [tempos x strengths]. A strength s divides alpha of the source about the target by s; phases are places on the cycle
-    /// of the combination under `alpha` [M x M].
+    /// How firmly a target part is locked to a source part, for each tempo of the target and each strength of
+    /// the coupling between them: the length of the mean of exp(2 pi i (phase of target - phase of source))
+    /// over the second half of `frames`, 1 locked, 0 not at all [tempos x strengths]. A strength s divides
+    /// alpha of the source about the target by s; phases are places on the cycle of the combination under
+    /// `alpha` [M x M].
     ///
     /// # Errors
     ///
-    /// When a part, primitive, coupling, tempo or strength does not fit, or the combination does not repeat itself.
+    /// When a part, primitive, coupling, tempo or strength does not fit, or the combination does not repeat
+    /// itself.
     pub fn locking(
         &self,
         uses: &[usize],

@@ -1,9 +1,11 @@
-//! A library of primitives: the dynamics of each part learned once, and coupled in new ways (Velychko et al. 2018, section 5.5).
+//! A library of primitives: the dynamics of each part learned once, and coupled in new ways (Velychko et al.
+//! 2018, section 5.5).
 //!
-//! A *primitive* belongs to one part and holds what that part predicts about every part. A *movement* uses one primitive of each
-//! part under couplings of its own; the pose map of a part is one for all. [`LibraryTrainer`] learns a library from clips of
-//! several movements; [`Library::combination`] is a [`Vcgpdm`](crate::models::variational::Vcgpdm) of any primitives, one of each
-//! part, whether it was ever recorded or not; [`CouplingTrainer`] learns the couplings of a combination from a clip, while the
+//! A *primitive* belongs to one part and holds what that part predicts about every part. A *movement* uses
+//! one primitive of each part under couplings of its own; the pose map of a part is one for all.
+//! [`LibraryTrainer`] learns a library from clips of several movements; [`Library::combination`] is a
+//! [`Vcgpdm`](crate::models::variational::Vcgpdm) of any primitives, one of each part, whether it was ever
+//! recorded or not; [`CouplingTrainer`] learns the couplings of a combination from a clip, while the
 //! primitives stay as they are.
 
 mod combination;
@@ -79,7 +81,8 @@ pub struct LearnedMovement {
     pub uses: Vec<usize>,
     /// Coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
-    /// What its rows say about the experts in use `[M]`, the sources stacked in order; `None` where only its couplings were learned.
+    /// What its rows say about the experts in use `[M]`, the sources stacked in order; `None` where only its
+    /// couplings were learned.
     pub sums: Option<Vec<DynamicsSums>>,
     /// The latent means of its sequences, `starts[sequence][part]` [T x Q_i].
     pub starts: Vec<Vec<DMatrix<f64>>>,
@@ -92,14 +95,16 @@ pub struct LearnedMovement {
 pub enum CouplingsFrom {
     /// They were learned together with the primitives.
     Training,
-    /// They were fitted to clips, while the primitives stayed: the bound of these clips, in nats, and iterations.
+    /// They were fitted to clips, while the primitives stayed: the bound of these clips, in nats, and
+    /// iterations.
     Clips {
         /// The bound under the stored primitives.
         bound: f64,
         /// Iterations of the fit.
         iterations: usize,
     },
-    /// They were taken from the movement of this name; from several, each source's from one, their names are joined with "+".
+    /// They were taken from the movement of this name; from several, each source's from one, their names are
+    /// joined with "+".
     Movement(String),
     /// Somebody chose them.
     Hand,
@@ -116,7 +121,8 @@ pub struct Library {
     pub jitter: f64,
     /// The pose map of each part `[M]`.
     pub parts: Vec<PoseMap>,
-    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`: with it, its inducing outputs can be kept for new rows.
+    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`: with it, its inducing outputs can be kept
+    /// for new rows.
     pub pose_sums: Vec<DMatrix<f64>>,
     /// The primitives.
     pub primitives: Vec<Primitive>,
@@ -127,7 +133,8 @@ pub struct Library {
 }
 
 impl Library {
-    /// The library with the optimal posteriors at `params`, where the bound has these `terms`; the plan names what there is.
+    /// The library with the optimal posteriors at `params`, where the bound has these `terms`; the plan names
+    /// what there is.
     ///
     /// # Errors
     ///
@@ -179,8 +186,9 @@ impl Library {
         self.parts.iter().map(|part| part.r().ncols()).collect()
     }
 
-    /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and primitives once, couplings
-    /// and a start for each movement. Of each map its inducing inputs, their posterior mean and its kernel.
+    /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and
+    /// primitives once, couplings and a start for each movement. Of each map its inducing inputs, their
+    /// posterior mean and its kernel.
     pub fn stored_numbers(&self) -> usize {
         let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
         let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();

@@ -4,10 +4,11 @@ use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, L
 use nalgebra::DMatrix;
 
 impl Library {
-    /// The couplings of a combination that nobody has fitted: how much a primitive's predictions are worth was learned in the movements
-    /// that use it, so the couplings of each source are those of such a movement; of several, of the one that shares most primitives
-    /// with `uses`, the first where several share as many; where none uses it, of one that the primitive keeps an excerpt of; else 1 each.
-    /// Of a movement's own combination they are that movement's.
+    /// The couplings of a combination that nobody has fitted: how much a primitive's predictions are worth
+    /// was learned in the movements that use it, so the couplings of each source are those of such a
+    /// movement; of several, of the one that shares most primitives with `uses`, the first where several
+    /// share as many; where none uses it, of one that the primitive keeps an excerpt of; else 1 each. Of a
+    /// movement's own combination they are that movement's.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
         let parts = self.part_count();
         let mut alpha = DMatrix::from_element(parts, parts, 1.0);
@@ -28,7 +29,8 @@ impl Library {
         using().find(|movement| count_shared(&movement.uses, uses) == most)
     }
 
-    /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of that name.
+    /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of
+    /// that name.
     ///
     /// # Errors
     ///
@@ -61,8 +63,8 @@ impl Library {
         })
     }
 
-    /// The sequences that a combination can start from, (movement, sequence of it): those of the movements that share most
-    /// primitives with it.
+    /// The sequences that a combination can start from, (movement, sequence of it): those of the movements
+    /// that share most primitives with it.
     pub fn start_sequences(&self, uses: &[usize]) -> Vec<(usize, usize)> {
         let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
         let most = self.movements.iter().filter(|m| !m.starts.is_empty()).map(shared).max().unwrap_or(0);
@@ -70,8 +72,9 @@ impl Library {
         chosen.flat_map(|(m, movement)| (0..movement.starts.len()).map(move |s| (m, s))).collect()
     }
 
-    /// The latents that a combination starts with, in the order of [`start_sequences`](Self::start_sequences). A part that keeps its
-    /// primitive starts as in the sequence; one with another primitive starts where that is nearest to what the others do.
+    /// The latents that a combination starts with, in the order of
+    /// [`start_sequences`](Self::start_sequences). A part that keeps its primitive starts as in the sequence;
+    /// one with another primitive starts where that is nearest to what the others do.
     pub(super) fn starts(&self, uses: &[usize]) -> Vec<Vec<DMatrix<f64>>> {
         let start = |(m, s): (usize, usize)| {
             let movement = &self.movements[m];
@@ -80,8 +83,8 @@ impl Library {
         self.start_sequences(uses).into_iter().map(start).collect()
     }
 
-    /// The p latents of each part [p x Q_i] that a combination starts with at a frame of a sequence: parts with another primitive than in
-    /// the movement start where that is nearest to what the others do there.
+    /// The p latents of each part [p x Q_i] that a combination starts with at a frame of a sequence: parts
+    /// with another primitive than in the movement start where that is nearest to what the others do there.
     pub(super) fn window(
         &self,
         uses: &[usize],
@@ -115,8 +118,9 @@ impl Library {
         self.latent_dimensions().into_iter().map(|q| DMatrix::zeros(self.order, q)).collect()
     }
 
-    /// The p latents of a primitive's part [p x Q] at the time of its movements when the other parts were nearest to `window` [p x Q_i
-    /// each]; parts in `ignored` do not count, unless all do. `None` where no movement uses the primitive, and it keeps no excerpt of one.
+    /// The p latents of a primitive's part [p x Q] at the time of its movements when the other parts were
+    /// nearest to `window` [p x Q_i each]; parts in `ignored` do not count, unless all do. `None` where no
+    /// movement uses the primitive, and it keeps no excerpt of one.
     pub fn state_near(
         &self,
         primitive: usize,
@@ -143,8 +147,8 @@ impl Library {
         best.map(|(_, state)| state)
     }
 
-    /// Latents [T x Q_i of each part] at which the pose maps come nearest to centred columns `y` [T x D_i of each part], frame by
-    /// frame, among the latents of all movements and excerpts.
+    /// Latents [T x Q_i of each part] at which the pose maps come nearest to centred columns `y` [T x D_i of
+    /// each part], frame by frame, among the latents of all movements and excerpts.
     pub(super) fn latents_near(&self, y: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
         let of_part = |(part, y): (usize, &DMatrix<f64>)| {
             let excerpts =

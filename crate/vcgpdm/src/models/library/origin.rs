@@ -12,7 +12,8 @@ pub struct Origin {
     pub training: Provenance<VariationalSettings>,
     /// The sequences that it learned from.
     pub clips: Vec<SequenceInfo>,
-    /// The primitive of another library that it was learned again from; `None`: it was learned from clips where it stands.
+    /// The primitive of another library that it was learned again from; `None`: it was learned from clips
+    /// where it stands.
     pub relearned: Option<Relearned>,
 }
 
@@ -32,7 +33,8 @@ pub struct Relearned {
 pub enum FramesFrom {
     /// Clips that somebody gave.
     Clips,
-    /// The poses, under its own pose maps, of the latents that it had in training: those clips without what its pose maps do not show.
+    /// The poses, under its own pose maps, of the latents that it had in training: those clips without what
+    /// its pose maps do not show.
     Remembered,
     /// Rollouts of the movements that it came with: what it does, rather than what it saw.
     Generated,
@@ -54,8 +56,8 @@ impl FramesFrom {
     }
 }
 
-/// What a primitive keeps of a movement that used it and whose other primitives are not in its library: how much its predictions were
-/// worth there, and where all parts were.
+/// What a primitive keeps of a movement that used it and whose other primitives are not in its library: how
+/// much its predictions were worth there, and where all parts were.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Excerpt {
     /// The movement's name.

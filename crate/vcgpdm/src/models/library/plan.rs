@@ -33,7 +33,8 @@ pub struct PlannedMovement {
     pub sequences: usize,
 }
 
-/// The movements of a library to be learned, and of each part whether it uses the same primitive in all of them, or its own in each.
+/// The movements of a library to be learned, and of each part whether it uses the same primitive in all of
+/// them, or its own in each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LibraryPlan {
     movements: Vec<PlannedMovement>,
@@ -54,7 +55,8 @@ fn is_name(name: &str) -> bool {
 }
 
 impl LibraryPlan {
-    /// A plan of these movements; `shared[part]` says whether the part uses the same primitive in all of them.
+    /// A plan of these movements; `shared[part]` says whether the part uses the same primitive in all of
+    /// them.
     ///
     /// # Errors
     ///
@@ -89,7 +91,8 @@ impl LibraryPlan {
         Err(PlanError::Parts { expected: parts, found: self.shared.len() })
     }
 
-    /// The primitives, part by part: one for all movements, named after them all, or one for each, named after it.
+    /// The primitives, part by part: one for all movements, named after them all, or one for each, named
+    /// after it.
     pub(super) fn primitives(&self) -> Vec<PlannedPrimitive> {
         let mut primitives = Vec::new();
         for (part, shared) in self.shared.iter().enumerate() {

@@ -14,9 +14,10 @@ impl LearnedMovement {
 }
 
 impl Library {
-    /// These primitives with the pose maps of all parts. Movements of which all primitives are chosen come along. What the primitives
-    /// learned from others is kept as [`LibraryExpert::elsewhere`], the primitives that are left out integrated out; and of each of these
-    /// movements an [`Excerpt`]. What such rows say about two chosen primitives together is kept of each alone.
+    /// These primitives with the pose maps of all parts. Movements of which all primitives are chosen come
+    /// along. What the primitives learned from others is kept as [`LibraryExpert::elsewhere`], the primitives
+    /// that are left out integrated out; and of each of these movements an [`Excerpt`]. What such rows say
+    /// about two chosen primitives together is kept of each alone.
     ///
     /// # Errors
     ///
@@ -79,7 +80,8 @@ impl TrainedLibrary {
         Ok(TrainedLibrary { library, body, provenance: self.provenance.clone() })
     }
 
-    /// Where a primitive comes from: what it says itself, or the training of the library with the clips of the movements that use it.
+    /// Where a primitive comes from: what it says itself, or the training of the library with the clips of
+    /// the movements that use it.
     pub fn origin(&self, primitive: usize) -> Origin {
         if let Some(origin) = self.library.primitives.get(primitive).and_then(|known| known.origin.as_ref()) {
             return Origin::clone(origin);

@@ -4,7 +4,8 @@ use crate::models::couplings::{Reading, coupling_weights};
 use crate::models::library::{Library, WalkError};
 use nalgebra::DMatrix;
 
-/// Frames of the rollout that is looked at, of which the second half counts: what a start leaves behind has faded by then.
+/// Frames of the rollout that is looked at, of which the second half counts: what a start leaves behind has
+/// faded by then.
 const FRAMES: usize = 240;
 /// A part stands still where its latents vary less than this share of what they varied in training.
 const STILL: f64 = 0.05;

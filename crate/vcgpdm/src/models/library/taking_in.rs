@@ -66,7 +66,8 @@ pub enum Misfit {
 
 impl Misfit {
     /// Whether the primitives can be learned again under the pose maps of this library
-    /// ([`ImportTrainer`](crate::models::library::ImportTrainer)): where they move the same parts of the same body.
+    /// ([`ImportTrainer`](crate::models::library::ImportTrainer)): where they move the same parts of the same
+    /// body.
     pub fn can_be_relearned(&self) -> bool {
         !matches!(self, Self::Skeleton(_) | Self::Parts { .. } | Self::Joints { .. })
     }
@@ -96,8 +97,8 @@ pub struct TakenIn {
 }
 
 impl TrainedLibrary {
-    /// Checks that primitives of another library can be coupled with those of this one as they are: the same body in the same columns,
-    /// and the same latent spaces, those of the pose maps.
+    /// Checks that primitives of another library can be coupled with those of this one as they are: the same
+    /// body in the same columns, and the same latent spaces, those of the pose maps.
     ///
     /// # Errors
     ///
@@ -148,8 +149,9 @@ impl TrainedLibrary {
         }
     }
 
-    /// Adds the primitives of another library that are not here yet, and its movements. A name that is taken gets a number. What a new
-    /// primitive learned together with one that is here already is kept of the new one alone: the other has learned it before.
+    /// Adds the primitives of another library that are not here yet, and its movements. A name that is taken
+    /// gets a number. What a new primitive learned together with one that is here already is kept of the new
+    /// one alone: the other has learned it before.
     ///
     /// # Errors
     ///

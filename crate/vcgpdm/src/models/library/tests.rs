@@ -53,8 +53,8 @@ fn shared_primitives_serve_every_movement() {
     }
 }
 
-/// The other movements and primitives are integrated out of what is known about a movement's own experts: inferring these again under
-/// the learned couplings must give what all rows together gave.
+/// The other movements and primitives are integrated out of what is known about a movement's own experts:
+/// inferring these again under the learned couplings must give what all rows together gave.
 #[test]
 fn a_movement_inferred_again_under_its_couplings_is_as_learned() {
     let library = trained([true, false]);
@@ -125,7 +125,8 @@ fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
     assert_eq!(found, nearest);
     let y = model.rollout(0, 60).unwrap();
     assert!(y.iter().all(|y| y.iter().all(|v| v.is_finite())));
-    // There are no rows from which its experts could be inferred again: they stay as learned under any couplings.
+    // There are no rows from which its experts could be inferred again: they stay as learned under any
+    // couplings.
     let mut other = model.alpha.clone();
     other[(0, 1)] *= 5.0;
     let paths = [Reading::AsLearned, Reading::ReInferred].map(|reading| {
@@ -172,8 +173,8 @@ fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
     for (a, b) in walked.iter().zip(&path) {
         assert_relative_eq!(*a, b.rows(2, 40).into_owned(), epsilon = 1e-9);
     }
-    // The legs go on to the same bits as without the change in their next frame, for they listen to their own past first; the arms
-    // begin at a state that they had while waving.
+    // The legs go on to the same bits as without the change in their next frame, for they listen to their own
+    // past first; the arms begin at a state that they had while waving.
     let legs = walk.history(0);
     walk.use_primitive(&library, 1, 2).unwrap();
     assert_eq!((walk.uses(), walk.history(0)), (vec![0, 2], legs));
@@ -192,8 +193,8 @@ fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
     assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
 }
 
-/// However many frames are asked for at once, a mix takes one even step in each: on a slow display the arms once jumped a third of the
-/// way. Taken back, it goes on from the share that it had.
+/// However many frames are asked for at once, a mix takes one even step in each: on a slow display the arms
+/// once jumped a third of the way. Taken back, it goes on from the share that it had.
 #[test]
 fn a_mix_takes_even_steps_however_many_frames_are_made_at_once() {
     let library = trained([true, false]);
@@ -290,7 +291,8 @@ fn a_selection_is_worth_what_it_was_worth_in_its_library() {
     assert_eq!(words(&[0, 3]), "expected primitives from 0 to 2, one or more, found 3");
 }
 
-/// A primitive whose movement is not there still knows how much its predictions were worth, and where its part was.
+/// A primitive whose movement is not there still knows how much its predictions were worth, and where its
+/// part was.
 #[test]
 fn an_excerpt_says_where_a_primitive_starts_and_how_it_is_coupled() {
     let library = trained([false, false]);

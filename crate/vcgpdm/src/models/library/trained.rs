@@ -86,7 +86,8 @@ pub struct ObservedClip {
 }
 
 impl TrainedLibrary {
-    /// The best library of a training so far; `frames_per_second` is the rate that the data set was asked for.
+    /// The best library of a training so far; `frames_per_second` is the rate that the data set was asked
+    /// for.
     ///
     /// # Errors
     ///
@@ -149,8 +150,8 @@ impl TrainedLibrary {
         TrainedModel { model, body, provenance: self.provenance.clone() }
     }
 
-    /// The primitives that a text such as `lower=walk,upper=wave` names: of each part the primitive of that name, or the one that
-    /// the movement of that name uses.
+    /// The primitives that a text such as `lower=walk,upper=wave` names: of each part the primitive of that
+    /// name, or the one that the movement of that name uses.
     ///
     /// # Errors
     ///
@@ -166,7 +167,8 @@ impl TrainedLibrary {
         whole.ok_or_else(|| self.misunderstood(text))
     }
 
-    /// The primitives that a text such as `lower=walk,upper=wave` names, as [`uses`](Self::uses): of any parts, one or more.
+    /// The primitives that a text such as `lower=walk,upper=wave` names, as [`uses`](Self::uses): of any
+    /// parts, one or more.
     ///
     /// # Errors
     ///
@@ -264,8 +266,9 @@ impl TrainedLibrary {
         Ok(trainer.map_err(|reason| DatasetError::about(reason, &infos()))?)
     }
 
-    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where the nearest movements do; a
-    /// combination of the same name makes way. Couplings that are not the nearest ones come from where `from` says, else from somebody's hand.
+    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where
+    /// the nearest movements do; a combination of the same name makes way. Couplings that are not the nearest
+    /// ones come from where `from` says, else from somebody's hand.
     ///
     /// # Errors
     ///
@@ -288,7 +291,8 @@ impl TrainedLibrary {
         self.add(LearnedMovement { alpha: alpha.clone(), couplings, ..nearest }, infos)
     }
 
-    /// Checks that a combination can have this name: the rows of a learned movement, and with them where primitives come from, would go.
+    /// Checks that a combination can have this name: the rows of a learned movement, and with them where
+    /// primitives come from, would go.
     ///
     /// # Errors
     ///

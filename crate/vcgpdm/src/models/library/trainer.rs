@@ -16,13 +16,14 @@ pub struct LibraryTrainer {
 }
 
 impl LibraryTrainer {
-    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say; they are
-    /// those of the plan's movements, one movement after the other. The `seed` is that of everything random.
+    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the
+    /// sequences say; they are those of the plan's movements, one movement after the other. The `seed` is
+    /// that of everything random.
     ///
     /// # Errors
     ///
-    /// When a setting is out of its range, the observations do not fit the sequences or the plan, or the bound cannot be computed at
-    /// the start.
+    /// When a setting is out of its range, the observations do not fit the sequences or the plan, or the
+    /// bound cannot be computed at the start.
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,

@@ -83,8 +83,9 @@ struct PartWalk {
 
 /// The latents of a walk.
 ///
-/// A part at tempo s goes through its own time s times as fast. Its history is read at whole frames of its own time, between frames
-/// by a straight line, and of the step that is predicted for its next frame it makes the part s:
+/// A part at tempo s goes through its own time s times as fast. Its history is read at whole frames of its
+/// own time, between frames by a straight line, and of the step that is predicted for its next frame it makes
+/// the part s:
 ///
 /// x^i <- x^i + s_i ( sum_j w_{ji} f^{ji}(history of j) - x^i ).
 ///
@@ -109,8 +110,8 @@ impl LatentWalk {
         Ok(Self::begin(library, uses, &start))
     }
 
-    /// A combination from where the parts were at a frame of a sequence of a movement, all counted from 0; parts with another primitive
-    /// than there start where that is nearest to what the others do.
+    /// A combination from where the parts were at a frame of a sequence of a movement, all counted from 0;
+    /// parts with another primitive than there start where that is nearest to what the others do.
     ///
     /// # Errors
     ///
@@ -174,8 +175,8 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these go on as they are. No
-    /// movement that uses it: the part goes on from its own state.
+    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these
+    /// go on as they are. No movement that uses it: the part goes on from its own state.
     ///
     /// # Errors
     ///
@@ -199,8 +200,9 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another one of the part: 1 - `share` of the first, `share` of the other.
-    /// It gets there evenly, at the pace of a whole exchange in `frames`; with 0, at once. A mix with a third primitive begins anew.
+    /// Mixes the predictions of a part's primitive with those of another one of the part: 1 - `share` of the
+    /// first, `share` of the other. It gets there evenly, at the pace of a whole exchange in `frames`; with
+    /// 0, at once. A mix with a third primitive begins anew.
     ///
     /// # Errors
     ///

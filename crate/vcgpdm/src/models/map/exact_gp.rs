@@ -1,7 +1,7 @@
 //! The log density of observations under one Gaussian process, with its adjoints. Knows no kernel.
 //!
-//! log N(T; 0, C) over the columns of T = - R c/2 log(2 pi) - c/2 log|C| - 1/2 tr( T^T C^-1 T ), for R rows and c columns
-//! (Rasmussen & Williams 2006, 5.8 and 5.9).
+//! log N(T; 0, C) over the columns of T = - R c/2 log(2 pi) - c/2 log|C| - 1/2 tr( T^T C^-1 T ), for R rows
+//! and c columns (Rasmussen & Williams 2006, 5.8 and 5.9).
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;

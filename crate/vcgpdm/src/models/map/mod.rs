@@ -1,5 +1,5 @@
-//! GPDM and CGPDM with point estimates of their latents: all functions marginalised, no inducing points, cubic in the frames
-//! (Wang, Fleet & Hertzmann 2008; Velychko, Endres, Taubert & Giese 2014).
+//! GPDM and CGPDM with point estimates of their latents: all functions marginalised, no inducing points,
+//! cubic in the frames (Wang, Fleet & Hertzmann 2008; Velychko, Endres, Taubert & Giese 2014).
 
 mod density;
 mod exact_gp;

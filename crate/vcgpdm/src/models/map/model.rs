@@ -1,7 +1,7 @@
 //! A fitted MAP model: predictions by the exact conditional means.
 //!
-//! `E[x^i_t]` = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and `E[y^i_t]` = k^i(x^i_t, X^i) (K^i + beta^i I)^-1 Y^i: both are sums
-//! over all training frames, whose coefficients are solved for once.
+//! `E[x^i_t]` = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and `E[y^i_t]` = k^i(x^i_t, X^i) (K^i + beta^i
+//! I)^-1 Y^i: both are sums over all training frames, whose coefficients are solved for once.
 
 use crate::gp::{Kernel, KernelSum, NumericsError};
 use crate::models::couplings::coupling_weights;
@@ -110,7 +110,8 @@ impl MapModel {
         &self.coefficients
     }
 
-    /// Variances of the linear terms of the dynamics [M x M], row the source, column the target; [0 x 0] without them.
+    /// Variances of the linear terms of the dynamics [M x M], row the source, column the target; [0 x 0]
+    /// without them.
     pub fn linear(&self) -> &DMatrix<f64> {
         &self.linear
     }
@@ -150,7 +151,8 @@ impl MapModel {
         Ok(self.poses.iter().zip(&latents).map(|(pose, x)| pose.at_rows(x)).collect())
     }
 
-    /// How many numbers must be kept to roll out: all training latents, the coefficients of all maps, kernels and couplings.
+    /// How many numbers must be kept to roll out: all training latents, the coefficients of all maps, kernels
+    /// and couplings.
     pub fn stored_numbers(&self) -> usize {
         let poses =
             self.parts.iter().map(|p| p.latents.len() + p.coefficients.len() + p.kernel.lambda.len() + 1);

@@ -21,11 +21,12 @@ pub struct MapPart {
 pub struct MapParams {
     /// One for each of the M parts.
     pub parts: Vec<MapPart>,
-    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is of j's prediction about i. Their signal variance is 1,
-    /// because the scale of a function and its coupling weight could otherwise be traded for each other.
+    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is of j's prediction about i. Their
+    /// signal variance is 1, because the scale of a function and its coupling weight could otherwise be
+    /// traded for each other.
     pub dynamics: Vec<Vec<Kernel>>,
-    /// Variances theta of the linear term theta x_{-t} . x_{-t'} of each kernel of the dynamics (Wang et al. 2008, 10) [M x M], row the
-    /// source, column the target; [0 x 0]: no linear term.
+    /// Variances theta of the linear term theta x_{-t} . x_{-t'} of each kernel of the dynamics (Wang et al.
+    /// 2008, 10) [M x M], row the source, column the target; [0 x 0]: no linear term.
     pub linear: DMatrix<f64>,
     /// Coupling variances alpha [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,

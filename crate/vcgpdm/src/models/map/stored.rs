@@ -1,7 +1,7 @@
 //! A MAP model as it stands in a document.
 //!
-//! Its predictions are sums over all training frames, so the document holds the latents of every frame: the movements that it
-//! learned from can be read out of it.
+//! Its predictions are sums over all training frames, so the document holds the latents of every frame: the
+//! movements that it learned from can be read out of it.
 
 use crate::gp::Kernel;
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};

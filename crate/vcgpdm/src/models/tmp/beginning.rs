@@ -1,12 +1,13 @@
-//! Where a trial lies of which only the first frames are known: the maximum of the posterior of its start, its weights integrated out.
+//! Where a trial lies of which only the first frames are known: the maximum of the posterior of its start,
+//! its weights integrated out.
 //!
-//! Its rate is the one that the whole trials lead to expect, their mean. A few frames tell how fast a movement is just then, which is
-//! not how fast it is on the whole: from five frames, the periods of ten walks of one person came out up to 15 % wrong, while the
-//! walks themselves differ by 2 %.
+//! Its rate is the one that the whole trials lead to expect, their mean. A few frames tell how fast a
+//! movement is just then, which is not how fast it is on the whole: from five frames, the periods of ten
+//! walks of one person came out up to 15 % wrong, while the walks themselves differ by 2 %.
 //!
-//! What the primitives leave of a movement is no white noise: it goes on from frame to frame, so that five frames in a row tell little
-//! more than one or two. So the noise of these frames has the correlations
-//! from frame to frame that the whole trials show, and both are whitened: the rest is as for a whole trial.
+//! What the primitives leave of a movement is no white noise: it goes on from frame to frame, so that five
+//! frames in a row tell little more than one or two. So the noise of these frames has the correlations from
+//! frame to frame that the whole trials show, and both are whitened: the rest is as for a whole trial.
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
@@ -17,20 +18,22 @@ use crate::models::tmp::view::View;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// What is known before any trial was seen: clips are cut roughly alike. The standard deviation of the start, in movements, worth so
-/// many trials.
+/// What is known before any trial was seen: clips are cut roughly alike. The standard deviation of the start,
+/// in movements, worth so many trials.
 const CUT: f64 = 0.05;
 const PRIOR_TRIALS: f64 = 2.0;
 /// What of the noise's variance is white at least.
 const WHITE: f64 = 1e-3;
 /// Places that are looked at first.
 const PLACES: usize = 64;
-/// The range of the starts that are looked at on a movement that is no cycle, in scales of their prior to either side.
+/// The range of the starts that are looked at on a movement that is no cycle, in scales of their prior to
+/// either side.
 const START_REACH: f64 = 6.0;
 /// Steps of the search are halved so often.
 const HALVINGS: usize = 7;
 
-/// A Student t distribution: the next value after some that were seen, under the conjugate prior of a normal distribution.
+/// A Student t distribution: the next value after some that were seen, under the conjugate prior of a normal
+/// distribution.
 #[derive(Clone, Copy, Debug)]
 struct Next {
     centre: f64,
@@ -95,7 +98,8 @@ impl<'a> Beginning<'a> {
         Ok(Self { posterior, whitened, noise, rate, start, weights })
     }
 
-    /// The log density of start and frames, the weights integrated out; without what does not depend on the start.
+    /// The log density of start and frames, the weights integrated out; without what does not depend on the
+    /// start.
     fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
         let mut value = self.start.map_or(0.0, |start| start.log_density(map.start));
         let posterior = self.posterior;
@@ -128,7 +132,8 @@ impl<'a> Beginning<'a> {
         &self.whitened
     }
 
-    /// What the bound of the whitened frames has more than that of the frames: the log-determinant of the whitening, in nats.
+    /// What the bound of the whitened frames has more than that of the frames: the log-determinant of the
+    /// whitening, in nats.
     pub fn stretch(&self) -> f64 {
         0.5 * self.noise.log_determinant() * self.whitened.y.ncols() as f64
     }

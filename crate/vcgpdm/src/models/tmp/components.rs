@@ -14,8 +14,8 @@ impl Fits {
         Self(DMatrix::zeros(inducing, inducing))
     }
 
-    /// Adds the columns `y` [T x D] of a trial, each fitted by ridge regression on its features and divided by the root of its
-    /// `variance` `[D]`.
+    /// Adds the columns `y` [T x D] of a trial, each fitted by ridge regression on its features and divided
+    /// by the root of its `variance` `[D]`.
     pub fn add(
         &mut self,
         view: &View,

@@ -8,8 +8,8 @@ use crate::models::phase::PhaseAxis;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// Distance of inducing phases in lengthscales. A squared exponential has almost nothing above the frequency that this
-/// resolves, so that the values between them follow (the bound counts what does not).
+/// Distance of inducing phases in lengthscales. A squared exponential has almost nothing above the frequency
+/// that this resolves, so that the values between them follow (the bound counts what does not).
 const SPACING: f64 = 0.7;
 /// More would only be slow; it limits the lengthscale from below. On a cycle, and on a whole movement.
 const MOST_INDUCING: [usize; 2] = [30, 48];
@@ -19,8 +19,8 @@ const JITTER: f64 = 1e-8;
 
 /// A squared exponential of variance 1 over phase, with regularly spaced inducing phases.
 ///
-/// On [`PhaseAxis::Trial`], k(p, p') = exp(-(p - p')^2 / (2 l^2)). On [`PhaseAxis::Cycle`] the same of the chord between the two
-/// places on a circle of circumference 1: (p - p') becomes sin(pi (p - p')) / pi.
+/// On [`PhaseAxis::Trial`], k(p, p') = exp(-(p - p')^2 / (2 l^2)). On [`PhaseAxis::Cycle`] the same of the
+/// chord between the two places on a circle of circumference 1: (p - p') becomes sin(pi (p - p')) / pi.
 #[derive(Clone, Debug)]
 pub struct PhaseKernel {
     /// What the phase means.
@@ -71,7 +71,8 @@ impl PhaseKernel {
         length / (SPACING * (MOST_INDUCING[usize::from(axis == PhaseAxis::Trial)] - 3) as f64)
     }
 
-    /// P = K_pz L^-T [T x R] with K_zz = L L^T: the process at `phases` is P v plus what is left, v ~ N(0, I).
+    /// P = K_pz L^-T [T x R] with K_zz = L L^T: the process at `phases` is P v plus what is left, v ~ N(0,
+    /// I).
     pub fn features(&self, phases: &[f64]) -> DMatrix<f64> {
         let cross = DMatrix::from_fn(self.inducing.len(), phases.len(), |r, t| {
             covariance(self.axis, self.lengthscale, self.inducing[r] - phases[t])
@@ -79,7 +80,8 @@ impl PhaseKernel {
         self.factor.solve_lower(&cross).transpose()
     }
 
-    /// K_zz^-1 L v = L^-T v: what the covariances with the inducing phases are multiplied by in a prediction [R x Q].
+    /// K_zz^-1 L v = L^-T v: what the covariances with the inducing phases are multiplied by in a prediction
+    /// [R x Q].
     pub fn coefficients(&self, v: &DMatrix<f64>) -> DMatrix<f64> {
         self.factor.solve_upper(v)
     }

@@ -16,13 +16,15 @@ use crate::models::trials::split_trials;
 
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;
-/// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the bound.
+/// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the
+/// bound.
 const SMALL_GAIN: f64 = 5e-6;
-/// While numbers are compared: each begins where the one before it ended, with one primitive more, and is soon good enough.
+/// While numbers are compared: each begins where the one before it ended, with one primitive more, and is
+/// soon good enough.
 const SEARCH_GAIN: f64 = 5e-5;
 const SEARCH_SWEEPS: usize = 30;
-/// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One that is not used costs
-/// nothing, and the bound creeps up a little with every sweep.
+/// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One
+/// that is not used costs nothing, and the bound creeps up a little with every sweep.
 const DECISIVE: f64 = 5.0;
 /// From so many primitives on every second number is tried: one more hardly changes the bound.
 const MANY: usize = 10;
@@ -101,8 +103,8 @@ impl TmpLearner {
         let alignment =
             if learns_phases { Alignment::new(&trials, None) } else { Alignment::normalised_time(&trials) };
         let count = asked.unwrap_or(1);
-        // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the same footing, because
-        // the bound of a column that hardly moves would otherwise grow without limit.
+        // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the
+        // same footing, because the bound of a column that hardly moves would otherwise grow without limit.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
         let current = Posterior::start(&trials, &alignment, &groups, count, settings.normalised_time)?;
         let bound = current.bound(&trials)?;

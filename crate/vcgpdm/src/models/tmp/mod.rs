@@ -1,31 +1,38 @@
 //! Temporal movement primitives (Clever et al. 2016; Endres et al. 2013), by variational Bayes.
 //!
-//! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at frame t is
+//! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at
+//! frame t is
 //!
 //! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part),
 //!
-//! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats itself, of the whole
-//!   movement for one that does not. Recorded walks start anywhere in the gait cycle and walk at their own pace; a plain
-//!   normalisation of their lengths would add up steps of the left and of the right leg. Start and rate begin with an alignment
-//!   to the mean of all trials ([`crate::models::Alignment`]) and then follow the bound like everything else. The frames
-//!   themselves are modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other models.
-//! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing phases, their number
-//!   following from the lengthscale (0.7 lengthscales apart). What lies between them is in the bound, not neglected.
-//! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k diag(a)). c_k is the scale of
-//!   the column, a_q tells how much primitive q is used at all, and V [Q x Q] how the weights of a trial differ from the mean
-//!   movement: together, since all columns of all trials teach one V.
-//! - A trial of which only the first frames are known teaches the model nothing: c, V and the noise come from whole trials. (If it
-//!   did, V would grow along any combination of weights that only those frames ask for, and such a combination would cost nothing:
-//!   predictions exploded.) Given the model, its rate is the mean of the whole trials, and its start is where the posterior is
-//!   highest, its weights integrated out. The posterior of its weights is the prediction, near mu_k where those frames say nothing.
+//! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats
+//!   itself, of the whole movement for one that does not. Recorded walks start anywhere in the gait cycle and
+//!   walk at their own pace; a plain normalisation of their lengths would add up steps of the left and of the
+//!   right leg. Start and rate begin with an alignment to the mean of all trials
+//!   ([`crate::models::Alignment`]) and then follow the bound like everything else. The frames themselves are
+//!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other
+//!   models.
+//! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing
+//!   phases, their number following from the lengthscale (0.7 lengthscales apart). What lies between them is
+//!   in the bound, not neglected.
+//! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k
+//!   diag(a)). c_k is the scale of the column, a_q tells how much primitive q is used at all, and V [Q x Q]
+//!   how the weights of a trial differ from the mean movement: together, since all columns of all trials
+//!   teach one V.
+//! - A trial of which only the first frames are known teaches the model nothing: c, V and the noise come from
+//!   whole trials. (If it did, V would grow along any combination of weights that only those frames ask for,
+//!   and such a combination would cost nothing: predictions exploded.) Given the model, its rate is the mean
+//!   of the whole trials, and its start is where the posterior is highest, its weights integrated out. The
+//!   posterior of its weights is the prediction, near mu_k where those frames say nothing.
 //!
-//! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions of normalised time, and
-//! weights of the columns that all trials share, w_sk = w_k. Learned phases, the cycle and weights for every trial are ours; they
-//! make it stronger.
+//! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions
+//! of normalised time, and weights of the columns that all trials share, w_sk = w_k. Learned phases, the
+//! cycle and weights for every trial are ours; they make it stronger.
 //!
-//! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all w_sk of a column. Both
-//! updates, and those of sigma, c, V and a, are maxima of the bound in closed form; lengthscale, starts and rates move only
-//! where that raises it. So it never falls. The number of primitives is the one of the highest bound.
+//! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all
+//! w_sk of a column. Both updates, and those of sigma, c, V and a, are maxima of the bound in closed form;
+//! lengthscale, starts and rates move only where that raises it. So it never falls. The number of primitives
+//! is the one of the highest bound.
 
 mod beginning;
 mod components;
@@ -129,8 +136,8 @@ impl Tmp {
 
     /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
     ///
-    /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do: more frames than
-    /// reach there are spread over the same phases, so that the movement is slower.
+    /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do:
+    /// more frames than reach there are spread over the same phases, so that the movement is slower.
     ///
     /// # Errors
     ///
@@ -149,8 +156,8 @@ impl Tmp {
         Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: primitives at the inducing phases, the weights of one trial,
-    /// its start and rate, lengthscale and range.
+    /// How many numbers must be kept to roll out from one sequence: primitives at the inducing phases, the
+    /// weights of one trial, its start and rate, lengthscale and range.
     pub fn stored_numbers(&self) -> usize {
         let weights = self.centre.len();
         self.coefficients.len() + weights + 2 + 1 + if self.axis == PhaseAxis::Trial { 2 } else { 0 }

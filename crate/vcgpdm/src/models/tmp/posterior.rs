@@ -11,11 +11,13 @@ use crate::models::tmp::weights::{ColumnWeights, infer};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{E, PI};
 
-/// Noise variances and column scales stay above this times the mean variance of a column: some columns never move.
+/// Noise variances and column scales stay above this times the mean variance of a column: some columns never
+/// move.
 const FLOOR: f64 = 1e-6;
 /// The mean variance counts as this much at least: a clip in which nothing moves has none.
 const LEAST_VARIANCE: f64 = 1e-4;
-/// Starts: the share of a column's variance that is noise, and of the weights' variance that is between trials.
+/// Starts: the share of a column's variance that is noise, and of the weights' variance that is between
+/// trials.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
 /// Starts: the variance of v that is not known yet.
@@ -55,8 +57,9 @@ pub struct Posterior {
 }
 
 impl Posterior {
-    /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are the numbers of
-    /// neighbouring columns that share their noise; `shared_weights`: all trials have the same weights.
+    /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are
+    /// the numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
+    /// weights.
     pub fn start(
         trials: &[Trial],
         alignment: &Alignment,
@@ -264,7 +267,8 @@ impl Posterior {
         Ok(())
     }
 
-    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v); keeps what raises the bound.
+    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v); keeps what raises the
+    /// bound.
     pub fn update_lengthscale(&mut self, trials: &[Trial], factor: f64) -> Result<bool, NumericsError> {
         self.update_primitives()?;
         let best = self.bound(trials)?;
@@ -327,8 +331,8 @@ impl Posterior {
         }
     }
 
-    /// Takes in a trial that nothing was learned from, as it looks where it lies; its weights are its own unless all trials share
-    /// them.
+    /// Takes in a trial that nothing was learned from, as it looks where it lies; its weights are its own
+    /// unless all trials share them.
     pub fn include(&mut self, view: View, map: PhaseMap) -> Result<(), NumericsError> {
         let shared_weights = self.sets.len() > 1 && self.set_count() == 1;
         self.sets.push(if shared_weights { 0 } else { self.set_count() });
@@ -337,8 +341,8 @@ impl Posterior {
         self.update_weights()
     }
 
-    /// How what the primitives leave of a column goes on from frame to frame: its correlation with itself 0, 1, ... frames later, over
-    /// all trials and columns, each weighed by its noise.
+    /// How what the primitives leave of a column goes on from frame to frame: its correlation with itself 0,
+    /// 1, ... frames later, over all trials and columns, each weighed by its noise.
     pub fn residual_correlations(&self, trials: &[Trial], lags: usize) -> Vec<f64> {
         let mut sums = vec![0.0; lags];
         for (s, (trial, view)) in trials.iter().zip(&self.views).enumerate() {
@@ -357,7 +361,8 @@ impl Posterior {
         sums.iter().enumerate().map(correlation).collect()
     }
 
-    /// The bound on log p(Y), in nats: E[log p(Y | v, w)] + E[log p(w | mu)] + E[log p(mu)] + entropies - KL(q(v) || p(v)).
+    /// The bound on log p(Y), in nats: E[log p(Y | v, w)] + E[log p(w | mu)] + E[log p(mu)] + entropies -
+    /// KL(q(v) || p(v)).
     pub fn bound(&self, trials: &[Trial]) -> Result<f64, NumericsError> {
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
         let energies = self.energies();

@@ -17,7 +17,8 @@ fn noise(rng: &mut ChaCha8Rng) -> f64 {
     StandardNormal.sample(rng)
 }
 
-/// Trials that follow the model: two primitives, weights around a mean, noise; rhythmic or not; the last one only begun.
+/// Trials that follow the model: two primitives, weights around a mean, noise; rhythmic or not; the last one
+/// only begun.
 fn problem(seed: u64, rhythmic: bool) -> Vec<Trial> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let columns = 4;
@@ -108,8 +109,8 @@ fn primitive(posterior: &Posterior, phases: &[f64]) -> (DMatrix<f64>, DMatrix<f6
 
 #[test]
 fn the_bound_is_the_expectation_that_it_stands_for() {
-    // One column, one primitive, one trial of four frames: the expectation of the log joint is one of polynomials, which
-    // quadrature over every single Gaussian variable gives exactly.
+    // One column, one primitive, one trial of four frames: the expectation of the log joint is one of
+    // polynomials, which quadrature over every single Gaussian variable gives exactly.
     let y = DMatrix::from_column_slice(4, 1, &[0.4, -0.3, 0.9, 0.2]);
     let trials = [Trial { y, whole: true }];
     let maps = vec![PhaseMap { start: 0.05, rate: 0.3 }];
@@ -159,7 +160,8 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
     let bound = posterior.bound(&trials).unwrap();
     assert_relative_eq!(bound, expectation, epsilon = 1e-9);
 
-    // And it is one: below the log evidence, where w has been integrated out by many points and m in closed form.
+    // And it is one: below the log evidence, where w has been integrated out by many points and m in closed
+    // form.
     let total = centre_variance + spread;
     let k = DMatrix::from_fn(4, 4, |a, b| {
         kernel::covariance(PhaseAxis::Trial, posterior.kernel.lengthscale, phases[a] - phases[b])
@@ -201,7 +203,8 @@ fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
         assert!((difference.norm_squared() / difference.len() as f64).sqrt() < 0.07, "{difference}");
         let stored = model.inducing.len() * 2 + 4 * 2 + if rhythmic { 3 } else { 5 };
         assert_eq!(model.stored_numbers(), stored);
-        // The trial of which five frames were known goes on as the primitives say, from the frames that were known.
+        // The trial of which five frames were known goes on as the primitives say, from the frames that were
+        // known.
         let y = model.rollout(3, 60).unwrap();
         let start = y[0].rows(0, 5) - trials[3].y.columns(0, 3);
         assert!(start.amax() < 0.25, "{start}");
@@ -239,9 +242,9 @@ fn what_never_moves_and_single_trials_break_nothing() {
     assert_eq!(error, "the number of primitives must be from 1 to 40, found 0");
 }
 
-/// The story of a brisk walk among slower ones: its first frames ask for a combination of weights that no whole trial has. When
-/// these frames took part in learning how trials differ, the combination became likely, and the prediction went a hundred times
-/// further than any trial.
+/// The story of a brisk walk among slower ones: its first frames ask for a combination of weights that no
+/// whole trial has. When these frames took part in learning how trials differ, the combination became likely,
+/// and the prediction went a hundred times further than any trial.
 #[test]
 fn the_first_frames_of_an_unusual_trial_do_not_lead_astray() {
     for seed in 0..4 {
@@ -271,7 +274,8 @@ fn the_first_frames_of_an_unusual_trial_do_not_lead_astray() {
             let mut learner = TmpLearner::new(&movements, &settings).unwrap();
             while !learner.step().done {}
             let predicted = learner.model().unwrap().rollout(3, actual.nrows()).unwrap().swap_remove(0);
-            // At the wrong pace it may be against the trial half of the time; what swings as far then has up to four times this.
+            // At the wrong pace it may be against the trial half of the time; what swings as far then has up
+            // to four times this.
             let still = actual.norm_squared();
             let error = (&predicted - &actual).norm_squared();
             assert!(error < 4.0 * still, "seed {seed}: {:.2} times a motionless prediction", error / still);

@@ -21,11 +21,11 @@ pub struct ColumnWeights {
     pub log_determinant: f64,
 }
 
-/// The posterior under mu_k ~ N(0, diag `centre_variance`), w_sk | mu_k ~ N(mu_k, `precision`^-1) and a log likelihood of
-/// `h`_s^T w - 1/2 w^T `e`_s w for each trial s, given as (e_s [Q x Q], h_s `[Q]`).
+/// The posterior under mu_k ~ N(0, diag `centre_variance`), w_sk | mu_k ~ N(mu_k, `precision`^-1) and a log
+/// likelihood of `h`_s^T w - 1/2 w^T `e`_s w for each trial s, given as (e_s [Q x Q], h_s `[Q]`).
 ///
-/// Given mu_k the trials are independent, with C_s = (Lambda + e_s)^-1; integrating them out leaves mu_k with the precision
-/// diag(1 / centre_variance) + sum_s Lambda C_s e_s and the information sum_s Lambda C_s h_s.
+/// Given mu_k the trials are independent, with C_s = (Lambda + e_s)^-1; integrating them out leaves mu_k with
+/// the precision diag(1 / centre_variance) + sum_s Lambda C_s e_s and the information sum_s Lambda C_s h_s.
 pub fn infer(
     precision: &DMatrix<f64>,
     centre_variance: &DVector<f64>,

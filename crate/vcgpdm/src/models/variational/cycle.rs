@@ -8,7 +8,8 @@ use nalgebra::DMatrix;
 /// Frames in which the learned rollout settles, and so many more in which its period is looked for.
 const SETTLING: usize = 300;
 
-/// One period of the rollout as learned: the same frame of it for all parts, so that parts in step have the same phase.
+/// One period of the rollout as learned: the same frame of it for all parts, so that parts in step have the
+/// same phase.
 #[derive(Clone, Debug)]
 pub struct Cycle {
     /// The histories of each part around the cycle [period x pQ_i].
@@ -27,7 +28,8 @@ pub struct CyclePlace {
 }
 
 impl Vcgpdm {
-    /// The cycle in which the learned rollout from the start of `sequence` settles; absent when it does not repeat itself.
+    /// The cycle in which the learned rollout from the start of `sequence` settles; absent when it does not
+    /// repeat itself.
     ///
     /// # Errors
     ///
@@ -66,7 +68,8 @@ impl Cycle {
         radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, radii })
     }
 
-    /// Where a part with this `history` `[p Q_i]`, oldest first, stands; absent for a part that it does not have.
+    /// Where a part with this `history` `[p Q_i]`, oldest first, stands; absent for a part that it does not
+    /// have.
     pub fn place(&self, part: usize, history: &[f64]) -> Option<CyclePlace> {
         let (states, radius) = (self.states.get(part)?, self.radii.get(part)?);
         let count = states.nrows();

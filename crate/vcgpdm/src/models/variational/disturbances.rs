@@ -11,8 +11,8 @@ use nalgebra::DMatrix;
 const SILENT: f64 = 1e90;
 
 impl Vcgpdm {
-    /// The mean dynamics with these couplings `(source, target)` cut, the others as in `alpha` [M x M]: what they still listen to
-    /// shares the weight of what was cut.
+    /// The mean dynamics with these couplings `(source, target)` cut, the others as in `alpha` [M x M]: what
+    /// they still listen to shares the weight of what was cut.
     ///
     /// # Errors
     ///
@@ -46,8 +46,8 @@ impl Vcgpdm {
     ///
     /// # Errors
     ///
-    /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it could be felt, or there is no such
-    /// sequence.
+    /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it
+    /// could be felt, or there is no such sequence.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
         let frames = request.frames.max(self.order);
@@ -132,7 +132,8 @@ mod tests {
         let learned = model.path(&request(12)).unwrap();
         assert_eq!(path[1].rows(0, 5), learned[1].rows(0, 5));
         assert_ne!(path[1].row(5), learned[1].row(5));
-        // The frames in between follow the dynamics of those that are left, those after it the learned ones again.
+        // The frames in between follow the dynamics of those that are left, those after it the learned ones
+        // again.
         let go_on = |dynamics: &LatentDynamics, from: usize, to: usize| {
             let start: Vec<_> = path.iter().map(|x| x.rows(from - 2, 2).into_owned()).collect();
             dynamics.path(&start, to - from + 2).unwrap()[1].rows(2, to - from).into_owned()

@@ -7,9 +7,9 @@ use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 
 impl Vcgpdm {
-    /// For each part and each row of its latents [frames x Q_i] the share of the prior variance of its pose map that the inducing
-    /// points explain there, k(x, r) K_rr^-1 k(r, x) / sigma^2: near 1 where the model was trained, near 0 far away, where every
-    /// prediction is the mean pose.
+    /// For each part and each row of its latents [frames x Q_i] the share of the prior variance of its pose
+    /// map that the inducing points explain there, k(x, r) K_rr^-1 k(r, x) / sigma^2: near 1 where the model
+    /// was trained, near 0 far away, where every prediction is the mean pose.
     ///
     /// # Errors
     ///

@@ -9,11 +9,12 @@ use rand_chacha::ChaCha8Rng;
 /// Rows that are farther away than so many standard deviations do not count.
 const REACH: f64 = 4.0;
 
-/// The first `count` principal components [N x count] of the columns `y` [N x D], smoothed along time. The first has unit variance; the
-/// variance of each other is smaller as its share in the smoothed columns is.
+/// The first `count` principal components [N x count] of the columns `y` [N x D], smoothed along time. The
+/// first has unit variance; the variance of each other is smaller as its share in the smoothed columns is.
 ///
-/// The dynamics ask for latents that the next frame can be predicted from. What changes fast, or differs from frame to frame without
-/// a rule, misleads a training that begins with it: some seeds then end in a lower bound (docs/training.md).
+/// The dynamics ask for latents that the next frame can be predicted from. What changes fast, or differs from
+/// frame to frame without a rule, misleads a training that begins with it: some seeds then end in a lower
+/// bound (docs/training.md).
 pub(super) fn first_latents(
     y: &DMatrix<f64>,
     sequences: &Sequences,
@@ -32,7 +33,8 @@ pub(super) fn first_latents(
     x
 }
 
-/// The averages of the rows around each row of `x` [N x D], of its own sequence, with the weights of a Gaussian as wide as the movement's
+/// The averages of the rows around each row of `x` [N x D], of its own sequence, with the weights of a
+/// Gaussian as wide as the movement's
 /// [`pace`]: what is slow for one movement is fast for another.
 fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     let width = pace(x, sequences);
@@ -57,7 +59,8 @@ fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     averages
 }
 
-/// In how many frames the centred columns `x` [N x D] change as much as they vary; of a wave, one radian. 0 where nothing moves.
+/// In how many frames the centred columns `x` [N x D] change as much as they vary; of a wave, one radian. 0
+/// where nothing moves.
 fn pace(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
     let steps = sequences.lagged(x, 0) - sequences.lagged(x, 1);
     let variance = |x: &DMatrix<f64>| x.norm_squared() / x.nrows().max(1) as f64;
@@ -80,7 +83,8 @@ mod tests {
     fn slow_columns_come_before_fast_ones() {
         let slow = |t: usize| (t as f64 * 0.05).sin();
         let fast = |t: usize| if t % 4 < 2 { 1.0 } else { -1.0 };
-        // The fast column varies more than each of the slow ones, and is no principal component of what is smoothed.
+        // The fast column varies more than each of the slow ones, and is no principal component of what is
+        // smoothed.
         let y =
             DMatrix::from_fn(
                 252,

@@ -1,4 +1,5 @@
-//! Sampled rollouts: at every frame the next latents are drawn from what the experts predict, with their variances.
+//! Sampled rollouts: at every frame the next latents are drawn from what the experts predict, with their
+//! variances.
 
 use crate::models::latent_paths::LatentPaths;
 use crate::models::rollout::RolloutError;
@@ -9,9 +10,9 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 impl PredictiveDynamics {
-    /// A latent path of every part [frames x Q_i] that begins with the `start` [p x Q_i] of each part and then draws
-    /// x^i_t ~ N(mean, variance) of the product of experts, all parts advancing together. The functions are drawn anew at every
-    /// frame. The same `seed` gives the same path.
+    /// A latent path of every part [frames x Q_i] that begins with the `start` [p x Q_i] of each part and
+    /// then draws x^i_t ~ N(mean, variance) of the product of experts, all parts advancing together. The
+    /// functions are drawn anew at every frame. The same `seed` gives the same path.
     ///
     /// # Errors
     ///

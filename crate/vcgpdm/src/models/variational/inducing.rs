@@ -56,8 +56,8 @@ impl Vcgpdm {
         self.experts.get(source).ok_or_else(|| part(source))?.get(target).ok_or_else(|| part(target))
     }
 
-    /// How much the pose inducing point `index` of a part says about each latent point [frames x Q, row after row]: the kernel
-    /// over its variance, k(x, r) / sigma^2, 0 to 1.
+    /// How much the pose inducing point `index` of a part says about each latent point [frames x Q, row after
+    /// row]: the kernel over its variance, k(x, r) / sigma^2, 0 to 1.
     ///
     /// # Errors
     ///
@@ -72,7 +72,8 @@ impl Vcgpdm {
         kernel_weights(map.kernel(), map.r(), index, latents, map.r().ncols(), 0)
     }
 
-    /// How much the dynamics inducing point `index` of an expert says about each frame of the source's latent path
+    /// How much the dynamics inducing point `index` of an expert says about each frame of the source's latent
+    /// path
     /// [frames x Q, row after row]: k(history, z), 0 to 1; 0 for the first frames, which have no history.
     ///
     /// # Errors
@@ -91,8 +92,8 @@ impl Vcgpdm {
     }
 }
 
-/// k(window, z_index) / sigma^2 for the window that each of the rows of `columns` latents sees: itself for a `lag` of 0, else
-/// so many rows before it.
+/// k(window, z_index) / sigma^2 for the window that each of the rows of `columns` latents sees: itself for a
+/// `lag` of 0, else so many rows before it.
 fn kernel_weights(
     kernel: &Kernel,
     z: &DMatrix<f64>,

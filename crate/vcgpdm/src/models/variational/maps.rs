@@ -20,8 +20,9 @@ pub struct PoseMap {
 }
 
 impl PoseMap {
-    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean` `E[v]` [L x D] and the
-    /// `covariance` of every column of v [L x L]. `jitter` times the signal variance is added to the diagonal of K_rr.
+    /// A map with inducing inputs `r` [L x Q], its kernel, the observation noise variance `beta`, the `mean`
+    /// `E[v]` [L x D] and the `covariance` of every column of v [L x L]. `jitter` times the signal variance
+    /// is added to the diagonal of K_rr.
     ///
     /// # Errors
     ///
@@ -75,7 +76,8 @@ impl PoseMap {
         &self.covariance
     }
 
-    /// K_rr^-1 `E[v]` [L x D], by which the kernels of a latent point are multiplied; `jitter` as in [`new`](Self::new).
+    /// K_rr^-1 `E[v]` [L x D], by which the kernels of a latent point are multiplied; `jitter` as in
+    /// [`new`](Self::new).
     ///
     /// # Errors
     ///
@@ -110,8 +112,8 @@ pub struct FittedExpert {
 }
 
 impl FittedExpert {
-    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` `E[u]` [K x Q_i]. `jitter` is
-    /// added to the diagonal of K_zz.
+    /// An expert with inducing inputs `z` [K x pQ_j], its kernel of signal variance 1, and the `mean` `E[u]`
+    /// [K x Q_i]. `jitter` is added to the diagonal of K_zz.
     ///
     /// # Errors
     ///
@@ -187,7 +189,8 @@ impl FittedMaps {
     }
 }
 
-/// Where each primitive's expert about part `i` begins in what is stacked over all primitives; last the height of the stack.
+/// Where each primitive's expert about part `i` begins in what is stacked over all primitives; last the
+/// height of the stack.
 pub(in crate::models) fn expert_offsets(params: &Params, i: usize) -> Vec<usize> {
     stack_offsets(params.experts.iter().map(|row| row[i].z.nrows()))
 }

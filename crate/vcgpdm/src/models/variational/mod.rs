@@ -1,4 +1,5 @@
-//! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted model.
+//! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted
+//! model.
 
 mod cycle;
 mod disturbances;

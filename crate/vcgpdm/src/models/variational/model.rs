@@ -11,8 +11,8 @@ use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 
-/// What experts about one target have learned from rows that the model's own sums do not hold, such as those of other movements that
-/// use the same primitives. The sources are stacked in order.
+/// What experts about one target have learned from rows that the model's own sums do not hold, such as those
+/// of other movements that use the same primitives. The sources are stacked in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elsewhere {
     /// What these rows add to the precision A - K of the inducing outputs [sum K x sum K].
@@ -50,8 +50,8 @@ pub struct Vcgpdm {
     pub elsewhere: Vec<Elsewhere>,
     /// Learned coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
-    /// The latent means of the first frames of every training sequence, p or more: `starts[sequence][part]` [T x Q_i]. After a training
-    /// they are there for all frames; older files keep p.
+    /// The latent means of the first frames of every training sequence, p or more: `starts[sequence][part]`
+    /// [T x Q_i]. After a training they are there for all frames; older files keep p.
     pub starts: Vec<Vec<DMatrix<f64>>>,
     /// The terms of the bound that training reached, in nats.
     pub terms: BoundTerms,
@@ -102,13 +102,15 @@ impl Vcgpdm {
         self.terms.total()
     }
 
-    /// From how many frames of a training sequence, counted from 0, a rollout can start; 0 where there is no such sequence.
+    /// From how many frames of a training sequence, counted from 0, a rollout can start; 0 where there is no
+    /// such sequence.
     pub fn start_frames(&self, sequence: usize) -> usize {
         let kept = self.starts.get(sequence).and_then(|start| start.first()).map_or(0, DMatrix::nrows);
         (kept + 1).saturating_sub(self.order)
     }
 
-    /// The latent means of p frames of a training sequence from `frame` on, both counted from 0: [p x Q_i] of each part.
+    /// The latent means of p frames of a training sequence from `frame` on, both counted from 0: [p x Q_i] of
+    /// each part.
     ///
     /// # Errors
     ///
@@ -124,8 +126,9 @@ impl Vcgpdm {
         Ok(kept.iter().map(|x| x.rows(frame, self.order).into_owned()).collect())
     }
 
-    /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned, only the weights of
-    /// the experts depend on the couplings; re-inferred, the experts into every part are solved for again.
+    /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned,
+    /// only the weights of the experts depend on the couplings; re-inferred, the experts into every part are
+    /// solved for again.
     ///
     /// # Errors
     ///
@@ -149,7 +152,8 @@ impl Vcgpdm {
         self.experts.iter().zip(weights).map(|(row, w)| row[i].sum().weighted(*w)).collect()
     }
 
-    /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise variance alpha^i.
+    /// w_j f^{ji} of every source j about the target i, inferred from the same data under weights w and noise
+    /// variance alpha^i.
     fn re_inferred(&self, i: usize, noise: f64, weights: &[f64]) -> Result<Vec<KernelSum>, NumericsError> {
         let inferred = self.infer(i, noise, weights)?;
         let sources = self.experts.iter().zip(weights).zip(&inferred.offsets);
@@ -161,13 +165,14 @@ impl Vcgpdm {
         Ok(sums.collect())
     }
 
-    /// Where each source's block begins in what is stacked over the sources into the target i, and last the height of the stack.
+    /// Where each source's block begins in what is stacked over the sources into the target i, and last the
+    /// height of the stack.
     pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
         stack_offsets(self.experts.iter().map(|row| row[i].k().nrows()))
     }
 
-    /// The inducing outputs of all experts about the target i, inferred again under weights w and noise variance alpha^i: the mean
-    /// of (A36), Velychko et al. 2018.
+    /// The inducing outputs of all experts about the target i, inferred again under weights w and noise
+    /// variance alpha^i: the mean of (A36), Velychko et al. 2018.
     pub(in crate::models) fn infer(
         &self,
         i: usize,
@@ -199,8 +204,8 @@ impl Vcgpdm {
         self.parts.iter().zip(latents).map(|(part, x)| part.observations(x)).collect()
     }
 
-    /// Centred columns of each part [frames x D_i] under the learned couplings, starting as the training sequence `sequence`
-    /// starts.
+    /// Centred columns of each part [frames x D_i] under the learned couplings, starting as the training
+    /// sequence `sequence` starts.
     ///
     /// # Errors
     ///
@@ -211,8 +216,8 @@ impl Vcgpdm {
         Ok(self.observations(&dynamics.path(&self.start(sequence, 0)?, frames)?))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and kernels of all maps,
-    /// couplings, and one start.
+    /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and
+    /// kernels of all maps, couplings, and one start.
     pub fn stored_numbers(&self) -> usize {
         let poses = self.parts.iter().map(PoseMap::stored_numbers);
         let experts = self.experts.iter().flatten().map(FittedExpert::stored_numbers);

@@ -1,5 +1,5 @@
-//! Moment matching: what is known of the latents in every frame of a rollout, as a Gaussian with a full covariance over all
-//! parts (Velychko et al. 2018, appendix B).
+//! Moment matching: what is known of the latents in every frame of a rollout, as a Gaussian with a full
+//! covariance over all parts (Velychko et al. 2018, appendix B).
 
 use crate::gp::NumericsError;
 use crate::gp::moments::{Basis, expected_kernels, expected_products};
@@ -25,9 +25,9 @@ struct Belief {
 }
 
 impl PredictiveDynamics {
-    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. Every step is exact for a Gaussian history;
-    /// what comes out of it is taken as a Gaussian with the same mean and covariance. Cost per frame: all pairs of dynamics
-    /// inducing points of all experts.
+    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. Every step is exact for a
+    /// Gaussian history; what comes out of it is taken as a Gaussian with the same mean and covariance. Cost
+    /// per frame: all pairs of dynamics inducing points of all experts.
     ///
     /// # Errors
     ///
@@ -170,8 +170,8 @@ mod tests {
     use crate::models::variational::testing::fitted;
     use approx::assert_relative_eq;
 
-    /// Holds the moments against the means and variances of `draws` sampled futures: means within `shift` deviations, deviations
-    /// within a factor 1 + `factor`, and four standard errors of chance more.
+    /// Holds the moments against the means and variances of `draws` sampled futures: means within `shift`
+    /// deviations, deviations within a factor 1 + `factor`, and four standard errors of chance more.
     fn hold(seed: u64, frames: usize, draws: u64, (shift, factor): (f64, f64)) {
         let model = fitted(seed);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();

@@ -35,10 +35,11 @@ pub struct Expert {
 pub struct Params {
     /// One for each of the M parts.
     pub parts: Vec<PartParams>,
-    /// Experts by primitive and target: `experts[a][i]` is the prediction of primitive a about part i. In the plain model, each part
-    /// has one primitive, and `experts[j][i]` is j's prediction about i.
+    /// Experts by primitive and target: `experts[a][i]` is the prediction of primitive a about part i. In the
+    /// plain model, each part has one primitive, and `experts[j][i]` is j's prediction about i.
     pub experts: Vec<Vec<Expert>>,
-    /// Coupling variances alpha of each movement [M x M], row the source, column the target; the plain model has one movement.
+    /// Coupling variances alpha of each movement [M x M], row the source, column the target; the plain model
+    /// has one movement.
     pub alpha: Vec<DMatrix<f64>>,
 }
 

@@ -1,5 +1,5 @@
-//! What each expert predicts with its own uncertainty, and what the product of experts makes of it (Velychko et al. 2018,
-//! equations 1 and 2).
+//! What each expert predicts with its own uncertainty, and what the product of experts makes of it (Velychko
+//! et al. 2018, equations 1 and 2).
 
 use crate::gp::exp::exp;
 use crate::gp::linalg::Factor;
@@ -24,7 +24,8 @@ pub struct Prediction {
 pub struct PartPredictions {
     /// What each source says alone `[M]`: the mean of f^{ji}, and alpha^{ji} plus its own variance.
     pub experts: Vec<Prediction>,
-    /// Their product under the couplings: mean sum_j w_{ji} f^{ji}, and alpha^i plus the variance of that sum.
+    /// Their product under the couplings: mean sum_j w_{ji} f^{ji}, and alpha^i plus the variance of that
+    /// sum.
     pub product: Prediction,
 }
 
@@ -48,14 +49,15 @@ pub(super) struct TargetDynamics {
     /// w_{ji} of each source `[M]`.
     pub(super) weights: Vec<f64>,
     pub(super) experts: Vec<ExpertFunction>,
-    /// K^-1 - K^-1 cov(u) K^-1, K blockwise [sum K x sum K]: what observing the inducing outputs takes away from a variance of 1.
+    /// K^-1 - K^-1 cov(u) K^-1, K blockwise [sum K x sum K]: what observing the inducing outputs takes away
+    /// from a variance of 1.
     pub(super) certainty: DMatrix<f64>,
     /// Where each source begins in the stack; last its height.
     pub(super) offsets: Vec<usize>,
 }
 
-/// The dynamics of all parts under given couplings as distributions: what [`LatentDynamics`](crate::models::LatentDynamics) is
-/// for their means.
+/// The dynamics of all parts under given couplings as distributions: what
+/// [`LatentDynamics`](crate::models::LatentDynamics) is for their means.
 #[derive(Clone, Debug)]
 pub struct PredictiveDynamics {
     pub(super) order: usize,
@@ -102,8 +104,8 @@ impl Vcgpdm {
         let factor = Factor::new(&k, "covariance of the dynamics inducing points")?;
         let mut certainty = k;
         factor.inverse_into(&mut certainty);
-        // cov(u) = K A^-1 K, so K^-1 - K^-1 cov(u) K^-1 = K^-1 - A^-1. As learned, A is that of the learned couplings; from the sums it
-        // is more exact than from a covariance that was written with few digits.
+        // cov(u) = K A^-1 K, so K^-1 - K^-1 cov(u) K^-1 = K^-1 - A^-1. As learned, A is that of the learned
+        // couplings; from the sums it is more exact than from a covariance that was written with few digits.
         let inferred = match reading {
             Reading::AsLearned => {
                 factor.solve_mut(&mut stacked);
@@ -175,7 +177,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl PredictiveDynamics {
-    /// What is predicted about each part in frame `t` of a latent path of all parts [frames x Q_i]; `t` is at least p.
+    /// What is predicted about each part in frame `t` of a latent path of all parts [frames x Q_i]; `t` is at
+    /// least p.
     ///
     /// # Errors
     ///

@@ -1,7 +1,8 @@
 //! Which movements there are, and which primitive each part uses in them (Velychko et al. 2018, section 5.5).
 //!
-//! A primitive belongs to one part and holds what that part predicts about every part. A movement is a set of sequences that
-//! uses one primitive of each part, under couplings of its own. The plain model is one movement of one primitive for each part.
+//! A primitive belongs to one part and holds what that part predicts about every part. A movement is a set of
+//! sequences that uses one primitive of each part, under couplings of its own. The plain model is one
+//! movement of one primitive for each part.
 
 use crate::models::sequences::Sequences;
 use thiserror::Error;
@@ -89,13 +90,14 @@ impl Repertoire {
         Self { sequences, primitives: (0..parts).collect(), movements: vec![movement] }
     }
 
-    /// Primitives of M = `parts` parts, of which `primitives` says to which part each belongs, and movements: how many of the
-    /// `sequences` each has, one movement after the other, and which primitive each part uses in it.
+    /// Primitives of M = `parts` parts, of which `primitives` says to which part each belongs, and movements:
+    /// how many of the `sequences` each has, one movement after the other, and which primitive each part uses
+    /// in it.
     ///
     /// # Errors
     ///
-    /// When there is no movement, the movements do not have all sequences between them, or a part uses a primitive that is not
-    /// its own.
+    /// When there is no movement, the movements do not have all sequences between them, or a part uses a
+    /// primitive that is not its own.
     pub fn new(
         sequences: Sequences,
         parts: usize,

@@ -1,10 +1,13 @@
-//! Acclaim files, the form in which the CMU database keeps its recordings: one skeleton (`.asf`) for each person, and motions (`.amc`).
+//! Acclaim files, the form in which the CMU database keeps its recordings: one skeleton (`.asf`) for each
+//! person, and motions (`.amc`).
 //!
-//! A bone of an ASF file turns at its start and reaches to its end; a joint of BVH stands where it turns. So each bone becomes a joint at the
-//! end of its parent bone, under the name that the usual BVH conversions of these recordings give it. Lengths are in the file's units.
+//! A bone of an ASF file turns at its start and reaches to its end; a joint of BVH stands where it turns. So
+//! each bone becomes a joint at the end of its parent bone, under the name that the usual BVH conversions of
+//! these recordings give it. Lengths are in the file's units.
 //!
-//! The conversions in circulation have a frame at rest first, and leave out the bones of the thorax and the hands: their neck and shoulders
-//! stand where the thorax begins, and their fingers where the hand begins. All else is the same to the digits that they write.
+//! The conversions in circulation have a frame at rest first, and leave out the bones of the thorax and the
+//! hands: their neck and shoulders stand where the thorax begins, and their fingers where the hand begins.
+//! All else is the same to the digits that they write.
 
 mod error;
 mod file;
@@ -22,8 +25,8 @@ use crate::motion::recording::Recording;
 /// Frames a second of the CMU recordings. The files themselves do not say it.
 pub const CMU_RATE: f64 = 120.0;
 
-/// Reads a motion (AMC) of a skeleton (ASF), `rate` frames a second. The recording has the motion's name; its hash is that of both files,
-/// one after the other.
+/// Reads a motion (AMC) of a skeleton (ASF), `rate` frames a second. The recording has the motion's name; its
+/// hash is that of both files, one after the other.
 ///
 /// # Errors
 ///

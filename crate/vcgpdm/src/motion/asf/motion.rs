@@ -17,7 +17,8 @@ pub(super) fn read(file: File, body: &AsfBody) -> Result<DMatrix<f64>, AsfError>
     let channels = body.skeleton.channel_count();
     let most = body.skeleton.max_frames();
     let mut values: Vec<f64> = Vec::new();
-    // Angles as in the frame before, so that they do not jump; a joint that a frame does not name stays at rest.
+    // Angles as in the frame before, so that they do not jump; a joint that a frame does not name stays at
+    // rest.
     let mut previous = vec![[0.0; 3]; body.turnings.len()];
     let mut row: Option<Vec<f64>> = None;
     for line in &lines {

@@ -24,7 +24,8 @@ fn the_joints_stand_where_the_definition_says() {
     let names: Vec<&str> = clip.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
     assert_eq!(names, ["Hips", "LHipJoint", "LeftUpLeg", "LeftLeg"]);
     assert_eq!((clip.frames(), clip.frame_time), (2, 1.0 / 120.0));
-    // By hand: every bone's world rotation is its parent's times C M C^-1, and it reaches along its direction at rest.
+    // By hand: every bone's world rotation is its parent's times C M C^-1, and it reaches along its direction
+    // at rest.
     let (root, femur, tibia) = (xyz(10.0, -20.0, 30.0), xyz(10.0, 20.0, 30.0), xyz(0.0, 0.0, 20.0));
     let femur = root * (femur * xyz(15.0, 25.0, -35.0) * femur.inverse());
     let tibia = femur * (tibia * xyz(40.0, 0.0, 0.0) * tibia.inverse());

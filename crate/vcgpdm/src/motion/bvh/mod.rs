@@ -1,5 +1,5 @@
-//! BVH files: text to [`Recording`](crate::motion::Recording), and [`Clip`](crate::motion::Clip) to text. An error names the
-//! file and the line.
+//! BVH files: text to [`Recording`](crate::motion::Recording), and [`Clip`](crate::motion::Clip) to text. An
+//! error names the file and the line.
 
 mod error;
 mod hierarchy;

@@ -47,7 +47,8 @@ pub(super) fn read(
     Ok(Motion { frames: found, frame_time, values })
 }
 
-/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order. A body like this can have so many frames at `most`.
+/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order. A body like this can
+/// have so many frames at `most`.
 fn header(cursor: &mut Cursor, most: usize, warnings: &mut Vec<String>) -> Result<(usize, f64), BvhError> {
     let (mut frames, mut frame_time) = (None, None);
     while frames.is_none() || frame_time.is_none() {

@@ -11,9 +11,9 @@ use nalgebra::DMatrix;
 
 /// Reads a BVH file. `name` is used in messages and kept as the recording's name.
 ///
-/// It accepts any hierarchy with one root, any channel order, the line ends CR, LF and CR LF, keywords in any case, a byte
-/// order mark, Latin-1 names, and row counts that are off by a little; what was odd is in [`Recording::warnings`].
-/// [`Recording::into_clip`] makes the motion of it.
+/// It accepts any hierarchy with one root, any channel order, the line ends CR, LF and CR LF, keywords in any
+/// case, a byte order mark, Latin-1 names, and row counts that are off by a little; what was odd is in
+/// [`Recording::warnings`]. [`Recording::into_clip`] makes the motion of it.
 ///
 /// ```
 /// use vcgpdm::motion::bvh;

@@ -325,7 +325,8 @@ proptest! {
     }
 }
 
-/// 150 kB of such a file once took a minute and 5 GB: joints without channels cost nothing in the file, but a place in every frame.
+/// 150 kB of such a file once took a minute and 5 GB: joints without channels cost nothing in the file, but a
+/// place in every frame.
 #[test]
 fn a_small_file_cannot_ask_for_much_memory() {
     let joints = 1_999;

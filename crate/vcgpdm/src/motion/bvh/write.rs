@@ -6,8 +6,8 @@ use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
 use std::fmt::Write;
 
-/// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order, numbers with as many digits
-/// as bring back the same value.
+/// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order, numbers with as many
+/// digits as bring back the same value.
 pub fn write(clip: &Clip) -> String {
     text(&clip.skeleton, clip.frame_time, &clip.values)
 }
@@ -15,7 +15,8 @@ pub fn write(clip: &Clip) -> String {
 impl Clip {
     /// A motion that was made, not recorded. Its hash is that of the text that [`write()`] gives.
     ///
-    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in
+    /// seconds.
     pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
         Clip {
             name: name.to_owned(),
@@ -32,9 +33,11 @@ impl Clip {
 }
 
 impl Recording {
-    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write()`] would give.
+    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write()`]
+    /// would give.
     ///
-    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in seconds.
+    /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in
+    /// seconds.
     pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Recording {
         Recording {
             name: name.to_owned(),
@@ -66,7 +69,8 @@ fn text(skeleton: &Skeleton, frame_time: f64, values: &DMatrix<f64>) -> String {
     text
 }
 
-/// Writes the joint tree and gives the order in which its joints were written: depth first, as braces force it.
+/// Writes the joint tree and gives the order in which its joints were written: depth first, as braces force
+/// it.
 fn hierarchy(skeleton: &Skeleton, text: &mut String) -> Vec<usize> {
     enum Step {
         Open(usize),

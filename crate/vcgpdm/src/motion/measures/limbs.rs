@@ -95,8 +95,8 @@ pub(super) fn forward_places(
     places
 }
 
-/// Pairs of a left and a right joint that lie across the body whatever the limbs do: the hips and the shoulders. In walking these two
-/// turn against each other, so that both together keep the heading.
+/// Pairs of a left and a right joint that lie across the body whatever the limbs do: the hips and the
+/// shoulders. In walking these two turn against each other, so that both together keep the heading.
 fn across(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<[usize; 2]> {
     let rest = skeleton.rest_pose().positions;
     let apart = 0.02 * skeleton.height();

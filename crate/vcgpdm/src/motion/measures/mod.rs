@@ -1,5 +1,6 @@
-//! What a body does, measured: how far hands and feet swing, whether they swing in step, how fast the body walks, whether it
-//! stands still. All from the places of its nodes over time, so that recorded clips and rollouts are measured alike.
+//! What a body does, measured: how far hands and feet swing, whether they swing in step, how fast the body
+//! walks, whether it stands still. All from the places of its nodes over time, so that recorded clips and
+//! rollouts are measured alike.
 
 mod limbs;
 mod rhythm;
@@ -29,8 +30,8 @@ pub struct Measures {
     pub joint_speed: f64,
     /// Speed of the root over the ground, over whole seconds, in metres a second.
     pub walking_speed: f64,
-    /// Horizontal speed of the lowest node of the legs, as a share of the walking speed. A foot that stands does not slide: 0.
-    /// Absent where the body hardly walks or has no legs.
+    /// Horizontal speed of the lowest node of the legs, as a share of the walking speed. A foot that stands
+    /// does not slide: 0. Absent where the body hardly walks or has no legs.
     pub foot_slide: Option<f64>,
 }
 
@@ -41,15 +42,17 @@ pub struct LimbMeasures {
     pub limb: Limb,
     /// The joint at the end of the limb, by its place in the skeleton.
     pub joint: usize,
-    /// Standard deviation of the limb's end along the heading, relative to the root, in metres for a body 1.7 m tall.
+    /// Standard deviation of the limb's end along the heading, relative to the root, in metres for a body 1.7
+    /// m tall.
     pub swing: f64,
     /// Seconds from one swing to the next; absent where it does not swing, or does not repeat itself.
     pub period: Option<f64>,
-    /// How far its swing is ahead of that of the foot or hand of the *other* side, in cycles from -0.5 to 0.5: 0 when both are in
-    /// front at the same time, as in walking. Absent where `locking` is.
+    /// How far its swing is ahead of that of the foot or hand of the *other* side, in cycles from -0.5 to
+    /// 0.5: 0 when both are in front at the same time, as in walking. Absent where `locking` is.
     pub ahead: Option<f64>,
-    /// How constant that phase difference is, 0 to 1: |mean of exp(i difference)| over the stretch. 1: in step; near 0: each at
-    /// its own pace. Absent where one of the two does not swing, or the foot does not repeat itself.
+    /// How constant that phase difference is, 0 to 1: |mean of exp(i difference)| over the stretch. 1: in
+    /// step; near 0: each at its own pace. Absent where one of the two does not swing, or the foot does not
+    /// repeat itself.
     pub locking: Option<f64>,
 }
 
@@ -81,10 +84,12 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     (count > 0).then(|| sum / f64::from(count))
 }
 
-/// Measures a stretch of frames: `positions` [frames x nodes x 3] of the figure's nodes, y up, in metres for a body 1.7 m tall, as
-/// [`Clip::stage_positions`](crate::motion::Clip::stage_positions) gives them; `frame_time` in seconds.
+/// Measures a stretch of frames: `positions` [frames x nodes x 3] of the figure's nodes, y up, in metres for
+/// a body 1.7 m tall, as [`Clip::stage_positions`](crate::motion::Clip::stage_positions) gives them;
+/// `frame_time` in seconds.
 ///
-/// The phases of a hand and a foot are those of complex demodulations at the period of the foot, in windows of one such period.
+/// The phases of a hand and a foot are those of complex demodulations at the period of the foot, in windows
+/// of one such period.
 ///
 /// ```
 /// use vcgpdm::motion::measures::measures;

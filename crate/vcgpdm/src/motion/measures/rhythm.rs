@@ -13,8 +13,8 @@ pub(super) struct Step {
     pub(super) locking: f64,
 }
 
-/// How the swing `a` goes together with the swing `b`, of equal length, at a common `period` in frames; `None` where there is not one
-/// period of them.
+/// How the swing `a` goes together with the swing `b`, of equal length, at a common `period` in frames;
+/// `None` where there is not one period of them.
 pub(super) fn step(a: &[f64], b: &[f64], period: f64) -> Option<Step> {
     let (a, b) = (demodulated(a, period), demodulated(b, period));
     // exp(i difference) at each time: of a times the conjugate of b, only the direction counts.
@@ -27,8 +27,8 @@ pub(super) fn step(a: &[f64], b: &[f64], period: f64) -> Option<Step> {
     (!a.is_empty()).then_some(step)
 }
 
-/// The swing around its mean as a number that turns with it, [real, imaginary]: 2 / W sum_k (x_k - mean) exp(-i 2 pi k / period), for
-/// each window of W frames, the period to the nearest frame.
+/// The swing around its mean as a number that turns with it, [real, imaginary]: 2 / W sum_k (x_k - mean)
+/// exp(-i 2 pi k / period), for each window of W frames, the period to the nearest frame.
 fn demodulated(swing: &[f64], period: f64) -> Vec<Vector2<f64>> {
     let width = (period.round() as usize).max(2);
     let turns: Vec<Vector2<f64>> = (0..swing.len())
@@ -71,7 +71,8 @@ mod tests {
 
     #[test]
     fn two_swings_at_different_paces_are_not_locked() {
-        // 9 and 10 cycles in 300 frames: over all frames but the first window, the difference goes around nearly once.
+        // 9 and 10 cycles in 300 frames: over all frames but the first window, the difference goes around
+        // nearly once.
         let found = step(&swing(30.0, 0.0), &swing(100.0 / 3.0, 0.0), 31.6).unwrap();
         assert!(found.locking < 0.2, "{found:?}");
     }

@@ -26,24 +26,26 @@ pub(super) fn of_joints(track: &Track) -> f64 {
     speeds.sum::<f64>() / count.max(1) as f64
 }
 
-/// Seconds from the first frame to the one from which the body stands still to the end: no joint is faster than 0.1 m/s relative to
-/// the root, for at least one second. A body that glides in one pose stands still. `None`: it keeps moving.
+/// Seconds from the first frame to the one from which the body stands still to the end: no joint is faster
+/// than 0.1 m/s relative to the root, for at least one second. A body that glides in one pose stands still.
+/// `None`: it keeps moving.
 ///
 /// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
 pub fn still_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
     slow_from(skeleton, positions, frame_time, STILL, STILL_FOR)
 }
 
-/// Seconds from the first frame to the one from which a recorded body comes to rest; `None`: it moves to its end. Who stands sways, and
-/// recordings are cut soon after: a joint may be twice as fast as where a rollout [stands still](still_from), and a quarter of a second
-/// is enough.
+/// Seconds from the first frame to the one from which a recorded body comes to rest; `None`: it moves to its
+/// end. Who stands sways, and recordings are cut soon after: a joint may be twice as fast as where a rollout
+/// [stands still](still_from), and a quarter of a second is enough.
 ///
 /// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
 pub fn rests_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
     slow_from(skeleton, positions, frame_time, SWAY, REST_FOR)
 }
 
-/// Seconds to the frame from which no joint is as fast as `speed`, in metres a second, for at least `least` seconds, to the end.
+/// Seconds to the frame from which no joint is as fast as `speed`, in metres a second, for at least `least`
+/// seconds, to the end.
 fn slow_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64, speed: f64, least: f64) -> Option<f64> {
     let track = Track::new(skeleton, positions, frame_time);
     let slow = |&frame: &usize| joint_speeds(&track, frame).all(|found| found < speed);

@@ -32,8 +32,8 @@ fn skeleton() -> Skeleton {
     }
 }
 
-/// A body that walks: the amplitudes in metres and the periods in seconds of hands and feet, its heading in radians from z about
-/// y, its speed.
+/// A body that walks: the amplitudes in metres and the periods in seconds of hands and feet, its heading in
+/// radians from z about y, its speed.
 #[derive(Clone, Copy)]
 struct Made {
     hands: (f64, f64),

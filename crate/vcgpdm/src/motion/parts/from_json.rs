@@ -5,13 +5,13 @@ use crate::motion::parts::spec::{PartSpec, PartsError, check};
 use crate::motion::skeleton::Skeleton;
 use serde::Deserialize;
 
-/// Reads a split made by hand: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or by place
-/// (counted from 0). Every joint must be in one part.
+/// Reads a split made by hand: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or
+/// by place (counted from 0). Every joint must be in one part.
 ///
 /// # Errors
 ///
-/// A [`PartsError`] for a text that is not such a list, a joint that the skeleton does not have, or a split that
-/// [`check`] refuses.
+/// A [`PartsError`] for a text that is not such a list, a joint that the skeleton does not have, or a split
+/// that [`check`] refuses.
 pub fn from_json(text: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, PartsError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]

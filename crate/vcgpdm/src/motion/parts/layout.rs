@@ -28,7 +28,8 @@ impl PartsLayout {
         Ok(PartsLayout { parts: parts.to_vec(), columns })
     }
 
-    /// The layout of parts that name their columns themselves, as those of tables do: the places in `parts` are columns.
+    /// The layout of parts that name their columns themselves, as those of tables do: the places in `parts`
+    /// are columns.
     pub fn of_columns(parts: &[PartSpec]) -> PartsLayout {
         let sorted = |part: &PartSpec| {
             let mut columns = part.joints.clone();

@@ -1,4 +1,5 @@
-//! Splits of a body that are found automatically: whole, lower and upper, body with arms, legs with trunk and arms.
+//! Splits of a body that are found automatically: whole, lower and upper, body with arms, legs with trunk and
+//! arms.
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
@@ -18,8 +19,8 @@ pub struct PartsPreset {
 }
 
 /// The ways to split a body that follow from the names of its joints, or else from its shape: always "whole";
-/// "lower-upper" where legs were found; "body-arms" (the three parts of Velychko et al. 2018, section 5.3) and "legs-trunk-arms" where
-/// arms were found too.
+/// "lower-upper" where legs were found; "body-arms" (the three parts of Velychko et al. 2018, section 5.3)
+/// and "legs-trunk-arms" where arms were found too.
 ///
 /// ```
 /// use vcgpdm::motion::{parts, samples};
@@ -73,8 +74,8 @@ fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset 
     PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }
 }
 
-/// For each joint, whether it belongs to the hips: the root, and what lies between it and the legs unless its name is that of
-/// a part of the back.
+/// For each joint, whether it belongs to the hips: the root, and what lies between it and the legs unless its
+/// name is that of a part of the back.
 fn hips(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<bool> {
     let mut bears_legs = vec![false; skeleton.joints.len()];
     for (place, joint) in skeleton.joints.iter().enumerate().rev() {

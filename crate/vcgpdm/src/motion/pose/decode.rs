@@ -8,15 +8,17 @@ use crate::motion::skeleton::{LARGEST_NUMBER, WorldPose};
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 
 impl PoseMapping {
-    /// The motion of rows of Y [frames x columns] that begins at `start`, `frame_time` seconds a frame: the inverse of
-    /// [`PoseMapping::encode`]. Each joint gets its own channels back, with angles that do not jump where that is possible.
+    /// The motion of rows of Y [frames x columns] that begins at `start`, `frame_time` seconds a frame: the
+    /// inverse of [`PoseMapping::encode`]. Each joint gets its own channels back, with angles that do not
+    /// jump where that is possible.
     ///
     /// A joint with fewer than three angles gets the part of its rotation that they can express.
     ///
     /// # Errors
     ///
-    /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`] for numbers that
-    /// are not finite or too large, [`PoseError::Away`] for a root that goes farther than a file can say.
+    /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`]
+    /// for numbers that are not finite or too large, [`PoseError::Away`] for a root that goes farther than a
+    /// file can say.
     pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
         self.check_start(start)?;
         self.check(y)?;
@@ -50,8 +52,8 @@ impl PoseMapping {
         Ok(Clip::new("motion.bvh", self.skeleton.clone(), frame_time, values))
     }
 
-    /// Stage positions [frames x nodes x 3] of the motion of rows of Y, computed directly from the rotation vectors: y up,
-    /// metres, the body 1.7 m tall, the ground where the mapping's clip has it.
+    /// Stage positions [frames x nodes x 3] of the motion of rows of Y, computed directly from the rotation
+    /// vectors: y up, metres, the body 1.7 m tall, the ground where the mapping's clip has it.
     ///
     /// # Errors
     ///
@@ -67,8 +69,8 @@ impl PoseMapping {
         RootTrack::new(RootPose { place, angles: [start.yaw, 0.0, 0.0] })
     }
 
-    /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion, which stands at `track` and afterwards
-    /// stands behind them.
+    /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion, which stands at `track`
+    /// and afterwards stands behind them.
     ///
     /// # Errors
     ///

@@ -27,12 +27,13 @@ const FARTHEST: f64 = 1e5;
 const STILL: f64 = 1e-3;
 
 impl PoseMapping {
-    /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than the mapping's
-    /// body.
+    /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than
+    /// the mapping's body.
     ///
     /// # Errors
     ///
-    /// [`PoseError::Body`] when the clip shows another body, [`PoseError::Spike`] when its root is absurdly far away.
+    /// [`PoseError::Body`] when the clip shows another body, [`PoseError::Spike`] when its root is absurdly
+    /// far away.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -81,8 +82,8 @@ impl PoseMapping {
     }
 }
 
-/// The rotation vector that continues `previous`: the nearest one, unless even that is far away. Otherwise a sensor that
-/// flips over would wind the joint up, turn by turn.
+/// The rotation vector that continues `previous`: the nearest one, unless even that is far away. Otherwise a
+/// sensor that flips over would wind the joint up, turn by turn.
 fn next_rotation(rotation: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
     let near = rotation::log_near(rotation, previous);
     if (near - previous).norm() > FRAC_PI_2 { rotation::log(rotation) } else { near }

@@ -142,10 +142,11 @@ pub enum PoseError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the file's world
-/// to y up, and R0 that of the 24 axis-aligned rotations that turns the body of the clip upright, facing z. So yaw is the
-/// heading and pitch and roll are near zero, whatever axes the root has. Displacements and height are in leg
-/// lengths, taken as half the body's height: a step is then as large as the angle that the leg sweeps.
+/// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the
+/// file's world to y up, and R0 that of the 24 axis-aligned rotations that turns the body of the clip
+/// upright, facing z. So yaw is the heading and pitch and roll are near zero, whatever axes the root has.
+/// Displacements and height are in leg lengths, taken as half the body's height: a step is then as large as
+/// the angle that the leg sweeps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMapping {
     /// The body.
@@ -154,15 +155,16 @@ pub struct PoseMapping {
     pub(super) stage: Stage,
     /// R0 as a quaternion [w, x, y, z].
     pub(super) upright: [f64; 4],
-    /// The place of each joint in its parent's frame, file units: its offset, or the mean of its position channels.
+    /// The place of each joint in its parent's frame, file units: its offset, or the mean of its position
+    /// channels.
     pub(super) positions: Vec<[f64; 3]>,
     /// The rotation vector of each joint in the first frame: clips begin on the branch nearest to it.
     pub(super) first: Vec<[f64; 3]>,
 }
 
 impl PoseMapping {
-    /// The mapping for the body of a clip. The clip also gives the up axis, the ground, the mean joint positions, and the first
-    /// pose, from which rotation vectors continue without jumps.
+    /// The mapping for the body of a clip. The clip also gives the up axis, the ground, the mean joint
+    /// positions, and the first pose, from which rotation vectors continue without jumps.
     pub fn new(clip: &Clip) -> PoseMapping {
         let stage = clip.stage();
         PoseMapping {

@@ -1,7 +1,7 @@
 //! Poses as rows of numbers Y that a model can learn from, and back.
 //!
-//! A row holds six numbers of the root that do not depend on where the body is and which way it faces, and for each other
-//! joint its rotation vector (exponential map). See [`PoseMapping`].
+//! A row holds six numbers of the root that do not depend on where the body is and which way it faces, and
+//! for each other joint its rotation vector (exponential map). See [`PoseMapping`].
 
 mod decode;
 mod encode;

@@ -11,7 +11,8 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 /// Where a motion starts, which its rows leave open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootStart {
-    /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used: rows hold it.
+    /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used:
+    /// rows hold it.
     pub position: [f64; 3],
     /// The heading in frame 0, radians about the up axis.
     pub yaw: f64,
@@ -56,8 +57,8 @@ impl RootPose {
     }
 }
 
-/// Angles of a sequence of orientations, without jumps: each the solution nearest to the one before. The first is the one
-/// with the smaller pitch and roll, whatever its heading is.
+/// Angles of a sequence of orientations, without jumps: each the solution nearest to the one before. The
+/// first is the one with the smaller pitch and roll, whatever its heading is.
 pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternion<f64>>) -> Vec<[f64; 3]> {
     let mut angles: Vec<[f64; 3]> = Vec::new();
     for orientation in orientations {
@@ -83,8 +84,8 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
 
 /// Rows [frames x 6] of a sequence of root poses, in the order of [`super::mapping::ROOT_COLUMNS`].
 ///
-/// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t - p_{t-1})`. Row 0,
-/// which has no frame before it, repeats the rates of row 1.
+/// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t -
+/// p_{t-1})`. Row 0, which has no frame before it, repeats the rates of row 1.
 pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
     let mut rows: Vec<[f64; 6]> = (poses.iter().enumerate())
         .map(|(t, now)| {
@@ -114,8 +115,8 @@ fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> Roo
     RootPose { place, angles: [yaw, pitch, roll] }
 }
 
-/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that turns the body of the clip upright, facing z
-/// with its left along x.
+/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that turns the body of the clip
+/// upright, facing z with its left along x.
 pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     let turn = up.to_y_up();
     let anatomy = Anatomy::of(&clip.skeleton);

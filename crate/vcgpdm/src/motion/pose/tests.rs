@@ -13,8 +13,8 @@ use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
-/// A person with named legs and arms who walks round a circle, 40 frames at 30 a second; the root's angles in the order
-/// y, x, z, the others' z, x, y.
+/// A person with named legs and arms who walks round a circle, 40 frames at 30 a second; the root's angles in
+/// the order y, x, z, the others' z, x, y.
 fn walker() -> Clip {
     let (root, rest) = (
         [

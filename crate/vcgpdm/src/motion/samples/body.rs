@@ -1,9 +1,10 @@
 //! The walker's body: 21 joints in proportions from a published table.
 //!
-//! Segment lengths are fractions of the body's height H, after Drillis and Contini (1966) as printed in Winter,
-//! *Biomechanics and Motor Control of Human Movement* (4th ed. 2009, fig. 4.1): ankle 0.039 H above the ground, shank
-//! 0.246 H, thigh 0.245 H, upper arm 0.186 H, forearm 0.146 H, hand 0.108 H, foot 0.152 H long, shoulders at 0.818 H, chin at
-//! 0.870 H. The table's breadths are outer ones; the joint centres lie further in: hips 0.10 H apart, shoulders 0.22 H.
+//! Segment lengths are fractions of the body's height H, after Drillis and Contini (1966) as printed in
+//! Winter, *Biomechanics and Motor Control of Human Movement* (4th ed. 2009, fig. 4.1): ankle 0.039 H above
+//! the ground, shank 0.246 H, thigh 0.245 H, upper arm 0.186 H, forearm 0.146 H, hand 0.108 H, foot 0.152 H
+//! long, shoulders at 0.818 H, chin at 0.870 H. The table's breadths are outer ones; the joint centres lie
+//! further in: hips 0.10 H apart, shoulders 0.22 H.
 
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use nalgebra::Vector3;
@@ -31,7 +32,8 @@ pub(super) mod joint {
     pub const COUNT: usize = 21;
 }
 
-/// The body at rest: upright with the arms stretched out sideways, y up, facing z, the left side at positive x; centimetres.
+/// The body at rest: upright with the arms stretched out sideways, y up, facing z, the left side at positive
+/// x; centimetres.
 ///
 /// The root has position and rotation channels, every other joint the rotations z, y, x.
 pub(super) fn skeleton() -> Skeleton {

@@ -1,17 +1,20 @@
 //! Normal gait as a handful of numbers: joint angles over the gait cycle.
 //!
-//! The curves of hip, knee and ankle have the shapes that every gait laboratory knows (Winter, *The Biomechanics and Motor
-//! Control of Human Gait*, 1991; Perry and Burnfield, *Gait Analysis*, 2010). Ours are Fourier series of low order, fitted to
-//! the landmarks of those curves (hip 25 to 30 degrees flexed at contact and 10 to 15 extended before toe-off, knee 18 degrees at
-//! loading and 60 to 65 in swing, ankle 10 degrees dorsiflexed in late stance and 18 plantarflexed at toe-off) and, at the
-//! same time, to each other: over the stance the sole of the foot must stay where it is.
+//! The curves of hip, knee and ankle have the shapes that every gait laboratory knows (Winter, *The
+//! Biomechanics and Motor Control of Human Gait*, 1991; Perry and Burnfield, *Gait Analysis*, 2010). Ours are
+//! Fourier series of low order, fitted to the landmarks of those curves (hip 25 to 30 degrees flexed at
+//! contact and 10 to 15 extended before toe-off, knee 18 degrees at loading and 60 to 65 in swing, ankle 10
+//! degrees dorsiflexed in late stance and 18 plantarflexed at toe-off) and, at the same time, to each other:
+//! over the stance the sole of the foot must stay where it is.
 //!
-//! Phases count gait cycles: 0 is the heel contact of that leg, about 0.6 its toe-off, 1 the next contact. Angles are in degrees.
+//! Phases count gait cycles: 0 is the heel contact of that leg, about 0.6 its toe-off, 1 the next contact.
+//! Angles are in degrees.
 
 use crate::elementary::Elementary;
 use std::f64::consts::TAU;
 
-/// A periodic curve `a_0 + sum_k a_k cos(2 pi k phase) + b_k sin(2 pi k phase)`, stored as `a_0, a_1, b_1, a_2, b_2, ...`.
+/// A periodic curve `a_0 + sum_k a_k cos(2 pi k phase) + b_k sin(2 pi k phase)`, stored as `a_0, a_1, b_1,
+/// a_2, b_2, ...`.
 struct Series<const N: usize>([f64; N]);
 
 impl<const N: usize> Series<N> {
@@ -86,13 +89,14 @@ pub(super) fn chest(phase: f64) -> Girdle {
     }
 }
 
-/// How far both legs lean sideways so that the body sways over the standing foot, degrees, positive with the feet to the left.
+/// How far both legs lean sideways so that the body sways over the standing foot, degrees, positive with the
+/// feet to the left.
 pub(super) fn sway(phase: f64) -> f64 {
     -1.3 * wave(phase, 0.30)
 }
 
-/// One arm: (flexion of the shoulder, flexion of the elbow), degrees, at a phase of the leg on the same side: furthest back
-/// when that leg lands.
+/// One arm: (flexion of the shoulder, flexion of the elbow), degrees, at a phase of the leg on the same side:
+/// furthest back when that leg lands.
 pub(super) fn arm(phase: f64) -> (f64, f64) {
     let shoulder = -5.0 - 17.0 * wave(phase, 0.02) + 2.0 * wave(2.0 * phase, 0.05);
     let elbow = 24.0 - 10.5 * wave(phase, 0.07) + 2.5 * wave(2.0 * phase, 0.10);

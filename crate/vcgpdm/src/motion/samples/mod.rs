@@ -1,5 +1,6 @@
-//! Sample clips that the project makes itself: several trials of two movements by a procedural walker, built from published
-//! gait curves and body proportions, each with natural variation. They are computed, not stored, and the same on every machine.
+//! Sample clips that the project makes itself: several trials of two movements by a procedural walker, built
+//! from published gait curves and body proportions, each with natural variation. They are computed, not
+//! stored, and the same on every machine.
 
 mod body;
 mod gait;

@@ -5,7 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardUniform};
 use std::f64::consts::TAU;
 
-/// A slow wandering without a period: a few sinusoids of unequal, seeded frequencies and phases. Standard deviation about 1.
+/// A slow wandering without a period: a few sinusoids of unequal, seeded frequencies and phases. Standard
+/// deviation about 1.
 #[derive(Clone, Debug)]
 pub(super) struct Drift {
     /// Amplitude, frequency (hertz) and phase (cycles) of each sinusoid.

@@ -1,4 +1,5 @@
-//! Puts the gait curves on the body, frame by frame, and walks it: the root goes where the standing foot takes it.
+//! Puts the gait curves on the body, frame by frame, and walks it: the root goes where the standing foot
+//! takes it.
 
 use crate::elementary::Elementary;
 use crate::motion::rotation;
@@ -98,7 +99,8 @@ impl Style {
             let leg = self.leg(phase, side, seconds);
             // The feet land nearer to the midline than the hips are.
             let lean = sway - side * 2.3;
-            // The gait curves are those of the thigh against the vertical: the pelvis must not turn the leg with it.
+            // The gait curves are those of the thigh against the vertical: the pelvis must not turn the leg
+            // with it.
             q[first] = pelvis_q.inverse() * z(lean) * x(-leg.hip);
             q[first + 1] = x(leg.knee);
             q[first + 2] = x(-leg.ankle) * y(side * 6.0) * z(-lean);
@@ -166,7 +168,8 @@ impl Style {
     }
 }
 
-/// A trial of so many seconds [frames x channels of the skeleton]: positions in centimetres, angles in degrees.
+/// A trial of so many seconds [frames x channels of the skeleton]: positions in centimetres, angles in
+/// degrees.
 pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> DMatrix<f64> {
     let style = Style::new(arms, seed);
     let frames = (seconds * RATE).round() as usize;
@@ -200,7 +203,8 @@ pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> 
     values
 }
 
-/// Heels, balls and toes of both feet as seen from the root (world axes), and how much each of them stands on the ground.
+/// Heels, balls and toes of both feet as seen from the root (world axes), and how much each of them stands on
+/// the ground.
 struct Ground {
     points: [Vector3<f64>; 6],
     weights: [f64; 6],
@@ -208,8 +212,9 @@ struct Ground {
 }
 
 impl Ground {
-    /// The level is the soft minimum of the heights, `-s log sum_k exp(-y_k / s)`: always a little below the lowest point,
-    /// and smooth when the weight goes from one foot to the other. The weights are its derivatives.
+    /// The level is the soft minimum of the heights, `-s log sum_k exp(-y_k / s)`: always a little below the
+    /// lowest point, and smooth when the weight goes from one foot to the other. The weights are its
+    /// derivatives.
     fn under(skeleton: &Skeleton, q: &[UnitQuaternion<f64>; joint::COUNT]) -> Ground {
         let mut points = [Vector3::zeros(); 6];
         for (foot, first) in points.chunks_exact_mut(3).zip([joint::LEFT_UP_LEG, joint::RIGHT_UP_LEG]) {
@@ -230,7 +235,8 @@ impl Ground {
         Ground { points, weights, level: lowest - SOFTNESS * sum.logarithm() }
     }
 
-    /// How far the standing points moved over the ground as seen from the root: what the root has to make up for.
+    /// How far the standing points moved over the ground as seen from the root: what the root has to make up
+    /// for.
     fn drag(&self, next: &Ground) -> Vector3<f64> {
         let mut moved = Vector3::zeros();
         for k in 0..6 {

@@ -86,8 +86,8 @@ impl ImportFrames<'_> {
 /// What is asked of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportRequest {
-    /// The primitive of this library that stands in for each part, in movements to which the part brings none of its own `[M]`; `None`
-    /// where none is needed.
+    /// The primitive of this library that stands in for each part, in movements to which the part brings none
+    /// of its own `[M]`; `None` where none is needed.
     pub companions: Vec<Option<usize>>,
     /// Most iterations of the training.
     pub max_iterations: usize,
@@ -105,8 +105,8 @@ pub(super) struct Planned {
 }
 
 impl TrainedLibrary {
-    /// What this library can show of its movements without a clip: what it remembers, or, where it keeps only the first frames of what a
-    /// primitive learned from, what it generates.
+    /// What this library can show of its movements without a clip: what it remembers, or, where it keeps only
+    /// the first frames of what a primitive learned from, what it generates.
     pub fn own_frames(&self) -> ImportFrames<'static> {
         let is_whole = |start: &Vec<DMatrix<f64>>| start.iter().all(|x| x.nrows() > self.library.order);
         match (0..self.library.primitives.len()).all(|a| self.library.starts_of(a).any(is_whole)) {
@@ -115,8 +115,9 @@ impl TrainedLibrary {
         }
     }
 
-    /// The primitives of this library that stand in, when nobody says which, for parts that bring none of their own `[M]`: of each part
-    /// one that is called as a movement or primitive of `donor`, else the first.
+    /// The primitives of this library that stand in, when nobody says which, for parts that bring none of
+    /// their own `[M]`: of each part one that is called as a movement or primitive of `donor`, else the
+    /// first.
     pub fn companions(&self, donor: &TrainedLibrary) -> Vec<Option<usize>> {
         let movements = donor.library.movements.iter().map(|movement| &movement.name);
         let primitives = donor.library.primitives.iter();

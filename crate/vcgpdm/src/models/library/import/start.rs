@@ -9,7 +9,8 @@ use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// The training, ready to begin: latents of the host nearest to the frames, its pose maps and companions held.
+/// The training, ready to begin: latents of the host nearest to the frames, its pose maps and companions
+/// held.
 pub(super) fn trainer(
     host: &TrainedLibrary,
     donor: &TrainedLibrary,

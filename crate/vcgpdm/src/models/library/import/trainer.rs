@@ -41,8 +41,8 @@ impl ImportTrainer {
     ///
     /// # Errors
     ///
-    /// When the bodies or their parts differ, a primitive has no frames to learn from, what stands in for other parts does not fit
-    /// them, or the bound cannot be computed at the start.
+    /// When the bodies or their parts differ, a primitive has no frames to learn from, what stands in for
+    /// other parts does not fit them, or the bound cannot be computed at the start.
     pub fn new(
         host: &TrainedLibrary,
         donor: &TrainedLibrary,
@@ -121,9 +121,10 @@ impl ImportTrainer {
         self.trainer.progress()
     }
 
-    /// How much of what the frames show of each part the pose maps of this library do not reproduce at the best latents so far `[M]`: the
-    /// squared distance of their columns from the frames' over that of the frames from the library's mean pose. 0: nothing is lost; 1: the
-    /// mean pose would do as well. No dynamics can bring it back.
+    /// How much of what the frames show of each part the pose maps of this library do not reproduce at the
+    /// best latents so far `[M]`: the squared distance of their columns from the frames' over that of the
+    /// frames from the library's mean pose. 0: nothing is lost; 1: the mean pose would do as well. No
+    /// dynamics can bring it back.
     pub fn lost(&self) -> Vec<f64> {
         let (objective, best) = (self.trainer.objective(), self.trainer.best());
         let parts = objective.observations().iter().zip(&best.parts).zip(&self.host.library.parts);
@@ -134,7 +135,8 @@ impl ImportTrainer {
         lost.collect()
     }
 
-    /// The library with the primitives as they are at the best bound so far, and the movements that they were learned from.
+    /// The library with the primitives as they are at the best bound so far, and the movements that they were
+    /// learned from.
     ///
     /// # Errors
     ///

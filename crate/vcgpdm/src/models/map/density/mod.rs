@@ -1,16 +1,19 @@
 //! The log posterior density of point latents and hyperparameters, up to a constant, and its gradient.
 //!
-//! log p = sum_i log N(Y^i; 0, K^i + beta^i I) + sum_i log N(x^i_t, t >= p; 0, sum_j w_ji^2 K^{ji} + alpha^i I)
-//!       + sum over t < p of log N(x^i_t; 0, I)
+//! log p = sum_i log N(Y^i; 0, K^i + beta^i I) + sum_i log N(x^i_t, t >= p; 0, sum_j w_ji^2 K^{ji} + alpha^i
+//! I) + sum over t < p of log N(x^i_t; 0, I)
 //!
-//! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, equations 1 and 2): the functions f^{ji} are
-//! marginalised, so the experts into a part add up to one covariance over all frames with a history. The prior of the
-//! hyperparameters is flat inside their boxes; Wang et al. have 1 / theta, which is a few nats beside thousands.
+//! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, equations 1 and 2): the
+//! functions f^{ji} are marginalised, so the experts into a part add up to one covariance over all frames
+//! with a history. The prior of the hyperparameters is flat inside their boxes; Wang et al. have 1 / theta,
+//! which is a few nats beside thousands.
 //!
-//! Wang et al. add a linear term to the kernel of the dynamics: with it K^{ji} has theta^{ji} x^j_{-t} . x^j_{-t'} more.
+//! Wang et al. add a linear term to the kernel of the dynamics: with it K^{ji} has theta^{ji} x^j_{-t} .
+//! x^j_{-t'} more.
 //!
-//! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The balanced GPDM
-//! (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i / Q_i.
+//! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The
+//! balanced GPDM (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i
+//! / Q_i.
 
 use crate::elementary::Elementary;
 use crate::gp::{Kernel, NumericsError};
@@ -63,8 +66,8 @@ struct Into {
 }
 
 impl LogDensity {
-    /// `y[i]` are the centred observations of part i [N x D_i], with as many rows as the sequences have frames.
-    /// `balanced`: the dynamics into each part weigh D_i / Q_i times as much.
+    /// `y[i]` are the centred observations of part i [N x D_i], with as many rows as the sequences have
+    /// frames. `balanced`: the dynamics into each part weigh D_i / Q_i times as much.
     pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, balanced: bool) -> Self {
         Self { y, sequences, balanced }
     }
@@ -221,7 +224,8 @@ impl LogDensity {
                 (theta, histories[j].dot(&pull), pull)
             });
             let from = kernel.covariance_adjoint(&histories[j], &kernels[j], &mut df_dk);
-            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance, and w^2 is one more.
+            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance, and
+            // w^2 is one more.
             weights_adjoint.push(2.0 * from.variance * kernel.variance / w);
             self.sequences.add_windows_adjoint(&from.z, &mut gradient.parts[j].latents);
             if let Some((theta, slope, pull)) = linear {
@@ -232,7 +236,8 @@ impl LogDensity {
             gradient.dynamics[j][i].lambda += from.lambda;
         }
         let noise_adjoint = adjoint.covariance.trace();
-        // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j / alpha^{ji}.
+        // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j /
+        // alpha^{ji}.
         let shared: f64 = weights_adjoint.iter().zip(&weights).map(|(g, w)| g * w).sum();
         for (j, (w, g)) in weights.iter().zip(&weights_adjoint).enumerate() {
             gradient.alpha[(j, i)] += w * w * (noise_adjoint + shared / noise) - g * w / params.alpha[(j, i)];

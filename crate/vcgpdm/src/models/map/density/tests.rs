@@ -4,8 +4,8 @@ use crate::models::map::params::MapPart;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
 
-/// The shapes of the vCGPDM's random cases: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2; from seed 4 on balanced, every third with
-/// linear terms.
+/// The shapes of the vCGPDM's random cases: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2; from seed 4 on balanced,
+/// every third with linear terms.
 pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
     let (params, objective) = random_case(seed);
     let parts = params.parts.into_iter();

@@ -111,8 +111,8 @@ impl MapLearner {
     }
 }
 
-/// Latents, kernels and couplings as those of a variational model start, with a little noise on the latents: it is all that the
-/// seed decides where the data have as many dimensions as asked for.
+/// Latents, kernels and couplings as those of a variational model start, with a little noise on the latents:
+/// it is all that the seed decides where the data have as many dimensions as asked for.
 fn starting_point(
     movements: &Movements,
     sequences: &Sequences,

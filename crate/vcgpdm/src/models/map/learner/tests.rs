@@ -49,7 +49,8 @@ fn training_raises_the_density_and_the_rollout_keeps_moving() {
     }
 }
 
-/// From training latents one step leads near the latent that followed, and the poses are those of training but for the noise.
+/// From training latents one step leads near the latent that followed, and the poses are those of training
+/// but for the noise.
 #[test]
 fn a_rollout_begins_as_its_sequence() {
     let movements = loops();

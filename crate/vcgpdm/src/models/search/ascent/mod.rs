@@ -1,5 +1,5 @@
-//! The search for the parameters of the largest objective: blocks of free parameters one after the other, one iteration of the
-//! optimiser at a time, the best kept.
+//! The search for the parameters of the largest objective: blocks of free parameters one after the other, one
+//! iteration of the optimiser at a time, the best kept.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
@@ -9,7 +9,8 @@ use crate::models::search::optimizer::{Evaluate, Optimizer};
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The last phase ends when so many iterations have together gained less than [`SMALL_GAIN`] of the objective.
+/// The last phase ends when so many iterations have together gained less than [`SMALL_GAIN`] of the
+/// objective.
 const PATIENCE: usize = 40;
 const SMALL_GAIN: f64 = 1e-6;
 
@@ -89,7 +90,8 @@ impl<T: Target> Search<T> {
             }
         }
         self.setbacks.turned_back += 1;
-        // A point that no jitter could save: worse than all that was seen, so that the line search turns back.
+        // A point that no jitter could save: worse than all that was seen, so that the line search turns
+        // back.
         (1e3 * (1.0 + self.best.abs()), vec![0.0; free.len()])
     }
 
@@ -125,8 +127,8 @@ where
     T::Parameters: Send,
     T::Terms: Send,
 {
-    /// Starts at `parameters`, where the target has the value `value` of these terms. There must be a phase; phases without
-    /// iterations are left out, but for the last.
+    /// Starts at `parameters`, where the target has the value `value` of these terms. There must be a phase;
+    /// phases without iterations are left out, but for the last.
     pub fn new(
         target: T,
         parameters: T::Parameters,
@@ -246,8 +248,8 @@ where
         optimizer
     }
 
-    /// Allows so many more iterations. A search that ended because all were used goes on with the memory of its optimiser, as if they
-    /// had been allowed from the beginning; one that has settled stays settled.
+    /// Allows so many more iterations. A search that ended because all were used goes on with the memory of
+    /// its optimiser, as if they had been allowed from the beginning; one that has settled stays settled.
     pub fn extend(&mut self, iterations: usize) {
         self.max_iterations = self.max_iterations.saturating_add(iterations);
         if self.reason == Some(SearchEnd::Iterations) {

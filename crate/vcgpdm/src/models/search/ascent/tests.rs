@@ -21,8 +21,8 @@ impl Parameters for Three {
     }
 }
 
-/// Minus Rosenbrock's function of the free parameters and minus the square of how far the positive one is from 1/2; some evaluations,
-/// counted from 0, fail.
+/// Minus Rosenbrock's function of the free parameters and minus the square of how far the positive one is
+/// from 1/2; some evaluations, counted from 0, fail.
 struct Valley {
     fails: std::ops::Range<usize>,
     computed: usize,

@@ -4,7 +4,8 @@ use crate::gp::tall::{add_product, add_tr_product};
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Rows that are computed together: what is summed over rows is summed block by block, in their order, whatever the number of threads.
+/// Rows that are computed together: what is summed over rows is summed block by block, in their order,
+/// whatever the number of threads.
 const ROWS: usize = 256;
 /// A thread gets at least so many blocks: for fewer it does not pay to wake it.
 const FEWEST: usize = 64;
@@ -14,12 +15,12 @@ const LEAST_COSINE: f64 = f64::EPSILON;
 const SMALLEST: f64 = 1e-8;
 const LARGEST: f64 = 1e8;
 
-/// The inverse of the Hessian matrix as the last pairs of steps s and changes y of the gradient have it (Nocedal, "Updating quasi-Newton
-/// matrices with limited storage", 1980).
+/// The inverse of the Hessian matrix as the last pairs of steps s and changes y of the gradient have it
+/// (Nocedal, "Updating quasi-Newton matrices with limited storage", 1980).
 ///
-/// It begins with a diagonal D, which learns from every pair (Gilbert and Lemarechal, "Some numerical experiments with variable-storage
-/// quasi-Newton algorithms", 1989, section 4.2): parameters of very different curvature, such as a lengthscale and the noise variance, need steps
-/// of very different length.
+/// It begins with a diagonal D, which learns from every pair (Gilbert and Lemarechal, "Some numerical
+/// experiments with variable-storage quasi-Newton algorithms", 1989, section 4.2): parameters of very
+/// different curvature, such as a lengthscale and the noise variance, need steps of very different length.
 pub struct Curvature {
     blocks: Vec<Block>,
     memory: usize,
@@ -112,7 +113,8 @@ impl Curvature {
         }
     }
 
-    /// Learns from the step `s`, in which the gradient has changed by `y`, if it curves upwards. A direction must be asked for before the next.
+    /// Learns from the step `s`, in which the gradient has changed by `y`, if it curves upwards. A direction
+    /// must be asked for before the next.
     pub fn learn(&mut self, s: &[f64], y: &[f64]) {
         debug_assert!(self.newest.is_none());
         self.each(|rows, block| block.sum(&s[rows.clone()], &y[rows]));
@@ -137,8 +139,8 @@ impl Curvature {
         });
     }
 
-    /// Minus the inverse of the Hessian matrix times the gradient, where the entries that are held are left out of both: they go the way that
-    /// they are held with.
+    /// Minus the inverse of the Hessian matrix times the gradient, where the entries that are held are left
+    /// out of both: they go the way that they are held with.
     pub fn direction(&mut self, gradient: &[f64], held: &[Option<f64>]) -> Vec<f64> {
         let newest = self.newest.take();
         self.each(|rows, block| block.begin(&gradient[rows.clone()], &held[rows], newest));
@@ -220,7 +222,8 @@ impl Block {
         });
     }
 
-    /// Keeps a pair; D becomes the diagonal of what the direct BFGS update makes of D^-1, scaled to fit the pair.
+    /// Keeps a pair; D becomes the diagonal of what the direct BFGS update makes of D^-1, scaled to fit the
+    /// pair.
     fn learn(&mut self, column: usize, (s, y): (&[f64], &[f64]), sums: Sums) {
         self.steps.column_mut(column).copy_from_slice(s);
         self.changes.column_mut(column).copy_from_slice(y);
@@ -282,7 +285,8 @@ mod tests {
         &b * b.transpose() + DMatrix::from_diagonal(&DVector::from_fn(n, |i, _| 1.0 + i as f64))
     }
 
-    /// The BFGS updates written out, from D on (Nocedal and Wright, equation 6.17): with fewer pairs than are remembered, and with more.
+    /// The BFGS updates written out, from D on (Nocedal and Wright, equation 6.17): with fewer pairs than are
+    /// remembered, and with more.
     #[test]
     fn directions_are_those_of_the_updates_written_out() {
         let (n, memory) = (9, 4);

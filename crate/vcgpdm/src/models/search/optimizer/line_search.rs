@@ -1,5 +1,5 @@
-//! How far to go in a direction: until the strong Wolfe conditions hold (Nocedal and Wright, "Numerical Optimization", 2006, algorithms 3.5
-//! and 3.6).
+//! How far to go in a direction: until the strong Wolfe conditions hold (Nocedal and Wright, "Numerical
+//! Optimization", 2006, algorithms 3.5 and 3.6).
 
 /// The value must fall by at least this part of what the slope at the beginning promises.
 const SUFFICIENT_DECREASE: f64 = 1e-3;
@@ -9,7 +9,8 @@ const FLATTER: f64 = 0.9;
 const LONGER: f64 = 4.0;
 /// How near to an end of the bracket the next step may be, in lengths of the bracket.
 const MARGIN: f64 = 0.1;
-/// A bracket that is shorter than this part of the step holds a kink, where an entry reaches the end of its box: no point in it is flat.
+/// A bracket that is shorter than this part of the step holds a kink, where an entry reaches the end of its
+/// box: no point in it is flat.
 const SHORTEST: f64 = 1e-3;
 const MOST_TRIALS: usize = 20;
 
@@ -30,8 +31,8 @@ struct End {
     slope: f64,
 }
 
-/// A point that is enough better than the beginning, of this value and (negative) slope; `first` is the step that is tried first. `None`
-/// when none was found.
+/// A point that is enough better than the beginning, of this value and (negative) slope; `first` is the step
+/// that is tried first. `None` when none was found.
 pub fn line_search<At>(
     (value, slope): (f64, f64),
     first: f64,
@@ -71,7 +72,8 @@ pub fn line_search<At>(
     best
 }
 
-/// The minimum of the cubic polynomial with the values and slopes of both ends (equation 3.59), not too near to either.
+/// The minimum of the cubic polynomial with the values and slopes of both ends (equation 3.59), not too near
+/// to either.
 fn between(low: End, high: End) -> f64 {
     let width = high.t - low.t;
     let theta = 3.0 * (low.value - high.value) / width + low.slope + high.slope;

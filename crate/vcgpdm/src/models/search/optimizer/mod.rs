@@ -1,8 +1,8 @@
 //! The quasi-Newton method of limited memory (L-BFGS) inside a box, one iteration at a time.
 //!
-//! Entries that stand at an end of their box or close to it, and would leave it, are held: they go to that end on their own. The others move
-//! together, and stop at the ends that they reach (projection with two metrics: Bertsekas, "Projected Newton methods for optimization
-//! problems with simple constraints", 1982).
+//! Entries that stand at an end of their box or close to it, and would leave it, are held: they go to that
+//! end on their own. The others move together, and stop at the ends that they reach (projection with two
+//! metrics: Bertsekas, "Projected Newton methods for optimization problems with simple constraints", 1982).
 
 mod curvature;
 mod line_search;
@@ -19,8 +19,8 @@ const MEMORY: usize = 20;
 const GRADIENT_TOLERANCE: f64 = 1e-6;
 /// When two iterations in a row gain less, relative to the value, they were the last.
 const SMALLEST_GAIN: f64 = 1e-13;
-/// Entries are close to an end of their box within this part of its width. Without it one that moves with the others towards an end would
-/// have all of them stop there, however short the way (Bertsekas, section 2).
+/// Entries are close to an end of their box within this part of its width. Without it one that moves with the
+/// others towards an end would have all of them stop there, however short the way (Bertsekas, section 2).
 const CLOSE: f64 = 1e-3;
 
 struct Point {
@@ -128,7 +128,8 @@ impl Optimizer {
         Some(Point { x, value: found.value, gradient })
     }
 
-    /// The way to the end of its box for every entry that is close to it and would leave it downhill; `None` for the others.
+    /// The way to the end of its box for every entry that is close to it and would leave it downhill; `None`
+    /// for the others.
     fn held(&self, point: &Point) -> Vec<Option<f64>> {
         let entries = || point.x.iter().zip(&point.gradient).zip(self.lower.iter().zip(&self.upper));
         // Nearer to the minimum less counts as close.

@@ -47,7 +47,8 @@ fn minimise(
     (x, value, iterations, evaluations)
 }
 
-/// The free minimum is at 1 in every coordinate; the box ends at 0.9 for the first, and the others turn towards it.
+/// The free minimum is at 1 in every coordinate; the box ends at 0.9 for the first, and the others turn
+/// towards it.
 #[test]
 fn chained_rosenbrock_in_a_box() {
     let (x, value, iterations, _) = minimise(vec![-1.2; 6], &[(-2.0, 0.9); 6], 1, rosenbrock);
@@ -68,8 +69,8 @@ fn bowl(a: &DMatrix<f64>, c: &DVector<f64>, x: &[f64]) -> (f64, Vec<f64>) {
     (0.5 * away.dot(&gradient), gradient.as_slice().to_vec())
 }
 
-/// Where entries pull at each other the value has a kink at which one reaches its end. The search once stopped at (1 - 1e-14, -0.55) of the
-/// first, far from the minimum.
+/// Where entries pull at each other the value has a kink at which one reaches its end. The search once
+/// stopped at (1 - 1e-14, -0.55) of the first, far from the minimum.
 #[test]
 fn coupled_entries_do_not_jam_beside_an_end() {
     let a = DMatrix::from_row_slice(2, 2, &[2.3, 4.2, 4.2, 8.0]);
@@ -111,7 +112,8 @@ fn what_cannot_be_computed_is_kept_away_from() {
     assert!((x[0] - 1.0).abs() < 1e-5 && x[1].abs() < 1e-5 && (value - 2.0).abs() < 1e-9, "{x:?} {value}");
 }
 
-/// Curvatures from 1 to 10^6, in a box that leaves every third entry out of reach: there the solution is known.
+/// Curvatures from 1 to 10^6, in a box that leaves every third entry out of reach: there the solution is
+/// known.
 #[test]
 fn badly_scaled_and_held_by_the_box() {
     let n = 300;

@@ -1,11 +1,14 @@
-//! The dynamics into one part: the bound of all primitives' experts about it, stacked, over the rows of all movements.
+//! The dynamics into one part: the bound of all primitives' experts about it, stacked, over the rows of all
+//! movements.
 //!
-//! The inducing outputs of an expert are one set of random numbers, seen through the rows of every movement that uses it. Movements
-//! differ in their noise alpha^i, so their statistics are pooled in units of the noise n of the first one: with shares n / n_m,
+//! The inducing outputs of an expert are one set of random numbers, seen through the rows of every movement
+//! that uses it. Movements differ in their noise alpha^i, so their statistics are pooled in units of the
+//! noise n of the first one: with shares n / n_m,
 //!
 //! F = F( n, sum_m (n / n_m) (Psi2_m, b_m, psi0_m, c2_m) ) - C/2 sum_m R_m log(n_m / n)
 //!
-//! is the collapsed bound of A = K + sum_m Psi2_m / n_m. An expert that no movement uses adds exactly nothing.
+//! is the collapsed bound of A = K + sum_m Psi2_m / n_m. An expert that no movement uses adds exactly
+//! nothing.
 
 use crate::elementary::Elementary;
 use crate::gp::bound::{InducingPosterior, SparseGp};
@@ -37,7 +40,8 @@ pub struct Dynamics {
     outputs: Outputs,
 }
 
-/// What a source part says about the target in the rows of all movements, to be pulled back beside those of other parts.
+/// What a source part says about the target in the rows of all movements, to be pulled back beside those of
+/// other parts.
 #[cfg(feature = "threads")]
 pub struct SourceRows<'a> {
     target: usize,
@@ -186,8 +190,8 @@ impl Dynamics {
         Ok(bound)
     }
 
-    /// Adds the gradient with respect to the histories of all movements and parts to `into`; that with respect to the experts stays
-    /// here. `rooms` are as [`compute`](Self::compute) left them.
+    /// Adds the gradient with respect to the histories of all movements and parts to `into`; that with
+    /// respect to the experts stays here. `rooms` are as [`compute`](Self::compute) left them.
     pub fn pull_back(
         &mut self,
         params: &Params,
@@ -206,7 +210,8 @@ impl Dynamics {
         }
     }
 
-    /// The parts as sources, each of which [`SourceRows::pull_back`] pulls back as [`pull_back`](Self::pull_back) does all.
+    /// The parts as sources, each of which [`SourceRows::pull_back`] pulls back as
+    /// [`pull_back`](Self::pull_back) does all.
     #[cfg(feature = "threads")]
     pub fn by_source<'a>(
         &'a mut self,
@@ -243,8 +248,8 @@ impl Dynamics {
 
 #[cfg(feature = "threads")]
 impl SourceRows<'_> {
-    /// Adds the gradient with respect to the histories of this part in all movements to `into`; that with respect to the experts stays
-    /// where it is kept.
+    /// Adds the gradient with respect to the histories of this part in all movements to `into`; that with
+    /// respect to the experts stays where it is kept.
     pub fn pull_back(
         &mut self,
         params: &Params,

@@ -1,7 +1,8 @@
 //! The maps of all parts, in several threads.
 //!
-//! Whatever is summed is summed in the same order as by one thread, so that a model is the same to the bit. So there are two rounds: first
-//! every map on its own, then the gradient with respect to the histories, part by part, each from all that the part predicts.
+//! Whatever is summed is summed in the same order as by one thread, so that a model is the same to the bit.
+//! So there are two rounds: first every map on its own, then the gradient with respect to the histories, part
+//! by part, each from all that the part predicts.
 
 use crate::gp::linalg::{add_jittered, counting_jittered};
 use crate::gp::psi::Purpose;
@@ -17,7 +18,8 @@ use std::thread;
 type Task<'a> = Box<dyn FnOnce() -> Result<(), NumericsError> + Send + 'a>;
 
 impl Workspace {
-    /// Computes gradients in so many threads from now on, and to the same bits. Each part has memory of its own for it.
+    /// Computes gradients in so many threads from now on, and to the same bits. Each part has memory of its
+    /// own for it.
     pub fn use_threads(&mut self, threads: usize) {
         self.threads = threads.max(1);
         let (movements, parts) = (self.histories.len(), self.kinematics.len());
@@ -66,7 +68,8 @@ impl Objective {
         run(*threads, tasks)
     }
 
-    /// The second round: each part's latents through its pose map, and its histories through all that it predicts.
+    /// The second round: each part's latents through its pose map, and its histories through all that it
+    /// predicts.
     fn pull_back(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
         let Workspace {
             gradient, histories, histories_adjoint, kinematics, dynamics, rooms, threads, ..
@@ -107,8 +110,8 @@ impl Objective {
     }
 }
 
-/// Does all tasks in so many threads, of which this is one: each takes the first that is left. The error is that of the first task that
-/// has one.
+/// Does all tasks in so many threads, of which this is one: each takes the first that is left. The error is
+/// that of the first task that has one.
 fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
     let threads = threads.min(tasks.len());
     let left = Mutex::new(tasks.into_iter().enumerate());
@@ -156,7 +159,8 @@ mod tests {
         (params, Objective::of_movements(plain.observations().to_vec(), repertoire, 0.0))
     }
 
-    /// Models of one, two and three parts, and of two movements that share a primitive, in fewer and in more threads than there are maps.
+    /// Models of one, two and three parts, and of two movements that share a primitive, in fewer and in more
+    /// threads than there are maps.
     #[test]
     fn threads_compute_the_same_bits() {
         let bits = |params: &Params| params.to_flat().iter().map(|v| v.to_bits()).collect::<Vec<_>>();

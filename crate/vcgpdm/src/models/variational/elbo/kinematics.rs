@@ -120,7 +120,8 @@ impl Kinematics {
         Ok(bound)
     }
 
-    /// Adds the gradient of the bound to `into`, that of the `part`; `room` is as [`compute`](Self::compute) left it.
+    /// Adds the gradient of the bound to `into`, that of the `part`; `room` is as [`compute`](Self::compute)
+    /// left it.
     pub fn pull_back(&mut self, part: &PartParams, room: &mut PairWorkspace, into: &mut PartParams) {
         let (adjoint, kernel) = (self.outputs.adjoint(), &mut self.kernel_adjoint);
         into.beta += adjoint.noise;

@@ -1,7 +1,8 @@
 //! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix C).
 //!
-//! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of [`crate::gp::bound`]
-//! fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked backwards.
+//! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of
+//! [`crate::gp::bound`] fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked
+//! backwards.
 
 mod dynamics;
 mod expert_room;
@@ -53,7 +54,8 @@ pub struct Posteriors {
     pub kinematics: Vec<InducingPosterior>,
     /// q(u) into each target, the experts of all primitives stacked in order `[M]`.
     pub dynamics: Vec<InducingPosterior>,
-    /// What q(u) was computed from, `sums[movement][target]`, the movement's own primitives stacked in order of their parts.
+    /// What q(u) was computed from, `sums[movement][target]`, the movement's own primitives stacked in order
+    /// of their parts.
     pub sums: Vec<Vec<DynamicsSums>>,
     /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`, from which q(v) was computed.
     pub pose_sums: Vec<DMatrix<f64>>,
@@ -94,8 +96,8 @@ impl Workspace {
         &self.terms
     }
 
-    /// The gradient that was computed last, with respect to the natural parameters. Entries for the signal variances of the
-    /// dynamics kernels are given, though those are held at 1.
+    /// The gradient that was computed last, with respect to the natural parameters. Entries for the signal
+    /// variances of the dynamics kernels are given, though those are held at 1.
     pub fn gradient(&self) -> &Params {
         &self.gradient
     }
@@ -244,7 +246,8 @@ impl Objective {
         Ok(out)
     }
 
-    /// The best inducing outputs of all maps at `params`, to be kept for other movements: see [`under`](Self::under).
+    /// The best inducing outputs of all maps at `params`, to be kept for other movements: see
+    /// [`under`](Self::under).
     ///
     /// # Errors
     ///
@@ -300,7 +303,8 @@ impl Objective {
     }
 }
 
-/// The sum of the logarithms of positive numbers: one logarithm for eight of them, where their product is a normal number.
+/// The sum of the logarithms of positive numbers: one logarithm for eight of them, where their product is a
+/// normal number.
 fn sum_of_logarithms(values: &DMatrix<f64>) -> f64 {
     let logarithm = |chunk: &[f64]| {
         let product: f64 = chunk.iter().product();

@@ -11,7 +11,8 @@ use nalgebra::DMatrix;
 pub struct StoredMaps {
     /// v of each part's pose map `[M]`.
     pub kinematics: Vec<StoredOutputs>,
-    /// u into each part, the experts of the first primitives stacked in order `[M]`; those of primitives after them are not stored.
+    /// u into each part, the experts of the first primitives stacked in order `[M]`; those of primitives
+    /// after them are not stored.
     pub dynamics: Vec<StoredOutputs>,
 }
 
@@ -26,26 +27,30 @@ pub struct Objective {
 }
 
 impl Objective {
-    /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added to the diagonal of
-    /// every inducing covariance. The matrices must have as many rows as the sequences have frames.
+    /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added
+    /// to the diagonal of every inducing covariance. The matrices must have as many rows as the sequences
+    /// have frames.
     pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, jitter: f64) -> Self {
         let repertoire = Repertoire::plain(sequences, y.len());
         Self::of_movements(y, repertoire, jitter)
     }
 
-    /// As [`new`](Self::new), for movements that may share primitives; their frames are stacked movement after movement.
+    /// As [`new`](Self::new), for movements that may share primitives; their frames are stacked movement
+    /// after movement.
     pub fn of_movements(y: Vec<DMatrix<f64>>, repertoire: Repertoire, jitter: f64) -> Self {
         let second_moments = y.iter().map(|y| y.norm_squared()).collect();
         Self { y, second_moments, repertoire, jitter, stored: None }
     }
 
-    /// The same for maps whose inducing outputs are stored and stay as they are: the bound of new movements, of which only latents
-    /// and couplings are to be learned, and new primitives where there are more than those that are stored.
+    /// The same for maps whose inducing outputs are stored and stay as they are: the bound of new movements,
+    /// of which only latents and couplings are to be learned, and new primitives where there are more than
+    /// those that are stored.
     pub fn under(self, stored: StoredMaps) -> Self {
         Self { stored: Some(stored), ..self }
     }
 
-    /// Room for the bound of one map with (points, columns) inducing outputs: the best ones, or those that are stored.
+    /// Room for the bound of one map with (points, columns) inducing outputs: the best ones, or those that
+    /// are stored.
     pub(super) fn outputs<'a>(
         &'a self,
         which: impl Fn(&'a StoredMaps) -> &'a StoredOutputs,

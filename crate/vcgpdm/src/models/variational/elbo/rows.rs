@@ -1,4 +1,5 @@
-//! What the rows of one movement say about the dynamics into one part, stacked over the sources and weighted by the couplings.
+//! What the rows of one movement say about the dynamics into one part, stacked over the sources and weighted
+//! by the couplings.
 
 use crate::gp::Gaussians;
 use crate::gp::bound::BoundAdjoint;
@@ -28,7 +29,8 @@ pub struct SourceRoom {
     cross: Vec<DMatrix<f64>>,
 }
 
-/// The rows of one movement as data of the dynamics into one target, with the room for them and their adjoints.
+/// The rows of one movement as data of the dynamics into one target, with the room for them and their
+/// adjoints.
 pub struct MovementRows {
     movement: usize,
     target: usize,
@@ -182,8 +184,8 @@ impl MovementRows {
         sum
     }
 
-    /// What the gradient of what the rows have a `share` in is made of, from the adjoint of the pool; `noise_adjoint` is dF/dalpha^i
-    /// apart from the weights. After [`compute`](Self::compute).
+    /// What the gradient of what the rows have a `share` in is made of, from the adjoint of the pool;
+    /// `noise_adjoint` is dF/dalpha^i apart from the weights. After [`compute`](Self::compute).
     pub fn adjoint(&mut self, adjoint: &BoundAdjoint, share: f64, noise_adjoint: f64) {
         self.noise_adjoint = noise_adjoint;
         for j in 0..self.sources.len() {
@@ -232,7 +234,8 @@ impl MovementRows {
         let into = &mut gradient.parts[i].latents;
         sequences.add_targets_adjoint(&self.target_mean, &mut into.mean);
         sequences.add_targets_adjoint(&self.target_variance, &mut into.variance);
-        // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j / alpha^{ji}.
+        // d alpha^i / d alpha^{ji} = w_j^2 and d w_k / d alpha^{ji} = w_k w_j^2 / alpha^i - [j = k] w_j /
+        // alpha^{ji}.
         let alpha = &params.alpha[self.movement];
         let shared: f64 = self.weights_adjoint.iter().zip(&self.weights).map(|(g, w)| g * w).sum();
         for (j, (w, g)) in self.weights.iter().zip(&self.weights_adjoint).enumerate() {
@@ -243,8 +246,8 @@ impl MovementRows {
 }
 
 impl SourceRoom {
-    /// Adds the gradient with respect to the histories to `into` and with respect to the expert to `kernel`. After
-    /// [`MovementRows::adjoint`], with the room of [`MovementRows::compute`].
+    /// Adds the gradient with respect to the histories to `into` and with respect to the expert to `kernel`.
+    /// After [`MovementRows::adjoint`], with the room of [`MovementRows::compute`].
     pub fn pull_back(
         &mut self,
         histories: &Gaussians,

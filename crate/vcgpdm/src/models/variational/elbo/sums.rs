@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-/// The sums over t that q(u) of one target part needs, under any coupling: psi2 blocks and psi1^T mu without weights.
+/// The sums over t that q(u) of one target part needs, under any coupling: psi2 blocks and psi1^T mu without
+/// weights.
 ///
 /// The dynamics of a target stack the sources in order.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,8 +29,8 @@ impl DynamicsSums {
         Self { psi2: DMatrix::zeros(height, height), psi1_mu: DMatrix::zeros(height, latent) }
     }
 
-    /// Psi2 and b of the stacked sources under the coupling weights w: blocks w_j w_k psi2^{jk} and w_j psi1^{jT} mu.
-    /// `offsets` says where each source starts in the stack, and ends with its height.
+    /// Psi2 and b of the stacked sources under the coupling weights w: blocks w_j w_k psi2^{jk} and w_j
+    /// psi1^{jT} mu. `offsets` says where each source starts in the stack, and ends with its height.
     pub fn weighted(&self, weights: &[f64], offsets: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
         let mut out = (self.psi2.clone(), self.psi1_mu.clone());
         self.weighted_into(weights, offsets, &mut out.0, &mut out.1);

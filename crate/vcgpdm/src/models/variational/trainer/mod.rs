@@ -1,4 +1,5 @@
-//! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best kept.
+//! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best
+//! kept.
 
 mod reduced;
 
@@ -84,12 +85,13 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the sequences say. The
-    /// `seed` is that of everything random.
+    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the
+    /// sequences say. The `seed` is that of everything random.
     ///
     /// # Errors
     ///
-    /// When a setting is out of its range, the observations do not fit the sequences, or the bound cannot be computed at the start.
+    /// When a setting is out of its range, the observations do not fit the sequences, or the bound cannot be
+    /// computed at the start.
     pub fn new(
         y: Vec<DMatrix<f64>>,
         lengths: Vec<usize>,
@@ -102,8 +104,9 @@ impl Trainer {
         Self::of_repertoire(y, Repertoire::plain(sequences, parts), settings, seed)
     }
 
-    /// As [`new`](Self::new), for movements that may share primitives: `primitives` says to which part each belongs, and
-    /// `movements` how many of the sequences each movement has, one movement after the other, and which primitive each part uses.
+    /// As [`new`](Self::new), for movements that may share primitives: `primitives` says to which part each
+    /// belongs, and `movements` how many of the sequences each movement has, one movement after the other,
+    /// and which primitive each part uses.
     ///
     /// # Errors
     ///
@@ -136,8 +139,8 @@ impl Trainer {
         Ok(Self { notices, ..Self::from_start(objective, params, phases, settings, seed)? })
     }
 
-    /// Ready to train from the parameters `start` by the given phases, of which there must be one. The settings count for the
-    /// number of iterations and, with the seed, for the model's provenance.
+    /// Ready to train from the parameters `start` by the given phases, of which there must be one. The
+    /// settings count for the number of iterations and, with the seed, for the model's provenance.
     ///
     /// # Errors
     ///
@@ -163,16 +166,16 @@ impl Trainer {
         Ok(Self { ascent, settings: settings.clone(), seed, notices: Vec::new() })
     }
 
-    /// Before the first step: holds, in every phase, the parameters whose entries in `held` are not 0, such as those of maps that were
-    /// learned before. `held` has the shapes of the starting point.
+    /// Before the first step: holds, in every phase, the parameters whose entries in `held` are not 0, such
+    /// as those of maps that were learned before. `held` has the shapes of the starting point.
     pub(in crate::models) fn hold(&mut self, held: &Params) {
         let mut entries = Vec::new();
         held.visit(&mut |_, values| entries.extend(values.iter().map(|v| *v != 0.0)));
         self.ascent.hold(entries);
     }
 
-    /// Computes bound and direction in so many threads from now on. The outcome is the same to the bit; it takes more memory, and pays where there
-    /// are thousands of frames or many inducing points.
+    /// Computes bound and direction in so many threads from now on. The outcome is the same to the bit; it
+    /// takes more memory, and pays where there are thousands of frames or many inducing points.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.ascent.search().target.workspace.use_threads(threads);
@@ -185,9 +188,10 @@ impl Trainer {
         self.progress()
     }
 
-    /// Allows so many more iterations, during training or after all are used: training goes on where it stopped, with what the
-    /// optimiser remembers. Where the first block of the [`schedule`] is as long for the sum as for the first number, the outcome is,
-    /// bit by bit, that of a training that was asked for the sum. A bound that no longer rises stays where it is.
+    /// Allows so many more iterations, during training or after all are used: training goes on where it
+    /// stopped, with what the optimiser remembers. Where the first block of the [`schedule`] is as long for
+    /// the sum as for the first number, the outcome is, bit by bit, that of a training that was asked for the
+    /// sum. A bound that no longer rises stays where it is.
     pub fn extend(&mut self, iterations: usize) {
         self.ascent.extend(iterations);
         self.settings.max_iterations = self.ascent.max_iterations();
@@ -277,10 +281,12 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)
 }
 
-/// First what the latents are explained with, while they stay at their principal components; then everything together.
+/// First what the latents are explained with, while they stay at their principal components; then everything
+/// together.
 ///
-/// Without the first block more seeds end in a low bound on subject 7 (docs/training.md); with the authors' further blocks (latents alone,
-/// kernels alone, inducing points alone) all end lower, for many more evaluations.
+/// Without the first block more seeds end in a low bound on subject 7 (docs/training.md); with the authors'
+/// further blocks (latents alone, kernels alone, inducing points alone) all end lower, for many more
+/// evaluations.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{Couplings, InducingInputs, Kernels, Latents};
     let block = BLOCK_ITERATIONS.min(max_iterations / 8);

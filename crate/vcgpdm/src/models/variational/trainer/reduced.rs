@@ -5,8 +5,8 @@ use crate::models::variational::repertoire::Repertoire;
 use crate::words::counted;
 use nalgebra::DMatrix;
 
-/// The settings with no more inducing points than there are rows to begin with, and what a visitor should know of them, in sentences without
-/// a full stop.
+/// The settings with no more inducing points than there are rows to begin with, and what a visitor should
+/// know of them, in sentences without a full stop.
 pub(super) fn reduced(
     settings: &VariationalSettings,
     repertoire: &Repertoire,
