@@ -274,8 +274,9 @@ mod tests {
         assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));
         let path = |library: &TrainedLibrary, uses: &[usize]| {
             let model = library.combination(uses, &whole.library.movements[0].alpha).unwrap();
-            let dynamics =
-                model.model.dynamics(&model.model.alpha, crate::models::couplings::Reading::AsLearned);
+            let dynamics = model
+                .model
+                .dynamics(&model.model.alpha, crate::models::rollout::couplings::Reading::AsLearned);
             let start: Vec<_> =
                 whole.library.movements[0].starts[0].iter().map(|x| x.rows(0, 2).into_owned()).collect();
             dynamics.unwrap().path(&start, 30).unwrap()

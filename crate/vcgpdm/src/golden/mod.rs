@@ -26,7 +26,7 @@ use crate::golden::shapes::{
 };
 use crate::gp::NumericsError;
 use crate::json::rows::rows_of;
-use crate::models::sequences::MOST_FRAMES;
+use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::variational::{BoundTerms, Objective, Params, Vcgpdm};
 use crate::models::{Parameters, Reading};
 pub use error::CaseError;

@@ -10,62 +10,41 @@
 //! poses, and its [`Provenance`]. Tables of numbers that are no poses go the same way: `Dataset::of_tables`,
 //! and a [`SeriesModel`] at the end.
 
-pub(crate) mod body;
-mod cost;
-pub(crate) mod couplings;
-pub(crate) mod dataset;
+pub(crate) mod data;
 pub mod dmp;
-pub(crate) mod flat;
-pub(crate) mod health;
-pub(crate) mod kind;
-pub(crate) mod latent_dynamics;
-mod latent_paths;
-pub(crate) mod latents;
-pub(crate) mod learner;
+pub(crate) mod fitted;
 pub mod library;
-pub(crate) mod live;
 pub mod map;
-pub(crate) mod model;
-pub(crate) mod movements;
-pub(crate) mod observed;
-pub(crate) mod phase;
-pub(crate) mod progress;
-pub(crate) mod provenance;
 pub(crate) mod rollout;
 pub(crate) mod search;
-pub(crate) mod sequences;
-pub(crate) mod settings;
-mod stored;
-mod tables;
 pub mod tmp;
-pub(crate) mod trained;
-mod training;
-pub(crate) mod training_error;
-mod trials;
+pub(crate) mod training;
 pub mod variational;
 
-pub use body::Body;
-pub use cost::TrainingCost;
-pub use couplings::{CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights};
-pub use dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body, with_bones_of};
-pub use flat::{Group, Kind, Parameters};
-pub use health::{Health, best_to_show};
-pub use kind::ModelKind;
-pub use latent_dynamics::LatentDynamics;
-pub use learner::Learner;
-pub use live::{LiveFrames, LiveRollout};
-pub use model::Model;
-pub use movements::{Movements, Sequence};
-pub use observed::Observed;
-pub use phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-pub use progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
-pub use provenance::{ENGINE, Provenance};
-pub use rollout::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
+pub use data::dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body, with_bones_of};
+pub use data::movements::{Movements, Sequence};
+pub use data::observed::Observed;
+pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
+pub use fitted::body::Body;
+pub use fitted::model::Model;
+pub use fitted::provenance::{ENGINE, Provenance};
+pub use fitted::trained::{Fitted, SeriesModel, TrainedModel};
+pub use rollout::couplings::{
+    CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,
+};
+pub use rollout::health::{Health, best_to_show};
+pub use rollout::latent_dynamics::LatentDynamics;
+pub use rollout::live::{LiveFrames, LiveRollout};
+pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
-pub use sequences::{MOST_FRAMES, Sequences, SequencesError};
-pub use settings::{
+pub use training::cost::TrainingCost;
+pub use training::error::TrainingError;
+pub use training::kind::ModelKind;
+pub use training::learner::Learner;
+pub use training::parameters::{Group, Kind, Parameters};
+pub use training::progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
+pub use training::settings::{
     DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelSettings,
     TmpSettings, VariationalSettings,
 };
-pub use trained::{Fitted, SeriesModel, TrainedModel};
-pub use training_error::TrainingError;

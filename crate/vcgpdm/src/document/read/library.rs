@@ -7,11 +7,11 @@ use crate::document::read::vcgpdm::{elsewhere, expert, part, provenance, sequenc
 use crate::json::checks::{count, positive, shape, tame_matrix, within};
 use crate::json::{Field, FieldError, Object, Value};
 use crate::models::SequenceInfo;
+use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::library::{
     CouplingsFrom, Excerpt, FramesFrom, LearnedMovement, Library, LibraryExpert, Origin, Primitive,
     Relearned, TrainedLibrary,
 };
-use crate::models::sequences::MOST_FRAMES;
 use crate::models::variational::{DynamicsSums, Elsewhere};
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::PoseMapping;

@@ -1,17 +1,17 @@
 //! Learning dynamic movement primitives: one regression.
 
 use crate::gp::NumericsError;
+use crate::models::data::movements::Movements;
+use crate::models::data::phase::Trial;
+use crate::models::data::trials::split_trials;
 use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::learner::Learner;
-use crate::models::model::Model;
-use crate::models::movements::Movements;
-use crate::models::phase::Trial;
-use crate::models::progress::{EndReason, LearningProgress, Setbacks};
-use crate::models::settings::{DmpSettings, MOST_BASES};
-use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::split_trials;
+use crate::models::fitted::model::Model;
+use crate::models::training::error::{TrainingError, in_range};
+use crate::models::training::learner::Learner;
+use crate::models::training::progress::{EndReason, LearningProgress, Setbacks};
+use crate::models::training::settings::{DmpSettings, MOST_BASES};
 use nalgebra::DMatrix;
 
 /// A training of dynamic movement primitives: a single step does it all.

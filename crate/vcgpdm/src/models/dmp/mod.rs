@@ -13,7 +13,7 @@
 //!   centre of the cycle, r the amplitude, 1 in the training trials. 2 pi tau is the period.
 //!
 //! t / tau is the phase of the trial, phi / 2 pi that of its cycle, both after an
-//! [alignment](crate::models::phase::Alignment) of the trials.
+//! [alignment](crate::models::data::phase::Alignment) of the trials.
 //!
 //! The weights are one ridge regression of the forces that the training trials would have needed, over all
 //! frames of all trials. A new trial gives y(0) and y'(0) by its first frames; the rhythmic system is started

@@ -2,11 +2,11 @@
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
+use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::data::trials::split;
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-use crate::models::rollout::{RolloutError, check_frames};
-use crate::models::trials::split;
+use crate::models::rollout::request::{RolloutError, check_frames};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 

@@ -5,7 +5,7 @@ use crate::json::{Field, FieldError, Value};
 use crate::models::dmp::SpringStart;
 use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
 use crate::models::dmp::rhythmic::{DmpRhythmic, RhythmicStart};
-use crate::models::stored::{map_value, phase_map, vector, whole_columns};
+use crate::models::fitted::stored::{map_value, phase_map, vector, whole_columns};
 
 const MOST_BASES: usize = 1000;
 

@@ -1,11 +1,11 @@
 //! What dynamic movement primitives promise: reproduction, other goals, other tempi, stable cycles.
 
 use super::*;
-use crate::models::kind::ModelKind;
-use crate::models::learner::Learner;
-use crate::models::movements::{Movements, Sequence};
-use crate::models::phase::Trial;
-use crate::models::settings::DmpSettings;
+use crate::models::data::movements::{Movements, Sequence};
+use crate::models::data::phase::Trial;
+use crate::models::training::kind::ModelKind;
+use crate::models::training::learner::Learner;
+use crate::models::training::settings::DmpSettings;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 

@@ -3,10 +3,10 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::stored_outputs::StoredOutputs;
-use crate::models::couplings::{check_couplings, coupling_weights};
 use crate::models::library::combination_error::CombinationError;
 use crate::models::library::known::Known;
 use crate::models::library::{LearnedMovement, Library};
+use crate::models::rollout::couplings::{check_couplings, coupling_weights};
 use crate::models::variational::{DynamicsSums, Elsewhere, FittedExpert, Vcgpdm};
 use nalgebra::DMatrix;
 

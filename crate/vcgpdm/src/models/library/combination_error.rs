@@ -1,7 +1,7 @@
 //! Why primitives cannot be combined.
 
 use crate::gp::NumericsError;
-use crate::models::couplings::CouplingsError;
+use crate::models::rollout::couplings::CouplingsError;
 use thiserror::Error;
 
 /// Why primitives cannot be combined as asked.

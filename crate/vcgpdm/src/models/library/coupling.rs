@@ -1,10 +1,10 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
-use crate::models::flat::Group;
-use crate::models::latents::check_training;
 use crate::models::library::{CouplingsFrom, LearnedMovement, Library};
 use crate::models::search::ascent::Phase;
-use crate::models::training_error::{TrainingError, in_range};
+use crate::models::training::error::{TrainingError, in_range};
+use crate::models::training::latents::check_training;
+use crate::models::training::parameters::Group;
 use crate::models::variational::{Objective, Params, Trainer, TrainingProgress};
 use nalgebra::DMatrix;
 

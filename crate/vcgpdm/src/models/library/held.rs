@@ -6,9 +6,9 @@
 
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
+use crate::models::data::sequences::Sequences;
 use crate::models::library::Library;
-use crate::models::sequences::Sequences;
-use crate::models::settings::VariationalSettings;
+use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::{Expert, PartParams, PoseMap, StoredMaps, first_variance};
 use nalgebra::DMatrix;
 

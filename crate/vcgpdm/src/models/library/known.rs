@@ -2,7 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::couplings::coupling_weights;
+use crate::models::rollout::couplings::coupling_weights;
 use crate::models::variational::{DynamicsSums, Elsewhere, stack_offsets};
 use nalgebra::DMatrix;
 use std::ops::Range;

@@ -1,8 +1,8 @@
 //! Where a primitive comes from, and what it keeps of movements that are not in its library.
 
-use crate::models::dataset::SequenceInfo;
-use crate::models::provenance::Provenance;
-use crate::models::settings::VariationalSettings;
+use crate::models::data::dataset::SequenceInfo;
+use crate::models::fitted::provenance::Provenance;
+use crate::models::training::settings::VariationalSettings;
 use nalgebra::DMatrix;
 
 /// Where a primitive comes from.

@@ -1,7 +1,7 @@
 //! Which parts of a combination stand still, and to whom they listen.
 
-use crate::models::couplings::{Reading, coupling_weights};
 use crate::models::library::{Library, WalkError};
+use crate::models::rollout::couplings::{Reading, coupling_weights};
 use nalgebra::DMatrix;
 
 /// Frames of the rollout that is looked at, of which the second half counts: what a start leaves behind has

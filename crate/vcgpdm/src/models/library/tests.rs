@@ -1,6 +1,6 @@
 use super::*;
-use crate::models::couplings::Reading;
-use crate::models::settings::VariationalSettings;
+use crate::models::rollout::couplings::Reading;
+use crate::models::training::settings::VariationalSettings;
 use approx::assert_relative_eq;
 
 /// Two parts that go round, the second with another wave in the second movement: [frames x 3] of each.

@@ -2,14 +2,14 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::stacked;
-use crate::models::body::Body;
-use crate::models::dataset::{Dataset, DatasetError, SequenceInfo};
+use crate::models::data::dataset::{Dataset, DatasetError, SequenceInfo};
+use crate::models::fitted::body::Body;
+use crate::models::fitted::provenance::Provenance;
+use crate::models::fitted::trained::TrainedModel;
 use crate::models::library::{
     CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library, LibraryTrainer,
 };
-use crate::models::provenance::Provenance;
-use crate::models::settings::VariationalSettings;
-use crate::models::trained::TrainedModel;
+use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};

@@ -1,11 +1,11 @@
 //! Training of a library, one step at a time.
 
 use crate::gp::NumericsError;
+use crate::models::fitted::provenance::Provenance;
 use crate::models::library::Library;
 use crate::models::library::plan::LibraryPlan;
-use crate::models::provenance::Provenance;
-use crate::models::settings::VariationalSettings;
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
+use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::{Trainer, TrainingProgress};
 use nalgebra::DMatrix;
 

@@ -1,9 +1,9 @@
 //! A motion that goes on without an end while primitives are exchanged, mixed and set to other tempos.
 
 use crate::gp::KernelSum;
-use crate::models::couplings::{CouplingsError, check_couplings, coupling_weights};
 use crate::models::library::{CombinationError, Library, Misfit};
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::couplings::{CouplingsError, check_couplings, coupling_weights};
+use crate::models::rollout::request::RolloutError;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use std::ops::RangeInclusive;

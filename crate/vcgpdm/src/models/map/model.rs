@@ -4,13 +4,13 @@
 //! I)^-1 Y^i: both are sums over all training frames, whose coefficients are solved for once.
 
 use crate::gp::{Kernel, KernelSum, NumericsError};
-use crate::models::couplings::coupling_weights;
-use crate::models::kind::ModelKind;
-use crate::models::latent_dynamics::LatentDynamics;
+use crate::models::data::sequences::Sequences;
 use crate::models::map::density::LogDensity;
 use crate::models::map::params::MapParams;
-use crate::models::rollout::{RolloutError, check_frames};
-use crate::models::sequences::Sequences;
+use crate::models::rollout::couplings::coupling_weights;
+use crate::models::rollout::latent_dynamics::LatentDynamics;
+use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::training::kind::ModelKind;
 use nalgebra::DMatrix;
 
 /// The pose map of one part.

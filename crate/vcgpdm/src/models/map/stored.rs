@@ -6,8 +6,8 @@
 use crate::gp::Kernel;
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
 use crate::json::{Field, FieldError, Value};
+use crate::models::data::sequences::Sequences;
 use crate::models::map::model::{MapModel, MapPoseMap};
-use crate::models::sequences::Sequences;
 use nalgebra::{DMatrix, DVector};
 
 const MOST_LATENT: usize = 100;

@@ -12,7 +12,7 @@
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::tmp::posterior::Posterior;
 use crate::models::tmp::view::View;
 use nalgebra::{DMatrix, DVector};

@@ -4,7 +4,7 @@ use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::exp::exp;
 use crate::gp::linalg::Factor;
-use crate::models::phase::PhaseAxis;
+use crate::models::data::phase::PhaseAxis;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 

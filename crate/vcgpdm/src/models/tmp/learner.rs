@@ -2,17 +2,17 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
-use crate::models::learner::Learner;
-use crate::models::model::Model;
-use crate::models::movements::Movements;
-use crate::models::phase::{Alignment, PhaseMap, Trial};
-use crate::models::progress::{EndReason, LearningProgress, Setbacks};
-use crate::models::settings::{MOST_PRIMITIVES, TmpSettings};
+use crate::models::data::movements::Movements;
+use crate::models::data::phase::{Alignment, PhaseMap, Trial};
+use crate::models::data::trials::split_trials;
+use crate::models::fitted::model::Model;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::beginning::Beginning;
 use crate::models::tmp::posterior::Posterior;
-use crate::models::training_error::{TrainingError, in_range};
-use crate::models::trials::split_trials;
+use crate::models::training::error::{TrainingError, in_range};
+use crate::models::training::learner::Learner;
+use crate::models::training::progress::{EndReason, LearningProgress, Setbacks};
+use crate::models::training::settings::{MOST_PRIMITIVES, TmpSettings};
 
 /// So many sweeps pass between two looks at lengthscale and phases.
 const EVERY: usize = 5;

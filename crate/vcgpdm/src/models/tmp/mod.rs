@@ -48,9 +48,9 @@ mod weights;
 pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
-use crate::models::phase::{PhaseAxis, PhaseMap, Trial};
-use crate::models::rollout::{RolloutError, check_frames};
-use crate::models::trials::split;
+use crate::models::data::phase::{PhaseAxis, PhaseMap, Trial};
+use crate::models::data::trials::split;
+use crate::models::rollout::request::{RolloutError, check_frames};
 use kernel::covariance;
 use nalgebra::{DMatrix, DVector};
 use posterior::Posterior;

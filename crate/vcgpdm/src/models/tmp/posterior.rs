@@ -3,7 +3,7 @@
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
+use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
 use crate::models::tmp::components::{Fits, leading};
 use crate::models::tmp::kernel::PhaseKernel;
 use crate::models::tmp::view::View;

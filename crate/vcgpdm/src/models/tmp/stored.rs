@@ -2,8 +2,8 @@
 
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
 use crate::json::{Field, FieldError, Value};
-use crate::models::phase::PhaseAxis;
-use crate::models::stored::{map_value, phase_map, vector, whole_columns};
+use crate::models::data::phase::PhaseAxis;
+use crate::models::fitted::stored::{map_value, phase_map, vector, whole_columns};
 use crate::models::tmp::{Tmp, TrialWeights};
 use nalgebra::DMatrix;
 

@@ -1,12 +1,12 @@
 //! The bound against brute force, its rise, and what the primitives find.
 
 use super::*;
-use crate::models::learner::Learner;
-use crate::models::movements::{Movements, Sequence};
-use crate::models::phase::Alignment;
-use crate::models::settings::TmpSettings;
+use crate::models::data::movements::{Movements, Sequence};
+use crate::models::data::phase::Alignment;
 use crate::models::tmp::learner::Limits;
 use crate::models::tmp::posterior::Posterior;
+use crate::models::training::learner::Learner;
+use crate::models::training::settings::TmpSettings;
 use approx::assert_relative_eq;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

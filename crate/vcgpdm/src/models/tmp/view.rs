@@ -1,7 +1,7 @@
 //! A trial as the inducing phases see it.
 
 use crate::gp::linalg::Factor;
-use crate::models::phase::{PhaseMap, Trial};
+use crate::models::data::phase::{PhaseMap, Trial};
 use crate::models::tmp::kernel::PhaseKernel;
 use nalgebra::DMatrix;
 

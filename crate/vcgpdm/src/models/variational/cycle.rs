@@ -1,6 +1,6 @@
 //! The learned cycle: where on it a part stands, and how far from it.
 
-use crate::models::rollout::{RolloutError, RolloutRequest};
+use crate::models::rollout::request::{RolloutError, RolloutRequest};
 use crate::models::variational::model::Vcgpdm;
 use crate::motion::{RHYTHMIC, period};
 use nalgebra::DMatrix;

@@ -1,9 +1,9 @@
 //! Rollouts that are disturbed on their way: couplings that are cut for a while, parts that are pushed.
 
-use crate::models::couplings::{Reading, check_couplings};
-use crate::models::latent_dynamics::LatentDynamics;
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::{Push, RolloutError, RolloutRequest};
+use crate::models::rollout::couplings::{Reading, check_couplings};
+use crate::models::rollout::latent_dynamics::LatentDynamics;
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::{Push, RolloutError, RolloutRequest};
 use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 
@@ -108,7 +108,7 @@ impl Push {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::rollout::Cut;
+    use crate::models::rollout::request::Cut;
     use crate::models::variational::testing::fitted;
 
     fn request(frames: usize) -> RolloutRequest {

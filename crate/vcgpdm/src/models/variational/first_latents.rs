@@ -1,8 +1,8 @@
 //! The latents that training starts with: slow ones, as large as what they explain.
 
 use crate::elementary::Elementary;
-use crate::models::latents::{STAND_IN, principal_components};
-use crate::models::sequences::Sequences;
+use crate::models::data::sequences::Sequences;
+use crate::models::training::latents::{STAND_IN, principal_components};
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 

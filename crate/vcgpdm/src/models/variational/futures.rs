@@ -1,8 +1,8 @@
 //! Sampled rollouts: at every frame the next latents are drawn from what the experts predict, with their
 //! variances.
 
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::RolloutError;
 use crate::models::variational::predictive::PredictiveDynamics;
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;

@@ -1,13 +1,13 @@
 //! The vCGPDM and, of one part, the vGPDM among the other models.
 
 use crate::gp::NumericsError;
-use crate::models::learner::Learner;
-use crate::models::model::Model;
-use crate::models::movements::Movements;
-use crate::models::progress::{EndReason, LearningProgress};
+use crate::models::data::movements::Movements;
+use crate::models::fitted::model::Model;
 use crate::models::search::ascent::SearchEnd;
-use crate::models::settings::VariationalSettings;
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
+use crate::models::training::learner::Learner;
+use crate::models::training::progress::{EndReason, LearningProgress};
+use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::trainer::{Trainer, TrainingProgress};
 
 /// A training of the variational model. The parts are those of the movements: one for the vGPDM.
@@ -78,8 +78,8 @@ impl From<TrainingProgress> for LearningProgress {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::kind::ModelKind;
-    use crate::models::movements::Sequence;
+    use crate::models::data::movements::Sequence;
+    use crate::models::training::kind::ModelKind;
     use nalgebra::DMatrix;
 
     fn movements() -> Movements {

@@ -2,10 +2,10 @@
 
 use crate::gp::linalg::Factor;
 use crate::gp::{KernelSum, NumericsError};
-use crate::models::couplings::{Reading, check_couplings, coupling_weights};
-use crate::models::kind::ModelKind;
-use crate::models::latent_dynamics::LatentDynamics;
-use crate::models::rollout::{RolloutError, check_frames};
+use crate::models::rollout::couplings::{Reading, check_couplings, coupling_weights};
+use crate::models::rollout::latent_dynamics::LatentDynamics;
+use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::training::kind::ModelKind;
 use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
 use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
 use crate::models::variational::params::Params;
@@ -229,7 +229,7 @@ impl Vcgpdm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::rollout::RolloutRequest;
+    use crate::models::rollout::request::RolloutRequest;
     use crate::models::variational::testing::{fitted, random_case};
     use approx::assert_relative_eq;
 

@@ -3,8 +3,8 @@
 
 use crate::gp::NumericsError;
 use crate::gp::moments::{Basis, expected_kernels, expected_products};
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::RolloutError;
 use crate::models::variational::predictive::{ExpertFunction, PredictiveDynamics};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;

@@ -4,9 +4,9 @@
 use crate::gp::exp::exp;
 use crate::gp::linalg::Factor;
 use crate::gp::{Kernel, NumericsError};
-use crate::models::couplings::{Reading, check_couplings, coupling_weights};
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::couplings::{Reading, check_couplings, coupling_weights};
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::RolloutError;
 use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 

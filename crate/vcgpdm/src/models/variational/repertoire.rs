@@ -4,7 +4,7 @@
 //! sequences that uses one primitive of each part, under couplings of its own. The plain model is one
 //! movement of one primitive for each part.
 
-use crate::models::sequences::Sequences;
+use crate::models::data::sequences::Sequences;
 use thiserror::Error;
 
 /// Why primitives and movements do not fit each other.

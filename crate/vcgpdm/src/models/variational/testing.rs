@@ -1,7 +1,7 @@
 //! Random problems for tests, of the shapes of the golden cases.
 
 use crate::gp::{Gaussians, Kernel};
-use crate::models::sequences::Sequences;
+use crate::models::data::sequences::Sequences;
 use crate::models::variational::elbo::Objective;
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::{Expert, Params, PartParams};

@@ -1,12 +1,12 @@
 //! What an import is asked for, and why it cannot be made.
 
 use crate::gp::NumericsError;
-use crate::models::dataset::DatasetError;
+use crate::models::data::dataset::DatasetError;
 use crate::models::library::{
     CombinationError, FramesFrom, LibraryError, Misfit, ObservedClip, TrainedLibrary,
 };
-use crate::models::rollout::RolloutError;
-use crate::models::training_error::TrainingError;
+use crate::models::rollout::request::RolloutError;
+use crate::models::training::error::TrainingError;
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use std::ops::Range;

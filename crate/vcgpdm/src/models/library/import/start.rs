@@ -1,9 +1,9 @@
 //! Where an import begins.
 
-use crate::models::latents::{check_training, starting_couplings};
 use crate::models::library::TrainedLibrary;
 use crate::models::library::import::request::{ImportError, ImportRequest, Planned};
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
+use crate::models::training::latents::{check_training, starting_couplings};
 use crate::models::variational::{Objective, Params, Repertoire, Trainer, schedule, starting_experts};
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;

@@ -1,8 +1,8 @@
 use super::*;
-use crate::models::dataset::{Dataset, Source};
+use crate::models::data::dataset::{Dataset, Source};
 use crate::models::library::TrainedLibrary;
 use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
-use crate::models::settings::VariationalSettings;
+use crate::models::training::settings::VariationalSettings;
 use crate::motion::{Clip, parts, samples};
 use std::sync::OnceLock;
 
@@ -100,7 +100,7 @@ fn a_whole_movement_comes_with_its_rows() {
     assert!(library.library.primitives[2].experts.iter().all(|expert| expert.elsewhere.is_none()));
     // Inferred again from its rows it is as learned.
     let model = library.movement(1).unwrap().model;
-    use crate::models::couplings::Reading;
+    use crate::models::rollout::couplings::Reading;
     let step = |reading| {
         let dynamics = model.dynamics(&model.alpha, reading).unwrap();
         dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()

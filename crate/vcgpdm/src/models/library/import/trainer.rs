@@ -2,7 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, stacked, symmetric};
-use crate::models::dataset::{DatasetError, SequenceInfo};
+use crate::models::data::dataset::{DatasetError, SequenceInfo};
+use crate::models::fitted::provenance::Provenance;
 use crate::models::library::coupling::MOST_ITERATIONS;
 use crate::models::library::import::frames::{of_clips, shown};
 use crate::models::library::import::request::{ImportError, ImportFrames, ImportRequest, Planned};
@@ -12,8 +13,7 @@ use crate::models::library::{
     CombinationError, CouplingsFrom, LearnedMovement, LibraryExpert, ObservedClip, Origin, Primitive,
     Relearned, TrainedLibrary,
 };
-use crate::models::provenance::Provenance;
-use crate::models::training_error::in_range;
+use crate::models::training::error::in_range;
 use crate::models::variational::{FittedExpert, Trainer, TrainingProgress, expert_offsets, stack_offsets};
 use nalgebra::DMatrix;
 

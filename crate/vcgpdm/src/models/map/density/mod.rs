@@ -17,10 +17,10 @@
 
 use crate::elementary::Elementary;
 use crate::gp::{Kernel, NumericsError};
-use crate::models::couplings::coupling_weights;
+use crate::models::data::sequences::Sequences;
 use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
 use crate::models::map::params::MapParams;
-use crate::models::sequences::Sequences;
+use crate::models::rollout::couplings::coupling_weights;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 

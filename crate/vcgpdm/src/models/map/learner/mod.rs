@@ -1,21 +1,21 @@
 //! Training of MAP models.
 
 use crate::gp::NumericsError;
-use crate::models::flat::Group;
-use crate::models::latents::{
-    check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
-};
-use crate::models::learner::Learner;
+use crate::models::data::movements::Movements;
+use crate::models::data::sequences::Sequences;
+use crate::models::fitted::model::Model;
 use crate::models::map::density::{LogDensity, MapTerms};
 use crate::models::map::model::MapModel;
 use crate::models::map::params::{MapParams, MapPart};
-use crate::models::model::Model;
-use crate::models::movements::Movements;
-use crate::models::progress::{EndReason, LearningProgress};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
-use crate::models::sequences::Sequences;
-use crate::models::settings::MapSettings;
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
+use crate::models::training::latents::{
+    check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
+};
+use crate::models::training::learner::Learner;
+use crate::models::training::parameters::Group;
+use crate::models::training::progress::{EndReason, LearningProgress};
+use crate::models::training::settings::MapSettings;
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

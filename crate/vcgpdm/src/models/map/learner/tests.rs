@@ -1,6 +1,6 @@
 use super::*;
-use crate::models::kind::ModelKind;
-use crate::models::movements::Sequence;
+use crate::models::data::movements::Sequence;
+use crate::models::training::kind::ModelKind;
 use nalgebra::DMatrix;
 
 /// Two noisy loops, the second half a cycle behind the first; the last five frames are another trial's first.

@@ -3,9 +3,9 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
-use crate::models::flat::{Group, Parameters};
-use crate::models::progress::Setbacks;
 use crate::models::search::optimizer::{Evaluate, Optimizer};
+use crate::models::training::parameters::{Group, Parameters};
+use crate::models::training::progress::Setbacks;
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

@@ -1,6 +1,6 @@
 use super::*;
-use crate::models::flat::{BETA, Kind, MU};
-use crate::models::progress::Setbacks;
+use crate::models::training::parameters::{BETA, Kind, MU};
+use crate::models::training::progress::Setbacks;
 
 /// Two free parameters and a positive one.
 #[derive(Clone)]

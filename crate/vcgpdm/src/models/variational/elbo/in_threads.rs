@@ -143,7 +143,7 @@ fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::flat::Parameters;
+    use crate::models::training::parameters::Parameters;
     use crate::models::variational::repertoire::Repertoire;
     use crate::models::variational::testing::random_case;
 

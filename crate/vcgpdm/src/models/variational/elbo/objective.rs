@@ -2,7 +2,7 @@
 
 use crate::gp::outputs::Outputs;
 use crate::gp::stored_outputs::StoredOutputs;
-use crate::models::sequences::Sequences;
+use crate::models::data::sequences::Sequences;
 use crate::models::variational::repertoire::Repertoire;
 use nalgebra::DMatrix;
 

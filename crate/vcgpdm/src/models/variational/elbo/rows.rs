@@ -6,7 +6,7 @@ use crate::gp::bound::BoundAdjoint;
 use crate::gp::kernel::KernelAdjoint;
 use crate::gp::psi::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
 use crate::gp::tall::{add_product, add_tr_product};
-use crate::models::couplings::coupling_weights_into;
+use crate::models::rollout::couplings::coupling_weights_into;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::{Expert, Params};

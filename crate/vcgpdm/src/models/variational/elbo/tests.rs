@@ -1,4 +1,4 @@
-use crate::models::flat::Parameters;
+use crate::models::training::parameters::Parameters;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
 

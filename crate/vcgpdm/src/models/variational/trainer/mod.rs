@@ -4,13 +4,13 @@
 mod reduced;
 
 use crate::gp::NumericsError;
-use crate::models::flat::{Group, Parameters};
-use crate::models::latents::{check_dimensions, check_training};
-use crate::models::progress::{Setbacks, TrainingPhase};
-use crate::models::provenance::{ENGINE, Provenance};
+use crate::models::fitted::provenance::{ENGINE, Provenance};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
-use crate::models::settings::{MOST_INDUCING, VariationalSettings};
-use crate::models::training_error::{TrainingError, in_range};
+use crate::models::training::error::{TrainingError, in_range};
+use crate::models::training::latents::{check_dimensions, check_training};
+use crate::models::training::parameters::{Group, Parameters};
+use crate::models::training::progress::{Setbacks, TrainingPhase};
+use crate::models::training::settings::{MOST_INDUCING, VariationalSettings};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;

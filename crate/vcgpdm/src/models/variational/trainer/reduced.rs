@@ -1,6 +1,6 @@
 //! Settings that the data allow: what is more than that is reduced, and said.
 
-use crate::models::settings::VariationalSettings;
+use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::repertoire::Repertoire;
 use crate::words::counted;
 use nalgebra::DMatrix;
@@ -48,7 +48,7 @@ fn fewer(what: &str, asked: usize, there: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::sequences::Sequences;
+    use crate::models::data::sequences::Sequences;
 
     fn of(
         lengths: &[usize],

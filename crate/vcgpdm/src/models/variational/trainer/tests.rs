@@ -1,5 +1,5 @@
 use super::*;
-use crate::models::couplings::Reading;
+use crate::models::rollout::couplings::Reading;
 
 /// Two noisy loops, the second half a cycle behind the first.
 fn loops(frames: usize) -> Vec<DMatrix<f64>> {

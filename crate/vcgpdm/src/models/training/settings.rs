@@ -1,7 +1,7 @@
 //! What a training is asked for: one type of settings for each model, without the seed, and the enum of all
 //! of them.
 
-use crate::models::kind::ModelKind;
+use crate::models::training::kind::ModelKind;
 use serde::{Deserialize, Serialize};
 
 /// The most latent dimensions of a part, and the highest order of the dynamics: more would not fit a

@@ -1,10 +1,10 @@
 //! A fitted model of any kind.
 
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
-use crate::models::kind::ModelKind;
 use crate::models::map::MapModel;
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::request::RolloutError;
 use crate::models::tmp::Tmp;
+use crate::models::training::kind::ModelKind;
 use crate::models::variational::{BoundTerms, Vcgpdm};
 use nalgebra::DMatrix;
 

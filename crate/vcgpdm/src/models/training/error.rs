@@ -1,8 +1,8 @@
 //! Why a training could not start.
 
 use crate::gp::NumericsError;
+use crate::models::data::sequences::{SequencesError, too_short};
 use crate::models::library::{CombinationError, PlanError};
-use crate::models::sequences::{SequencesError, too_short};
 use crate::models::variational::RepertoireError;
 use crate::words::counted;
 use thiserror::Error;

@@ -1,7 +1,7 @@
 //! From tables to what a model trains on.
 
 use crate::gp::linalg::stacked;
-use crate::models::dataset::{Dataset, SequenceInfo};
+use crate::models::data::dataset::{Dataset, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
 

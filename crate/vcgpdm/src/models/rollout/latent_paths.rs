@@ -1,6 +1,6 @@
 //! Latent paths under way: what has been, in the form in which the dynamics read it.
 
-use crate::models::rollout::{Push, RolloutError};
+use crate::models::rollout::request::{Push, RolloutError};
 use nalgebra::DMatrix;
 use std::ops::Range;
 

@@ -1,10 +1,10 @@
 //! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips;
 //! and what it was trained on.
 
-use crate::models::dataset::{Dataset, SequenceInfo};
-use crate::models::observed::Observed;
-use crate::models::rollout::RolloutError;
-use crate::models::sequences::MOST_FRAMES;
+use crate::models::data::dataset::{Dataset, SequenceInfo};
+use crate::models::data::observed::Observed;
+use crate::models::data::sequences::MOST_FRAMES;
+use crate::models::rollout::request::RolloutError;
 use crate::motion::Clip;
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};

@@ -1,16 +1,16 @@
 //! A trained model of a body: the fitted model with what turns its columns into poses, and how it was made.
 
 use crate::gp::NumericsError;
-use crate::models::body::Body;
-use crate::models::couplings::coupling_weight_matrix;
-use crate::models::dataset::Dataset;
-use crate::models::kind::ModelKind;
-use crate::models::learner::Learner;
-use crate::models::model::Model;
-use crate::models::observed::Observed;
-use crate::models::provenance::{ENGINE, Provenance};
-use crate::models::rollout::{Rollout, RolloutError, RolloutRequest};
-use crate::models::settings::{ModelSettings, VariationalSettings};
+use crate::models::data::dataset::Dataset;
+use crate::models::data::observed::Observed;
+use crate::models::fitted::body::Body;
+use crate::models::fitted::model::Model;
+use crate::models::fitted::provenance::{ENGINE, Provenance};
+use crate::models::rollout::couplings::coupling_weight_matrix;
+use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
+use crate::models::training::kind::ModelKind;
+use crate::models::training::learner::Learner;
+use crate::models::training::settings::{ModelSettings, VariationalSettings};
 use crate::models::variational::{LatentMoments, PredictiveDynamics, Trainer, Vcgpdm};
 use crate::motion::Clip;
 use crate::motion::pose::{PoseError, PoseMapping};

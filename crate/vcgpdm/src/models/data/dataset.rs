@@ -1,7 +1,7 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
 use crate::gp::linalg::stacked;
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
 use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};

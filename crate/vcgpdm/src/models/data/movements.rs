@@ -1,6 +1,6 @@
 //! What every model learns from: the columns of each part, sequence after sequence.
 
-use crate::models::dataset::Dataset;
+use crate::models::data::dataset::Dataset;
 use nalgebra::DMatrix;
 
 /// What a model learns from.

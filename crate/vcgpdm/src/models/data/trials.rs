@@ -1,8 +1,8 @@
 //! The sequences of a training set as trials with the columns of all parts side by side, and back.
 
-use crate::models::movements::Movements;
-use crate::models::phase::Trial;
-use crate::models::training_error::TrainingError;
+use crate::models::data::movements::Movements;
+use crate::models::data::phase::Trial;
+use crate::models::training::error::TrainingError;
 use nalgebra::DMatrix;
 
 /// A whole movement has at least so many frames.

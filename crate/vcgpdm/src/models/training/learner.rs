@@ -1,8 +1,8 @@
 //! A training under way, whatever the model.
 
 use crate::gp::NumericsError;
-use crate::models::model::Model;
-use crate::models::progress::LearningProgress;
+use crate::models::fitted::model::Model;
+use crate::models::training::progress::LearningProgress;
 
 /// A training under way. Whoever calls it loops, shows progress and may stop at any time: the best so far is
 /// kept.

@@ -2,7 +2,7 @@
 
 use crate::json::checks::{count, positive_number, tame};
 use crate::json::{Field, FieldError, Value};
-use crate::models::phase::PhaseMap;
+use crate::models::data::phase::PhaseMap;
 use nalgebra::DVector;
 
 /// Number of columns D of all parts together.

@@ -2,8 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::json::rows;
-use crate::models::couplings::{CouplingsError, Reading};
-use crate::models::sequences::MOST_FRAMES;
+use crate::models::data::sequences::MOST_FRAMES;
+use crate::models::rollout::couplings::{CouplingsError, Reading};
 use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 use serde::Deserialize;

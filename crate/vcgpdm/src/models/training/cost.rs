@@ -1,7 +1,7 @@
 //! What a training will cost, before it begins: so that one that would take a day, or more memory than there
 //! is, is not begun unawares.
 
-use crate::models::settings::{MapSettings, ModelSettings, VariationalSettings};
+use crate::models::training::settings::{MapSettings, ModelSettings, VariationalSettings};
 use std::iter::Sum;
 
 /// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on

@@ -2,9 +2,9 @@
 //! the data's spread.
 
 use crate::gp::Kernel;
-use crate::models::sequences::Sequences;
-use crate::models::settings::MOST_DIMENSIONS;
-use crate::models::training_error::{TrainingError, in_range};
+use crate::models::data::sequences::Sequences;
+use crate::models::training::error::{TrainingError, in_range};
+use crate::models::training::settings::MOST_DIMENSIONS;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};

@@ -1,8 +1,8 @@
 //! Whether a rollout is still a motion: what a page may show as a success, and what it must say otherwise.
 
 use crate::gp::NumericsError;
-use crate::models::rollout::{Rollout, RolloutRequest};
-use crate::models::trained::TrainedModel;
+use crate::models::fitted::trained::TrainedModel;
+use crate::models::rollout::request::{Rollout, RolloutRequest};
 use crate::models::variational::Vcgpdm;
 use crate::motion::measures::still_from;
 use std::cmp::Ordering;
@@ -106,8 +106,8 @@ impl TrainedModel<Vcgpdm> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::dataset::{Dataset, Source};
-    use crate::models::settings::VariationalSettings;
+    use crate::models::data::dataset::{Dataset, Source};
+    use crate::models::training::settings::VariationalSettings;
     use crate::models::variational::Trainer;
     use crate::motion::{parts, samples};
     use nalgebra::DMatrix;

@@ -2,8 +2,8 @@
 //! of a rollout (as in Velychko et al. 2018, figure 3F).
 
 use crate::gp::KernelSum;
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::RolloutError;
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::RolloutError;
 use nalgebra::DMatrix;
 
 /// The mean dynamics of all parts under given couplings: x^i_t = sum_j w_{ji} f^{ji}(x^j_{t-p}, ...,

@@ -1,12 +1,12 @@
 //! From a model's settings to a training of it.
 
+use crate::models::data::movements::Movements;
 use crate::models::dmp::{Canonical, DmpLearner};
-use crate::models::learner::Learner;
 use crate::models::map::MapLearner;
-use crate::models::movements::Movements;
-use crate::models::settings::ModelSettings;
 use crate::models::tmp::TmpLearner;
-use crate::models::training_error::TrainingError;
+use crate::models::training::error::TrainingError;
+use crate::models::training::learner::Learner;
+use crate::models::training::settings::ModelSettings;
 use crate::models::variational::VariationalLearner;
 
 impl ModelSettings {

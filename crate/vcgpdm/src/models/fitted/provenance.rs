@@ -1,6 +1,6 @@
 //! How a model was made.
 
-use crate::models::settings::ModelSettings;
+use crate::models::training::settings::ModelSettings;
 
 /// The program and its version, as documents and results name what made them.
 pub const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));

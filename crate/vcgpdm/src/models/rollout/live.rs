@@ -1,10 +1,10 @@
 //! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on
 //! the way.
 
-use crate::models::latent_dynamics::LatentDynamics;
-use crate::models::latent_paths::LatentPaths;
-use crate::models::rollout::{Push, Rollout, RolloutError};
-use crate::models::trained::TrainedModel;
+use crate::models::fitted::trained::TrainedModel;
+use crate::models::rollout::latent_dynamics::LatentDynamics;
+use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::request::{Push, Rollout, RolloutError};
 use crate::models::variational::{Cycle, CyclePlace, Vcgpdm};
 use crate::motion::pose::{RootStart, RootTrack};
 use nalgebra::{DMatrix, Matrix3, Vector3};

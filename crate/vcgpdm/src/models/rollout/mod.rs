@@ -1,0 +1,8 @@
+//! Rollouts: requests, latent dynamics under given couplings, live rollouts, and how a rollout ends.
+
+pub(crate) mod couplings;
+pub(crate) mod health;
+pub(crate) mod latent_dynamics;
+pub(crate) mod latent_paths;
+pub(crate) mod live;
+pub(crate) mod request;

@@ -1,0 +1,11 @@
+//! A training of any kind of model: settings, cost, progress, errors.
+
+pub(crate) mod cost;
+pub(crate) mod error;
+pub(crate) mod kind;
+pub(crate) mod latents;
+pub(crate) mod learner;
+pub(crate) mod parameters;
+pub(crate) mod progress;
+pub(crate) mod settings;
+mod start_training;
