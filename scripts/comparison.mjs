@@ -1,15 +1,15 @@
-// `npm run comparison -- FOLDER ...`: all models on several subjects, each trial held out in turn, and what
-// the papers say about them. Each folder holds the clips (.bvh) of one person or movement; the trials that
-// the program makes itself come after them. The tables go into docs/comparison.md, the results of the first
-// folder to where the page finds them. Finished trainings are kept in docs/comparison, with which the tables
-// can be made again: stop and go on at will, and empty the folder to begin anew. With --quick few settings
-// and iterations, to see that it works; nothing is written then.
+// `npm run comparison -- FOLDER ...`: compares all models on several subjects, each trial held out in turn,
+// with each other and with the papers. Each folder holds the clips (.bvh) of one person or movement; the
+// sample walks of the program come after them. docs/comparison gets the results (NAME.json) and the tables
+// (NAME.md); the page gets the results of the first folder. A finished training is never done again: stop and
+// go on at will, and delete docs/comparison/*.json to begin anew.
+// --tables writes the tables again from the results, without the clips: only the folders' names are used.
+// --quick trains with few settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { at, Failure, main, output, run } from "./run.mjs";
-import { putTables } from "./tables.mjs";
+import { writeSections } from "./tables.mjs";
 
-const page = at("docs/comparison.md");
 const shown = at("www/public/comparison/walks.results.json");
 const program = at("target/release/vcgpdm");
 
@@ -37,7 +37,7 @@ const MADE = [
 
 /** @typedef {{ name: string, clips: string[] }} Subject */
 /**
- * The MAP models have a limit of their own: they do not converge (docs/comparison.md), and each of their
+ * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
  * iterations takes long.
  * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, iterations: string,
  * mapIterations: string, times: string }} Extent
@@ -160,8 +160,10 @@ function together(/** @type {string[]} */ files) {
 await main(async () => {
   const words = process.argv.slice(2);
   const quick = words.includes("--quick");
-  const folders = words.filter((word) => word !== "--quick");
-  const subjects = /** @type {Subject[]} */ ([...folders.map(subject), ...MADE]);
+  const onlyTables = words.includes("--tables");
+  const folders = words.filter((word) => !word.startsWith("--"));
+  const named = (/** @type {string} */ folder) => ({ name: basename(resolve(folder)), clips: [] });
+  const subjects = /** @type {Subject[]} */ ([...folders.map(onlyTables ? named : subject), ...MADE]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
   const extent = quick ? QUICK : WHOLE;
@@ -175,7 +177,7 @@ await main(async () => {
     /** @type {{ file: string, parts?: string, options: string[] }} */ { file, parts = PARTS, options },
   ) => {
     const path = join(folder, `${name}${file}.json`);
-    await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
+    if (!onlyTables) await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
     if (!files.includes(path)) files.push(path);
   };
   const [first] = subjects;
@@ -184,14 +186,13 @@ await main(async () => {
   const timed = files.splice(0);
   for (const one of subjects) for (const sweep of sweeps(extent)) await evaluate(one, sweep);
   // The report puts the times of the first subject's trials together with its other results.
-  const named = [...files, ...timed];
-  const tables = output(program, "report", ...named);
-  if (tables === null) throw new Failure("the report could not be made");
-  if (quick) return console.log(tables);
+  const report = output(program, "report", ...files, ...timed);
+  if (report === null) throw new Failure("the report could not be made");
+  if (quick) return console.log(report);
   mkdirSync(dirname(shown), { recursive: true });
   writeFileSync(
     shown,
     together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
   );
-  putTables(page, tables);
+  writeSections(folder, "npm run comparison", report);
 });
