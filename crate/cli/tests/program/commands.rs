@@ -368,20 +368,20 @@ fn real_clips_are_told_and_written_back() {
 }
 
 #[test]
-fn the_readmes_commands_run_as_they_stand() {
-    let readme = include_str!("../../../../README.md");
-    let folder = folder("readme");
-    let commands: Vec<&str> = readme.lines().filter(|line| line.starts_with("vcgpdm ")).collect();
-    assert!(commands.len() >= 5, "the README's commands: {commands:?}");
+fn the_commands_of_the_document_run() {
+    let document = include_str!("../../../../docs/terminal.md").replace("\\\n", "");
+    let folder = folder("document");
+    let commands: Vec<&str> = document.lines().filter(|line| line.starts_with("vcgpdm ")).collect();
+    assert!(commands.len() >= 15, "the commands of docs/terminal.md: {commands:?}");
     for trial in ["trial-1.csv", "trial-2.csv"] {
         let row = |k: i32| format!("{},{},{}\n", f64::from(k).sin(), k % 7, f64::from(k).cos());
         let table = "shoulder,elbow,hip_left\n".to_owned() + &(0..20).map(row).collect::<String>();
         fs::write(folder.join(trial), table).unwrap();
     }
     for command in commands {
-        // Nothing between quotes has a space.
+        // No quoted word has a space.
         let output = Command::new(env!("CARGO_BIN_EXE_vcgpdm"))
-            .args(command.split(' ').skip(1).map(|word| word.trim_matches('"')))
+            .args(command.split_whitespace().skip(1).map(|word| word.trim_matches('"')))
             .current_dir(&folder)
             .output()
             .unwrap();
