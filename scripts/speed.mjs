@@ -80,7 +80,7 @@ await main(async () => {
     "build",
     "--release",
     "--package",
-    "vcgpdm",
+    "vcgpdm-lab",
     "--features",
     "speed",
     "--example",

@@ -3,9 +3,9 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Failure, output } from "./run.mjs";
 
-const CARGO = ["run", "--release", "--quiet", "--package", "vcgpdm", "--example"];
+const CARGO = ["run", "--release", "--quiet", "--package", "vcgpdm-lab", "--example"];
 
-/** The command of an example of the library. */
+/** The command of an example of the crate lab. */
 export const example = (/** @type {string} */ name, /** @type {string[]} */ ...asked) => [
   ...CARGO,
   name,
@@ -13,7 +13,7 @@ export const example = (/** @type {string} */ name, /** @type {string[]} */ ...a
   ...asked,
 ];
 
-/** What an example of the library prints: tables. */
+/** What an example of the crate lab prints: tables. */
 export function measured(/** @type {string} */ name, /** @type {string[]} */ ...asked) {
   const tables = output("cargo", ...example(name, ...asked));
   if (tables === null) throw new Failure(`the example ${name} failed`);

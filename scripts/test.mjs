@@ -66,6 +66,8 @@ async function format() {
 /** With all features on, code that only compiles beside another feature's would go unseen. The program uses `threads`, and
  * the wasm package `speed`: the library's only ones. */
 async function features() {
+  // Alone, the library is compiled without what the other packages ask of it.
+  await clippy("--package", "vcgpdm");
   await clippy(...NATIVE, "--all-targets");
   await clippy(...WASM, "--no-default-features");
   for (const feature of ["training", "speed"])

@@ -30,6 +30,7 @@ const FEATURES = [
 export async function buildWasm() {
   const sources = [
     "crate/vcgpdm",
+    "crate/lab",
     "crate/wasm",
     "Cargo.toml",
     "Cargo.lock",

@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
-use vcgpdm::perception::{AnalysisOptions, AnswerFile, PerceptionResults, Study, read_answers};
+use vcgpdm_lab::perception::{AnalysisOptions, AnswerFile, PerceptionResults, Study, read_answers};
 
 fuzz_target!(|text: &str| {
     static STUDY: OnceLock<Study> = OnceLock::new();

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use vcgpdm::evaluation::{Comparison, Results};
+use vcgpdm_lab::evaluation::{Comparison, Results};
 
 fuzz_target!(|text: &str| {
     let Ok(results) = Results::from_json(text) else { return };

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use vcgpdm::perception::Study;
+use vcgpdm_lab::perception::Study;
 
 fuzz_target!(|text: &str| {
     let Ok(study) = Study::from_json(text) else { return };

@@ -23,41 +23,36 @@ function read(/** @type {string} */ folder, /** @type {string[]} */ endings) {
   );
 }
 
-describe("the library in Rust", () => {
-  const rooms = readRooms(document, "crate/vcgpdm/src");
-  const sources = read("crate/vcgpdm/src", [".rs"]);
-  const modules = rust.modulesOf(sources);
+for (const name of ["vcgpdm", "lab"]) {
+  describe(`the package ${name} in Rust`, () => {
+    const rooms = readRooms(document, `crate/${name}/src`);
+    const sources = read(`crate/${name}/src`, [".rs"]);
+    const modules = rust.modulesOf(sources);
+    const inside = [...sources.keys()].filter((file) => file !== "lib.rs");
 
-  it("has the rooms of the order", () => {
-    assert.deepEqual(
-      strangeRooms(
-        [...sources.keys()].filter((file) => file !== "lib.rs"),
-        rooms,
-      ),
-      [],
-    );
+    it("has the rooms of the order", () => assert.deepEqual(strangeRooms(inside, rooms), []));
+    it("uses only what stands before, in its tests too", () => {
+      const uses = rust.usesOf(modules, { tests: true });
+      assert.ok(uses.length > sources.size, "uses are found");
+      assert.deepEqual(
+        againstOrder(
+          uses.filter(({ from }) => from !== "lib.rs"),
+          rooms,
+        ),
+        [],
+      );
+    });
+    it("names neither the web nor another's packages", () => {
+      assert.deepEqual(rust.forbiddenNames(sources, rooms.rules), []);
+      const manifest = readFileSync(at(`crate/${name}/Cargo.toml`), "utf8")
+        .replace(/#.*/g, "")
+        .replaceAll("-", "_");
+      const nobodys = rooms.rules.filter(({ places }) => places.length === 0);
+      assert.ok(nobodys.length > 0);
+      assert.deepEqual(rust.forbiddenNames(new Map([["Cargo.toml", manifest]]), nobodys), []);
+    });
   });
-  it("uses only what stands before, in its tests too", () => {
-    const uses = rust.usesOf(modules, { tests: true });
-    assert.ok(uses.length > sources.size, "uses are found");
-    assert.deepEqual(
-      againstOrder(
-        uses.filter(({ from }) => from !== "lib.rs"),
-        rooms,
-      ),
-      [],
-    );
-  });
-  it("names neither the web nor another's packages", () => {
-    assert.deepEqual(rust.forbiddenNames(sources, rooms.rules), []);
-    const manifest = readFileSync(at("crate/vcgpdm/Cargo.toml"), "utf8")
-      .replace(/#.*/g, "")
-      .replaceAll("-", "_");
-    const nobodys = rooms.rules.filter(({ places }) => places.length === 0);
-    assert.ok(nobodys.length > 0);
-    assert.deepEqual(rust.forbiddenNames(new Map([["Cargo.toml", manifest]]), nobodys), []);
-  });
-});
+}
 
 describe("the packages in Rust", () => {
   const rooms = readRooms(document, "crate");

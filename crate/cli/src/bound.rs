@@ -5,7 +5,7 @@ use crate::numbers::whole;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::golden::Case;
+use vcgpdm_lab::golden::Case;
 
 /// Print the bound of a case, its terms, gradient, posteriors and rollouts as one JSON object.
 #[derive(clap::Args)]

@@ -13,11 +13,11 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
-use vcgpdm::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
 use vcgpdm::models::{
     MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, VariationalSettings,
 };
 use vcgpdm::motion::Clip;
+use vcgpdm_lab::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how
 /// well it went.

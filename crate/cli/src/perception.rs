@@ -8,7 +8,7 @@ use serde_json::json;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use vcgpdm::perception::{
+use vcgpdm_lab::perception::{
     AnalysisError, AnalysisOptions, AnswerFile, Confusion, PaperCheck, PerceptionResults, paper_checks,
     read_answers,
 };

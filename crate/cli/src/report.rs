@@ -6,8 +6,8 @@ use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
-use vcgpdm::evaluation::stats::Interval;
-use vcgpdm::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
+use vcgpdm_lab::evaluation::stats::Interval;
+use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
 ///

@@ -9,7 +9,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm::evaluation::{Finished, Results, Setting};
+use vcgpdm_lab::evaluation::{Finished, Results, Setting};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -98,9 +98,9 @@ impl Store {
 mod tests {
     use super::*;
     use std::fs;
-    use vcgpdm::evaluation::Job;
     use vcgpdm::models::{ModelSettings, TmpSettings};
     use vcgpdm::motion::samples;
+    use vcgpdm_lab::evaluation::Job;
 
     fn setting() -> Setting {
         let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();

@@ -4,7 +4,7 @@ use crate::files;
 use crate::numbers::whole;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::evaluation::dtw_mse;
+use vcgpdm_lab::evaluation::dtw_mse;
 
 /// Print the error of a rollout against a whole trial after dynamic time warping as one JSON object.
 #[derive(clap::Args)]

@@ -11,11 +11,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use vcgpdm::evaluation::{Fold, Job, Outcome, Results, Trial};
 use vcgpdm::models::{Body, with_bones_of};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
-use vcgpdm::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
+use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, Trial};
+use vcgpdm_lab::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
 
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
 /// natural?

@@ -4,7 +4,7 @@
 //! the last bit. An optimisation makes a nat of it within fifty iterations.
 
 /// The functions of the standard library that may differ between platforms, by their whole names.
-pub(crate) trait Elementary: Sized {
+pub trait Elementary: Sized {
     /// e^x.
     fn exponential(self) -> Self;
     /// ln x.

@@ -37,10 +37,6 @@
 //! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with
 //!   ([`models::map`], [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
 //! - [`document`]: trained models as versioned JSON documents.
-//! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
-//! - [`perception`]: the graphics Turing test: studies of movements, and what people's answers say.
-//! - [`synthetic`]: the synthetic experiment: data with a known truth about who drives whom.
-//! - [`golden`]: problems and their numbers, to hold other implementations against this one.
 //!
 //! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames
 //! x columns]. ([`nalgebra`] is exported, so that a program need not name it and cannot name another
@@ -58,18 +54,38 @@
 
 pub mod document;
 mod elementary;
-pub mod evaluation;
-pub mod golden;
 pub mod gp;
 mod json;
 pub mod models;
 pub mod motion;
-pub mod perception;
 pub mod series;
 #[cfg(feature = "speed")]
 pub mod speed;
-pub mod synthetic;
 mod words;
+
+/// For the other crates of this project: semantic versioning does not cover it, and any version may change it.
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+#[allow(missing_docs)]
+pub mod internals {
+    pub use crate::document::{settings_of, settings_value};
+    pub use crate::elementary::Elementary;
+    pub use crate::gp::linalg::{Factor, block_diagonal};
+    pub use crate::models::search::optimizer::Optimizer;
+    pub use crate::motion::clip::sha256;
+    pub use crate::words::counted;
+
+    use crate::models::{DatasetError, SequenceInfo, TrainingError};
+
+    pub mod json {
+        pub use crate::json::*;
+    }
+
+    /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
+    pub fn dataset_error(reason: TrainingError, sequences: &[SequenceInfo]) -> DatasetError {
+        DatasetError::about(reason, sequences)
+    }
+}
 
 /// Matrices go in and out as this version of nalgebra has them.
 pub use nalgebra;

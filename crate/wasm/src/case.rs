@@ -2,8 +2,8 @@
 
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Text;
-use vcgpdm::golden::Case as GoldenCase;
 use vcgpdm::models::variational::Workspace;
+use vcgpdm_lab::golden::Case as GoldenCase;
 use wasm_bindgen::prelude::*;
 
 /// A problem and a point in its parameter space, for measuring one bound with its gradient.

@@ -4,8 +4,6 @@
 use js_sys::Reflect;
 use std::fmt::Display;
 use vcgpdm::document::DocumentError;
-#[cfg(feature = "training")]
-use vcgpdm::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
 use vcgpdm::gp::NumericsError;
 #[cfg(feature = "training")]
 use vcgpdm::models::library::{
@@ -17,11 +15,13 @@ use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
-use vcgpdm::perception::{AnalysisError, AnswersError, MakerError, StudyError};
-#[cfg(feature = "training")]
 use vcgpdm::series::SeriesError;
 #[cfg(feature = "training")]
-use vcgpdm::synthetic::SyntheticError;
+use vcgpdm_lab::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
+#[cfg(feature = "training")]
+use vcgpdm_lab::perception::{AnalysisError, AnswersError, MakerError, StudyError};
+#[cfg(feature = "training")]
+use vcgpdm_lab::synthetic::SyntheticError;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -6,9 +6,9 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::evaluation::{Fold as HeldOut, START_FRAMES};
 use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
 use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_lab::evaluation::{Fold as HeldOut, START_FRAMES};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

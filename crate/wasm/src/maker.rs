@@ -6,9 +6,9 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use crate::study::{Study, look, preset};
 use serde::Deserialize;
-use vcgpdm::evaluation::{Outcome, START_FRAMES};
 use vcgpdm::models::ModelSettings;
-use vcgpdm::perception::{Maker, Shown};
+use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
+use vcgpdm_lab::perception::{Maker, Shown};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -3,7 +3,7 @@
 use crate::convert::{from_js, to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
-use vcgpdm::evaluation::{FoldTraining, ModularityTest, Trained};
+use vcgpdm_lab::evaluation::{FoldTraining, ModularityTest, Trained};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

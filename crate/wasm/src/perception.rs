@@ -4,7 +4,7 @@ use crate::convert::{from_js, to_js, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Text;
 use serde::{Deserialize, Serialize};
-use vcgpdm::perception::{AnalysisOptions, AnswerFile, PerceptionResults, Study, read_answers};
+use vcgpdm_lab::perception::{AnalysisOptions, AnswerFile, PerceptionResults, Study, read_answers};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -8,7 +8,7 @@ use crate::given::Text;
 use crate::settings::cost_to_js;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
-use vcgpdm::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
+use vcgpdm_lab::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -6,7 +6,7 @@ use crate::given::{Text, Whole};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use vcgpdm::models::{ModelKind, ModelSettings};
-use vcgpdm::perception::{
+use vcgpdm_lab::perception::{
     Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, StudyTrial as Shown, Texts,
 };
 use wasm_bindgen::prelude::*;

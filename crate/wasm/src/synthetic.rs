@@ -5,7 +5,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
 use serde::Serialize;
 use vcgpdm::models::variational::LARGEST_COUPLING;
-use vcgpdm::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
+use vcgpdm_lab::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

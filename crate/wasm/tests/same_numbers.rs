@@ -5,7 +5,7 @@
 
 use wasm_bindgen_test::wasm_bindgen_test;
 
-#[path = "../../vcgpdm/tests/shared/golden.rs"]
+#[path = "../../lab/tests/shared/golden.rs"]
 mod golden;
 #[path = "../../vcgpdm/tests/shared/training.rs"]
 mod training;

@@ -21,13 +21,13 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 use vcgpdm::document::DocumentError;
-use vcgpdm::golden::Case;
 use vcgpdm::models::variational::Trainer;
 use vcgpdm::models::{
     Dataset, Model, ModelKind, ModelSettings, Movements, Observed, Provenance, Source, TrainedModel,
     with_bones_of,
 };
 use vcgpdm::motion::Clip;
+use vcgpdm_lab::golden::Case;
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !arguments.movements.is_empty() {

@@ -4,12 +4,12 @@ use crate::call::{fails, folder, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vcgpdm::evaluation::dtw_mse;
 use vcgpdm::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, Sequence, Source,
     TmpSettings, TrainedModel, VariationalSettings,
 };
 use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm_lab::evaluation::dtw_mse;
 
 const FPS: f64 = 12.0;
 const START_FRAMES: usize = 5;

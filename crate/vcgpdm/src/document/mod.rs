@@ -126,12 +126,12 @@ impl TrainedLibrary {
 }
 
 /// Names and values of what a training was asked for, as documents hold them.
-pub(crate) fn settings_value(settings: &ModelSettings, seed: u32) -> Value {
+pub fn settings_value(settings: &ModelSettings, seed: u32) -> Value {
     write::settings(settings, seed)
 }
 
 /// The same, read again: settings of that kind of model, and the seed.
-pub(crate) fn settings_of(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+pub fn settings_of(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
     read::settings(field, kind)
 }
 

@@ -25,7 +25,7 @@ mod anatomy;
 pub mod asf;
 mod bones;
 pub mod bvh;
-mod clip;
+pub(crate) mod clip;
 mod foreign;
 mod joint_names;
 pub mod landmarks;

@@ -131,30 +131,6 @@ impl ModelSettings {
         }
     }
 
-    /// The numbers that say how large it is: inducing points of dynamics and poses, primitives, or bases; 0
-    /// where the data are the size and where it is chosen by the bound.
-    pub(crate) fn size(&self) -> (usize, usize) {
-        match self {
-            ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
-            ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => (0, 0),
-            ModelSettings::Tmp(s) => (s.primitives.unwrap_or(0), 0),
-            ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => (s.bases, 0),
-        }
-    }
-
-    /// The same without the size (inducing points, primitives, bases): equal for settings that differ in size
-    /// alone.
-    pub(crate) fn without_size(&self) -> ModelSettings {
-        let mut settings = self.clone();
-        match &mut settings {
-            ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips) = (0, 0),
-            ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => {}
-            ModelSettings::Tmp(s) => s.primitives = None,
-            ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => s.bases = 0,
-        }
-        settings
-    }
-
     /// Whether another seed gives another model.
     pub fn is_random(&self) -> bool {
         self.kind().is_random()

@@ -1,0 +1,141 @@
+//! What decides whether parts pay: the same walks with upper bodies that keep another time, as a Markdown
+//! table. `npm run splits` puts it into docs/comparison.md.
+//!
+//! ```sh
+//! cargo run --release --example splits -- WALKS
+//! ```
+//!
+//! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the
+//! upper body is taken from another moment of the same trial than the lower body, or goes at another pace, in
+//! ways that either all trials share or each has its own. All have the same length, so that only the two
+//! halves' time together differs.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
+
+#[path = "shared/clips.rs"]
+mod clips;
+
+use std::ops::Range;
+use std::path::PathBuf;
+use std::time::Instant;
+use vcgpdm::models::{ModelSettings, VariationalSettings};
+use vcgpdm::motion::parts::{PartSpec, presets};
+use vcgpdm::motion::{Clip, samples};
+use vcgpdm_lab::evaluation::stats::{mean, median, median_interval};
+use vcgpdm_lab::evaluation::{Fold, Outcome, START_FRAMES};
+
+const FRAMES_PER_SECOND: f64 = 30.0;
+const SEEDS: Range<u32> = 0..3;
+/// The longest delay: about a cycle of a walk.
+const CYCLE: f64 = 1.0;
+/// The upper body goes so much faster or slower at most.
+const PACE: f64 = 0.15;
+
+/// When the upper body is where, in seconds: at `delay` + `pace` t.
+#[derive(Clone, Copy)]
+struct Time {
+    delay: f64,
+    pace: f64,
+}
+
+/// What the upper body of each of n trials does, in words, and when it does it in trial k.
+type Way = (&'static str, fn(usize, usize) -> Time);
+
+const WAYS: [Way; 4] = [
+    ("as walked", |_, _| Time { delay: 0.0, pace: 1.0 }),
+    ("half a second later, in every trial", |_, _| Time { delay: 0.5 * CYCLE, pace: 1.0 }),
+    ("later by another time in each trial, 0 to 1 s", |k, n| Time { delay: CYCLE * share(k, n), pace: 1.0 }),
+    ("at another pace in each trial, 0.85 to 1.15 times", |k, n| Time {
+        delay: 0.0,
+        pace: 1.0 + PACE * (2.0 * share(k, n) - 1.0),
+    }),
+];
+
+/// 0 to 1 in equal steps, of which neighbours in time get ones far apart.
+fn share(k: usize, n: usize) -> f64 {
+    let order: Vec<usize> = (0..n).step_by(2).chain((1..n).step_by(2)).collect();
+    order[k] as f64 / (n - 1) as f64
+}
+
+/// The trial with the upper body in its own time, as long as the trial at its fastest and latest would be.
+fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
+    let kept =
+        ((trial.frames() as f64 * trial.frame_time - CYCLE) / (1.0 + PACE) / trial.frame_time) as usize;
+    let mut clip = trial.cut(0, kept).unwrap();
+    let mut channel = 0;
+    for (joint, of_joint) in trial.skeleton.joints.iter().enumerate() {
+        let places = channel..channel + of_joint.channels.len();
+        channel = places.end;
+        if upper.joints.contains(&joint) {
+            for t in 0..kept {
+                let from = time.delay / trial.frame_time + time.pace * t as f64;
+                for place in places.clone() {
+                    clip.values[(t, place)] = trial.values[(from.round() as usize, place)];
+                }
+            }
+        }
+    }
+    clip
+}
+
+/// What each of both models makes of each trial held out, from every seed: [parts, whole].
+fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
+    let settings = VariationalSettings::default();
+    let candidates = [ModelSettings::Vcgpdm(settings.clone()), ModelSettings::Vgpdm(settings)];
+    let clock = Instant::now();
+    let fold = |held_out| {
+        let fold =
+            Fold::new(trials, held_out, trials.len() - 1, parts, FRAMES_PER_SECOND, START_FRAMES).unwrap();
+        candidates.each_ref().map(|candidate| {
+            let seconds = || clock.elapsed().as_secs_f64();
+            SEEDS
+                .map(|seed| fold.evaluate(candidate, seed, &seconds, &mut |_| true).unwrap().unwrap())
+                .collect()
+        })
+    };
+    (1..=trials.len()).map(fold).collect()
+}
+
+/// The median of the ratios over the trials with its interval, and in how many trials it is below 1. Errors
+/// are means over the seeds.
+fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> String {
+    let of_seeds = |outcomes: &Vec<Outcome>| mean(&outcomes.iter().map(&error).collect::<Vec<f64>>());
+    let logarithm = |[parts, whole]: &[Vec<Outcome>; 2]| (of_seeds(parts) / of_seeds(whole)).ln();
+    let logarithms: Vec<f64> = outcomes.iter().map(logarithm).collect();
+    let range = median_interval(&logarithms).map(|i| format!(" ({})", i.through(f64::exp)));
+    let wins = logarithms.iter().filter(|ratio| **ratio < 0.0).count();
+    format!("{:.2}{}, {wins} of {}", median(&logarithms).exp(), range.unwrap_or_default(), logarithms.len())
+}
+
+fn print(name: &str, trials: &[Clip]) {
+    let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
+    for (words, time) in WAYS {
+        eprintln!("{name}: {words}");
+        let timed: Vec<Clip> = trials
+            .iter()
+            .enumerate()
+            .map(|(k, trial)| timed(trial, &preset.parts[1], time(k, trials.len())))
+            .collect();
+        let found = outcomes(&timed, &preset.parts);
+        println!(
+            "| {name} | {words} | {} | {} | {} | {} |",
+            ratio(&found, |o| o.score.dtw_mse),
+            ratio(&found, |o| o.part_errors[0]),
+            ratio(&found, |o| o.part_errors[1]),
+            ratio(&found, |o| o.training_mse.unwrap_or(f64::NAN)),
+        );
+    }
+}
+
+fn main() {
+    println!(
+        "| trials | the upper body | error, parts : whole | lower body | upper body | on the trials trained on |"
+    );
+    println!("{}|", "|---".repeat(6));
+    let folders: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    for folder in &folders {
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        print(&name, &clips::read_clips(std::slice::from_ref(folder)).collect::<Vec<_>>());
+    }
+    let walks = samples::list().into_iter().filter(|sample| sample.movement == "walk");
+    print("walk-made", &walks.map(|sample| samples::clip(sample.id).unwrap()).collect::<Vec<_>>());
+}

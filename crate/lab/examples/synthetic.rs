@@ -1,0 +1,125 @@
+//! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables:
+//!
+//! ```sh
+//! cargo run --release --example synthetic -- [--seeds 10] [--drive 0.1]
+//! ```
+//!
+//! A seed is that of the data and of the training.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use clap::Parser;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Instant;
+use vcgpdm::models::VariationalSettings;
+use vcgpdm_lab::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
+
+#[derive(Parser)]
+struct Arguments {
+    #[arg(long, default_value_t = 10)]
+    seeds: u32,
+    /// The first seed.
+    #[arg(long, default_value_t = 0)]
+    first: u32,
+    /// The share of the first part's dynamics in the second.
+    #[arg(long, default_value_t = DRIVE)]
+    drive: f64,
+    /// Trainings at a time; absent: as many as there are cores.
+    #[arg(long)]
+    threads: Option<usize>,
+    /// The order of the model's dynamics.
+    #[arg(long)]
+    order: Option<usize>,
+    /// Inducing points of every function.
+    #[arg(long)]
+    ips: Option<usize>,
+    #[arg(long)]
+    max_iterations: Option<usize>,
+}
+
+struct Run {
+    seed: u32,
+    start: Fit,
+    found: Findings,
+    iterations: usize,
+    seconds: f64,
+}
+
+fn run(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
+    let data = Synthetic::draw(seed, drive).unwrap();
+    let mut experiment = Experiment::new(data, settings, seed).unwrap();
+    let begin = Instant::now();
+    while !experiment.step().done {}
+    let seconds = begin.elapsed().as_secs_f64();
+    Run {
+        seed,
+        start: experiment.start(),
+        found: experiment.findings().unwrap(),
+        iterations: experiment.progress().iteration,
+        seconds,
+    }
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    let ours = Synthetic::settings();
+    let settings = VariationalSettings {
+        order: arguments.order.unwrap_or(ours.order),
+        dynamics_ips: arguments.ips.unwrap_or(ours.dynamics_ips),
+        pose_ips: arguments.ips.unwrap_or(ours.pose_ips),
+        max_iterations: arguments.max_iterations.unwrap_or(ours.max_iterations),
+        ..ours
+    };
+    let threads = arguments.threads.unwrap_or(std::thread::available_parallelism().map_or(1, usize::from));
+    let (next, runs) = (AtomicU32::new(arguments.first), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= arguments.first + arguments.seeds {
+                        break;
+                    }
+                    let run = run(seed, arguments.drive, &settings);
+                    eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
+                    runs.lock().unwrap().push(run);
+                }
+            });
+        }
+    });
+    let mut runs = runs.into_inner().unwrap();
+    runs.sort_by_key(|run| run.seed);
+    let VariationalSettings { order, dynamics_ips, pose_ips, max_iterations, .. } = settings;
+    println!(
+        "Share of part 1 in part 2: {}. Order {order}, {dynamics_ips} dynamics and {pose_ips} pose inducing points, at most {max_iterations} iterations.\n",
+        arguments.drive
+    );
+    println!(
+        "| seed | 1 to 1 | 2 to 1 | 1 to 2 | 2 to 2 | 2 to 1 : 1 to 1 | 1 to 2 : 2 to 2 | right | bound, start | end | MSE, start | end | latents explained | iterations | seconds |"
+    );
+    println!("{}|", "|---".repeat(15));
+    for run in &runs {
+        let Findings { alpha: a, verdict, learned, fit, .. } = &run.found;
+        println!(
+            "| {} | {:.4} | {:.4} | {:.4} | {:.4} | {:.1} | {:.2} | {} | {:.0} | {:.0} | {:.3} | {:.4} | {:.3}, {:.3} | {} | {:.1} |",
+            run.seed,
+            a[(0, 0)],
+            a[(1, 0)],
+            a[(0, 1)],
+            a[(1, 1)],
+            verdict.back,
+            verdict.forth,
+            if verdict.right(arguments.drive) { "yes" } else { "no" },
+            run.start.bound,
+            fit.bound,
+            run.start.mse,
+            fit.mse,
+            learned[0].explained,
+            learned[1].explained,
+            run.iterations,
+            run.seconds,
+        );
+    }
+    let right = runs.iter().filter(|run| run.found.verdict.right(arguments.drive)).count();
+    println!("\nRight: {right} of {}.", runs.len());
+}

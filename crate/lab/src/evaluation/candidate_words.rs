@@ -1,0 +1,78 @@
+//! The settings of a candidate in words.
+
+use vcgpdm::internals::counted;
+use vcgpdm::models::ModelSettings;
+
+/// The settings of a GPDM besides its size.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Common {
+    pub latent: usize,
+    pub order: usize,
+    pub max_iterations: usize,
+    /// Of the models with point latents; the variational ones have no balance.
+    pub balanced: Option<bool>,
+    /// Whether the dynamics have a linear term: said only where they have.
+    pub linear: bool,
+}
+
+/// What all models with latents have in common; absent for the others.
+pub(super) fn common(candidate: &ModelSettings) -> Option<Common> {
+    match candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => Some(Common {
+            latent: s.latent,
+            order: s.order,
+            max_iterations: s.max_iterations,
+            balanced: None,
+            linear: false,
+        }),
+        ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) => Some(Common {
+            latent: s.latent,
+            order: s.order,
+            max_iterations: s.max_iterations,
+            balanced: Some(s.balanced),
+            linear: s.linear,
+        }),
+        ModelSettings::Tmp(_) | ModelSettings::DmpDiscrete(_) | ModelSettings::DmpRhythmic(_) => None,
+    }
+}
+
+/// Its size; absent where the data are the size.
+pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
+    match candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
+            Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
+        }
+        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
+        ModelSettings::Tmp(s) => {
+            let count = match s.primitives {
+                None => "primitives by the bound".to_owned(),
+                Some(count) => counted(count, "primitive"),
+            };
+            Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
+        }
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(match s.bases {
+            1 => "1 basis".to_owned(),
+            bases => format!("{bases} bases"),
+        }),
+    }
+}
+
+/// The kind with every setting: different for different candidates.
+pub(super) fn every_setting(candidate: &ModelSettings) -> String {
+    let mut words = vec![candidate.kind().id().to_owned()];
+    words.extend(size(candidate));
+    if let Some(Common { latent, order, max_iterations, balanced, linear }) = common(candidate) {
+        words.push(format!("Q = {latent}, order {order}, {max_iterations} iterations"));
+        words.extend(balanced.map(|balanced| balance(balanced).to_owned()));
+        words.extend(linear.then(|| LINEAR.to_owned()));
+    }
+    words.join(", ")
+}
+
+/// The dynamics have a linear term.
+pub(super) const LINEAR: &str = "linear term";
+
+/// Whether the dynamics are balanced.
+pub(super) fn balance(balanced: bool) -> &'static str {
+    if balanced { "balanced" } else { "not balanced" }
+}

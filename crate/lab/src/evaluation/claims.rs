@@ -1,0 +1,339 @@
+//! What the papers say about the models, held against results.
+//!
+//! A claim is the papers' own sentence. What we hold it against is our criterion, and its answer is an
+//! interval: "yes" or "no" only where the whole of it says so.
+
+use crate::evaluation::candidate_size::size;
+use crate::evaluation::contender::Contender;
+use crate::evaluation::correlation::{correlation, training_correlation};
+use crate::evaluation::effect::{Effect, Errors};
+use crate::evaluation::evidence::by_preference;
+use crate::evaluation::labels::Labels;
+use crate::evaluation::rows::{Row, common_folds, groups, settings};
+use crate::evaluation::stats::Interval;
+use crate::evaluation::summary::{Answer, Claim, Correlation, Growth};
+use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+use vcgpdm::models::{ModelKind, ModelSettings};
+
+/// A sentence of a paper, and where it stands.
+struct Said(&'static str, &'static str);
+
+const MAP_IS_WORSE: Said = Said(
+    "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM",
+    "2017, section 3.2",
+);
+const MAP_IS_WORSE_TOO: Said =
+    Said("The same, beside MAP models that the papers did not try", "not in the papers");
+const BEST: Said = Said(
+    "\u{201c}Of all tested models, the 2-part vCGPDM performs best in terms of MSE.\u{201d}",
+    "2017, section 3.2",
+);
+const PARTS_PAY: Said = Said(
+    "\u{201c}The vCGPDM U+L outperforms the vGPDM particularly on the 'walking + waving' dataset.\u{201d}",
+    "2018, section 5.3",
+);
+const BOUND_CHOOSES: Said = Said(
+    "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
+    "2018, section 5.3",
+);
+const BOUND_CORRELATES: Said = Said(
+    "\u{201c}The negative correlation between MSE and ELBO is clearly visible.\u{201d}",
+    "2017, section 3.2",
+);
+const BOUND_CHOOSES_SPLITS: Said = Said(
+    "\u{201c}To compare two parametric models, we can compute the ratio of their probabilities, known as Bayes factor.\u{201d} Here: of one part and several",
+    "2020, section 2.2",
+);
+const BOUND_TELLS_TRAINING: Said = Said(
+    "\u{201c}MSE and therefore confusion rate can be predicted well from ELBO\u{201d}: the MSE on the training data",
+    "2018, figure 6B",
+);
+const DYNAMICS_COUNT_MORE: Said = Said(
+    "\u{201c}Additional dynamics IPs contribute more to the reduction of the MSE than latent-to-observed IPs.\u{201d}",
+    "2018, figure 6B",
+);
+const DMP_OPTIMUM: Said = Said(
+    "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
+    "2019, section 4.2",
+);
+const TMP_CORRELATES: Said = Said(
+    "\u{201c}MSE and ELBO of TMP models have similar predictive capabilities, as they are highly correlated in the investigated parameter regime.\u{201d}",
+    "2019, section 4.3",
+);
+const LINEAR: Said = Said(
+    "\u{201c}The linear learning time scaling of the vCGPDM is evident, ...\u{201d}",
+    "2017, supplement, section 5",
+);
+const CUBIC: Said =
+    Said("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
+
+/// Our criteria.
+const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio lies below 1";
+const NEARLY: f64 = 1.1;
+const CHANCE: f64 = 0.05;
+/// The numbers of basis functions about which the papers' claim is.
+const OPTIMAL_BASES: usize = 25;
+
+/// As the other settings of the table: MAP models neither balanced nor with a linear term.
+fn is_plain(candidate: &ModelSettings) -> bool {
+    !matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced || s.linear)
+}
+
+/// Claims as they are found.
+struct Claims(Vec<Claim>);
+
+impl Claims {
+    fn say(&mut self, said: &Said, criterion: &str, found: String, answer: Answer) {
+        let Said(claim, place) = said;
+        let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
+        self.0.push(Claim { claim, place, criterion, found, answer });
+    }
+
+    /// The errors of `a` are lower than those of `b`, called so.
+    fn lower(&mut self, said: &Said, a: &Errors, b: &Errors, names: &str) {
+        if let Some(effect) = Effect::of(a, b) {
+            self.say(said, LOWER, format!("{names}: {}", effect.words()), effect.is_below(1.0));
+        }
+    }
+
+    fn exponent(
+        &mut self,
+        said: &Said,
+        criterion: &str,
+        growth: &Growth,
+        answer: impl Fn(Interval) -> Answer,
+    ) {
+        let power = |exponent: Option<f64>, interval: Option<Interval>| {
+            let (exponent, interval) = exponent.zip(interval)?;
+            Some((format!("{exponent:.2} ({interval})"), interval))
+        };
+        let iteration = power(growth.exponent, growth.interval);
+        let whole = power(growth.training_exponent, growth.training_interval);
+        if let (Some((iteration, _)), Some((whole, interval))) = (iteration, whole) {
+            let converged = growth.converged.map_or(String::new(), |share| {
+                format!("; {:.0} % of these trainings converged", 100.0 * share)
+            });
+            let found = format!(
+                "time of a training grows with the power {whole} of the frames, of an iteration with the power {iteration}, {} numbers of frames{converged}",
+                growth.points.len()
+            );
+            self.say(said, criterion, found, answer(interval));
+        }
+    }
+}
+
+/// The claims about which there are results.
+pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Claim> {
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain));
+    let (vcgpdm, vgpdm) = (contender(Vcgpdm), contender(Vgpdm));
+    let mut claims = Claims(Vec::new());
+    if let Some(parts) = &vcgpdm {
+        against_map(&mut claims, parts, rows, labels);
+        against_all(&mut claims, parts, rows, labels);
+    }
+    if let (Some(parts), Some(whole)) = (&vcgpdm, &vgpdm) {
+        let names = format!("{} beside {}", parts.words(labels), whole.words(labels));
+        claims.lower(&PARTS_PAY, &parts.errors, &whole.errors, &names);
+        let (preferred, other) = by_preference(parts, whole);
+        let criterion =
+            "of the split in parts and the whole body, the one of the higher bound has the lower error";
+        if let Some(effect) = Effect::of(&preferred, &other) {
+            let found = format!("the preferred one beside the other: {}", effect.words());
+            claims.say(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
+        }
+    }
+    for kind in [&vcgpdm, &vgpdm].into_iter().flatten().filter(|kind| kind.settings.len() > 2) {
+        bound_and_error(&mut claims, kind, labels);
+    }
+    for kind in [DmpDiscrete, DmpRhythmic] {
+        bases(&mut claims, &settings(rows, kind, &is_plain));
+    }
+    // Those whose number of primitives is given; the one that is chosen by the bound is one of them again.
+    let given = |s: &ModelSettings| matches!(s, ModelSettings::Tmp(s) if s.primitives.is_some());
+    if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
+        let (found, answer) = correlated(&c);
+        let criterion = "rank correlation over the numbers of primitives below 0, by chance in less than 5 %";
+        claims.say(&TMP_CORRELATES, criterion, found, answer);
+    }
+    for growth in growth {
+        match growth.model {
+            Vcgpdm => {
+                let criterion = "the exponent is below 1.2";
+                claims.exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
+            }
+            MapCgpdm => {
+                let criterion = "the exponent is above 2: it reaches 3 only with more frames than there are";
+                claims.exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
+            }
+            _ => {}
+        }
+    }
+    claims.0
+}
+
+fn is_below(interval: Interval, value: f64) -> Answer {
+    if interval.high < value {
+        Answer::Yes
+    } else if interval.low > value {
+        Answer::No
+    } else {
+        Answer::Undecided
+    }
+}
+
+fn not(answer: Answer) -> Answer {
+    match answer {
+        Answer::Yes => Answer::No,
+        Answer::No => Answer::Yes,
+        Answer::Undecided => Answer::Undecided,
+    }
+}
+
+/// The vCGPDM beside every form of both MAP models.
+fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
+    for kind in [MapGpdm, MapCgpdm] {
+        for group in groups(rows.iter().filter(|row| row.candidate.kind() == kind)) {
+            let said = if is_plain(group[0].candidate) { &MAP_IS_WORSE } else { &MAP_IS_WORSE_TOO };
+            if let Some(map) = Contender::new(group) {
+                let names = format!("{} beside {}", parts.words(labels), map.words(labels));
+                claims.lower(said, &parts.errors, &map.errors, &names);
+            }
+        }
+    }
+}
+
+/// The vCGPDM beside every other model: it is the best when it is better than each, and not when one is
+/// better.
+fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
+    let mut answers = Vec::new();
+    let mut found = Vec::new();
+    for kind in ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm) {
+        let Some(other) = Contender::new(settings(rows, kind, &is_plain)) else { continue };
+        let Some(effect) = Effect::of(&parts.errors, &other.errors) else { continue };
+        let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
+        let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
+        found.push(format!(
+            "{middle:.2} times{range} {}, lower in {} of {}",
+            other.words(labels),
+            effect.wins,
+            effect.folds
+        ));
+        answers.push(effect.is_below(1.0));
+    }
+    if answers.is_empty() {
+        return;
+    }
+    let answer = if answers.contains(&Answer::No) {
+        Answer::No
+    } else if answers.contains(&Answer::Undecided) {
+        Answer::Undecided
+    } else {
+        Answer::Yes
+    };
+    claims.say(&BEST, "its error is lower than that of every other model", found.join("; "), answer);
+}
+
+/// What the bound says about the error, over the sizes of a kind.
+fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
+    if let Some(effect) = Effect::of(&kind.errors, &kind.least()) {
+        let title = kind.settings[0].candidate.kind().title();
+        let found = format!(
+            "{title}, the best of {} settings by the bound beside the best by the error: {}",
+            kind.settings.len(),
+            effect.words()
+        );
+        let criterion =
+            "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
+        claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
+    }
+    let criterion = "rank correlation over the inducing points below 0, by chance in less than 5 %";
+    for (said, correlation) in [
+        (&BOUND_CORRELATES, correlation(&kind.settings, String::new(), labels)),
+        (&BOUND_TELLS_TRAINING, training_correlation(&kind.settings, labels)),
+    ] {
+        if let Some(c) = correlation {
+            let (found, answer) = correlated(&c);
+            claims.say(said, criterion, found, answer);
+        }
+    }
+    dynamics_or_poses(claims, &kind.settings, labels);
+}
+
+/// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l
+/// and k, for the two numbers furthest apart that were tried both ways.
+fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
+    let numbers = |row: &Row| size(row.candidate);
+    let turned = |row: &Row| {
+        let (dynamics, poses) = numbers(row);
+        rows.iter().find(|other| numbers(other) == (poses, dynamics))
+    };
+    let most_dynamics = rows.iter().filter(|row| numbers(row).0 > numbers(row).1 && turned(row).is_some());
+    let Some(dynamics) = most_dynamics.max_by_key(|row| numbers(row).0 - numbers(row).1) else { return };
+    let Some(poses) = turned(dynamics) else { return };
+    let folds = common_folds(&[dynamics, poses]);
+    let names = format!(
+        "{}, on the trials trained on, {} beside {}",
+        dynamics.candidate.kind().title(),
+        labels.label(dynamics.candidate),
+        labels.label(poses.candidate)
+    );
+    let errors = (dynamics.training_errors(&folds), poses.training_errors(&folds));
+    if let Some(effect) = Effect::of(&errors.0, &errors.1) {
+        let criterion = "of as many inducing points, more of them in the dynamics leave a lower error: the interval of the ratio lies below 1";
+        claims.say(
+            &DYNAMICS_COUNT_MORE,
+            criterion,
+            format!("{names}: {}", effect.words()),
+            effect.is_below(1.0),
+        );
+    }
+}
+
+fn correlated(c: &Correlation) -> (String, Answer) {
+    let found = format!(
+        "{}: {:.2} over {} settings (means of {} trials); so low by chance in {:.1} %",
+        c.model.title(),
+        c.rank,
+        c.settings,
+        c.folds,
+        100.0 * c.chance
+    );
+    let answer = if c.chance < CHANCE {
+        Answer::Yes
+    } else if c.chance > 1.0 - CHANCE {
+        Answer::No
+    } else {
+        Answer::Undecided
+    };
+    (found, answer)
+}
+
+/// Whether a DMP's error is least at about 25 bases: higher with the fewest, and with the most.
+fn bases(claims: &mut Claims, rows: &[&Row]) {
+    let number = |row: &Row| size(row.candidate).0;
+    let middle = rows.iter().min_by_key(|row| number(row).abs_diff(OPTIMAL_BASES));
+    let (few, many) = (rows.iter().min_by_key(|row| number(row)), rows.iter().max_by_key(|row| number(row)));
+    let (Some(middle), Some(few), Some(many)) = (middle, few, many) else { return };
+    let (a, b, c) = (number(few), number(middle), number(many));
+    if !(a < b && b < c) {
+        return;
+    }
+    let folds = common_folds(&[few, middle, many]);
+    let least = middle.errors(&folds);
+    let effects = (Effect::of(&few.errors(&folds), &least), Effect::of(&many.errors(&folds), &least));
+    let (Some(fewer), Some(more)) = effects else { return };
+    let found = format!(
+        "{}: {a} bases beside {b}: {}; {c} beside {b}: {}",
+        middle.candidate.kind().title(),
+        fewer.words(),
+        more.words()
+    );
+    let answer = match (not(fewer.is_below(1.0)), not(more.is_below(1.0))) {
+        (Answer::Yes, Answer::Yes) => Answer::Yes,
+        (Answer::No, _) | (_, Answer::No) => Answer::No,
+        _ => Answer::Undecided,
+    };
+    let criterion =
+        "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
+    claims.say(&DMP_OPTIMUM, criterion, found, answer);
+}

@@ -1,0 +1,367 @@
+//! What the results of a comparison say: the table of models, bound against error, time against frames,
+//! claims.
+
+use crate::evaluation::claims::claims;
+use crate::evaluation::contender::Contender;
+use crate::evaluation::correlation::correlations;
+use crate::evaluation::evidence::evidence;
+use crate::evaluation::growth::growth;
+use crate::evaluation::labels::Labels;
+use crate::evaluation::results::Results;
+use crate::evaluation::rows::{Row, groups, rows};
+use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSummary};
+use serde::Serialize;
+use vcgpdm::models::ModelSettings;
+
+/// What the results of a comparison say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// Names of the parts whose errors the models have; empty where these are not the same in all that is put
+    /// together.
+    pub parts: Vec<String>,
+    /// Every candidate that was trained on all other trials.
+    pub models: Vec<ModelSummary>,
+    /// For every kind of model with a bound and at least three candidates that differ in size alone.
+    pub correlations: Vec<Correlation>,
+    /// For every kind of model that was trained on at least three numbers of trials.
+    pub growth: Vec<Growth>,
+    /// In every fold that both variational models have: what their bounds say about one part and several,
+    /// beside their errors.
+    pub evidence: Vec<Evidence>,
+    /// The claims about which there are results.
+    pub claims: Vec<Claim>,
+}
+
+impl Comparison {
+    /// What these results say.
+    pub fn of(results: &Results) -> Self {
+        Self::of_all(&[results])
+    }
+
+    /// What several comparisons say together, each of its own trials: a trial counts as a trial, whoever
+    /// moves in it. Errors are held against each other trial by trial, so that those of different people and
+    /// movements are never mixed.
+    pub fn of_all(several: &[&Results]) -> Self {
+        let (rows, labels) = (rows(several), Labels::of_all(several));
+        let growth = growth(several, &labels);
+        let trials = several.iter().flat_map(|results| &results.setting().trials);
+        let names: Vec<&str> = trials.map(|trial| trial.name.as_str()).collect();
+        let evidence = evidence(&rows, &|fold| names.get(fold.wrapping_sub(1)).unwrap_or(&"").to_string());
+        let claims = claims(&rows, &growth, &labels);
+        let groups = groups(rows.iter()).into_iter();
+        let chosen: Vec<(&ModelSettings, usize)> = groups
+            .filter_map(|group| {
+                let (count, first) = (group.len(), group.first()?.candidate);
+                // Where sizes have no trial in common, none can be chosen.
+                Some((Contender::new(group).map_or(first, |c| c.most_often().candidate), count))
+            })
+            .collect();
+        let stands_for = |candidate: &ModelSettings| {
+            chosen.iter().find(|(of_group, _)| *of_group == candidate).map_or(0, |(_, count)| *count)
+        };
+        let summary = |row: &Row| row.summary(labels.label(row.candidate), stands_for(row.candidate));
+        let models = rows.iter().filter_map(summary).collect();
+        let names = |results: &Results| -> Vec<String> {
+            results.setting().parts.iter().map(|part| part.name.clone()).collect()
+        };
+        let first = several.first().map_or_else(Vec::new, |results| names(results));
+        let parts = if several.iter().all(|results| names(results) == first) { first } else { Vec::new() };
+        Self { parts, models, correlations: correlations(&rows, &labels), growth, evidence, claims }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::summary::Answer;
+    use crate::evaluation::testing::{finished, map, outcome, results, variational};
+    use approx::assert_relative_eq;
+    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, VariationalSettings};
+
+    #[test]
+    fn seeds_are_averaged_before_folds() {
+        let mut jobs = Vec::new();
+        let candidate = || ModelSettings::Vgpdm(variational(8));
+        for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
+            jobs.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
+        }
+        // Trained on fewer trials: no row of the table.
+        jobs.push(finished(candidate(), 3, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
+        let found = Comparison::of(&results(3, &jobs));
+        assert_eq!(found.models.len(), 1);
+        let row = &found.models[0];
+        assert_eq!((row.folds, row.runs, row.mse.count), (2, 3, 2));
+        // Folds 2 and 6: mean 4, standard error |6 - 2| / 2.
+        assert_relative_eq!(row.mse.mean, 4.0);
+        assert_relative_eq!(row.mse.standard_error.unwrap(), 2.0);
+        assert_relative_eq!(row.mse_median, 4.0);
+        assert!(found.claims.is_empty() && found.correlations.is_empty() && found.growth.is_empty());
+    }
+
+    /// The answer to the claim at `place` whose words about what is found begin or go on like this.
+    fn answer(found: &Comparison, place: &str, words: &str) -> Answer {
+        let mut of_place = found.claims.iter().filter(|c| c.place.contains(place) && c.found.contains(words));
+        let claim = of_place.next().unwrap_or_else(|| panic!("{place}, {words}: {:#?}", found.claims));
+        assert!(of_place.next().is_none(), "{place}, {words}: {:#?}", found.claims);
+        claim.answer
+    }
+
+    #[test]
+    fn the_claims_use_the_setting_that_the_bound_prefers_in_each_trial() {
+        let mut jobs = Vec::new();
+        for fold in 1..=7 {
+            let hard = 1.0 + 0.3 * fold as f64;
+            let mut add = |candidate: ModelSettings, mse: f64, bound: Option<f64>| {
+                jobs.push(finished(candidate, fold, 6, 0, outcome(hard * mse, bound, 100, 1.0)));
+            };
+            // The bound prefers 12, though 16 happens to predict better.
+            for (ips, mse, bound) in [(8, 0.5, 1.0), (12, 0.3, 3.0), (16, 0.2, 2.0)] {
+                add(ModelSettings::Vcgpdm(variational(ips)), mse, Some(bound));
+                add(ModelSettings::Vgpdm(variational(ips)), 1.05 * mse, Some(bound + 5.0));
+            }
+            add(ModelSettings::MapGpdm(map(false)), 0.4, None);
+            // One wild fold in favour of the claim, as many a MAP rollout has.
+            add(ModelSettings::MapCgpdm(map(false)), if fold == 3 { 99.0 } else { 0.25 }, None);
+            add(ModelSettings::MapGpdm(map(true)), 0.25, None);
+        }
+        let found = Comparison::of(&results(7, &jobs));
+        // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
+        // CGPDM undecided.
+        assert_eq!(answer(&found, "3.2", "12 + 12 inducing points beside MAP GPDM"), Answer::Yes);
+        assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), Answer::No);
+        assert_eq!(answer(&found, "3.2", "beside MAP CGPDM"), Answer::Undecided);
+        assert_eq!(answer(&found, "5.3", "beside vGPDM"), Answer::Yes);
+        // Not the best of all where one is better, or it is not known.
+        assert_eq!(answer(&found, "3.2", "lower in 7 of 7"), Answer::Undecided);
+        // 0.3 is not nearly 0.2; of bounds (1, 3, 2) and errors (0.5, 0.3, 0.2) nothing can be said.
+        assert_eq!(answer(&found, "5.3", "vCGPDM, the best of 3 settings"), Answer::No);
+        assert_eq!(answer(&found, "3.2", "vCGPDM: -0.50 over 3 settings"), Answer::Undecided);
+        // The bounds prefer the whole body, which predicts worse: in every trial.
+        assert_eq!(answer(&found, "2020", "the preferred one"), Answer::No);
+        assert_eq!(found.evidence.len(), 7);
+        assert_eq!(found.parts, ["lower"]);
+        // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more
+        // than its size.
+        let stand: Vec<usize> = found.models.iter().map(|model| model.stands_for).collect();
+        assert_eq!(stand, [0, 3, 0, 0, 3, 0, 1, 1, 1]);
+        assert_relative_eq!(found.evidence[2].log_bayes_factor, -5.0);
+        assert_relative_eq!(found.evidence[2].error_ratio, 1.0 / 1.05, epsilon = 1e-12);
+        assert_eq!(found.evidence[2].trial, "walk 3");
+    }
+
+    /// What a cancelled run leaves: the hard trials 2 and 3 are there for the first model alone.
+    #[test]
+    fn models_are_compared_over_the_trials_that_both_have() {
+        let mut jobs = Vec::new();
+        let mut add = |candidate: ModelSettings, fold: usize, mse: f64| {
+            jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
+        };
+        for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
+            add(ModelSettings::Vcgpdm(variational(12)), fold, mse);
+        }
+        add(ModelSettings::Vgpdm(variational(12)), 1, 0.25);
+        let found = Comparison::of(&results(3, &jobs));
+        let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
+        assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
+        // A single trial has no interval: whatever is found says neither yes nor no.
+        assert!(found.claims.iter().all(|claim| claim.answer == Answer::Undecided), "{:?}", found.claims);
+        // The table shows all that each of them has.
+        assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
+        assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
+        // Held against another trial, a model says nothing.
+        jobs[3].job.held_out = 2;
+        jobs.retain(|f| f.job.held_out != 2 || f.job.candidate.kind() == ModelKind::Vgpdm);
+        assert!(Comparison::of(&results(3, &jobs)).claims.is_empty());
+    }
+
+    #[test]
+    fn several_comparisons_say_more_than_one() {
+        let subject = |ratios: &[f64]| {
+            let mut jobs = Vec::new();
+            for (k, ratio) in ratios.iter().enumerate() {
+                let mut add = |candidate, mse| {
+                    jobs.push(finished(
+                        candidate,
+                        k + 1,
+                        ratios.len() - 1,
+                        0,
+                        outcome(mse, Some(1.0), 100, 1.0),
+                    ));
+                };
+                add(ModelSettings::Vcgpdm(variational(12)), ratio * (k + 1) as f64);
+                add(ModelSettings::Vgpdm(variational(12)), (k + 1) as f64);
+            }
+            results(ratios.len(), &jobs)
+        };
+        let (a, b) = (subject(&[0.9, 0.95, 1.02, 0.92]), subject(&[0.9, 0.8, 0.97, 0.93, 0.94, 0.9]));
+        let pays = |found: &Comparison| answer(found, "5.3", "beside vGPDM");
+        assert_eq!(pays(&Comparison::of(&a)), Answer::Undecided);
+        let both = Comparison::of_all(&[&a, &b]);
+        assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (Answer::Yes, 10, 10));
+        assert!(
+            both.claims
+                .iter()
+                .any(|claim| claim.found.contains("of 10 trials") && claim.found.contains("lower in 9"))
+        );
+    }
+
+    #[test]
+    fn dmp_errors_are_least_in_the_middle_or_not() {
+        let with = |errors: [f64; 3]| {
+            let mut jobs = Vec::new();
+            for fold in 1..=6 {
+                for (bases, mse) in [5, 25, 100].into_iter().zip(errors) {
+                    let candidate = ModelSettings::DmpDiscrete(DmpSettings { bases });
+                    jobs.push(finished(candidate, fold, 5, 0, outcome(mse * fold as f64, None, 100, 1.0)));
+                }
+            }
+            answer(&Comparison::of(&results(6, &jobs)), "2019, section 4.2", "5 bases beside 25")
+        };
+        assert_eq!(with([3.0, 1.0, 1.5]), Answer::Yes);
+        assert_eq!(with([3.0, 1.0, 0.9]), Answer::No);
+        assert_eq!(with([3.0, 1.0, 1.0]), Answer::Undecided);
+    }
+
+    #[test]
+    fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
+        let mut jobs = Vec::new();
+        let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = ModelSettings::Vgpdm(variational(ips));
+            jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher,
+        // and hard.
+        for (ips, mse, bound) in [(4, 0.3, 10.0), (8, 0.2, 20.0), (12, 0.1, 30.0)] {
+            add(ips, 1, mse, bound);
+        }
+        add(4, 2, 0.9, 500.0);
+        add(8, 2, 0.8, 600.0);
+        let found = Comparison::of(&results(3, &jobs));
+        let correlation = &found.correlations[0];
+        assert_relative_eq!(correlation.rank, -1.0);
+        assert_eq!((correlation.settings, correlation.folds), (3, 1));
+        assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
+        // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
+        let claim = &found.claims[0].found;
+        assert!(
+            claim.starts_with("vGPDM, the best of 3 settings") && claim.contains("1.00 times"),
+            "{claim}"
+        );
+        // A setting that has only another trial: nothing to compare.
+        jobs[0].job.held_out = 3;
+        jobs.retain(|f| f.job.held_out != 2);
+        let found = Comparison::of(&results(3, &jobs));
+        assert!(found.correlations.is_empty() && found.claims.is_empty(), "{:?}", found.claims);
+    }
+
+    #[test]
+    fn settings_besides_the_size_are_never_mixed() {
+        let mut jobs = Vec::new();
+        let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
+            let candidate = ModelSettings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
+            jobs.push(finished(candidate, fold, 1, 0, outcome(mse, Some(bound), 100, 1.0)));
+        };
+        // A few iterations find worse models; those of many iterations have more results.
+        for (ips, mse, bound) in [(4, 0.7, 1.0), (8, 0.8, 2.0), (12, 0.9, 3.0)] {
+            add(ips, 10, 1, mse, bound);
+        }
+        for (ips, mse, bound) in [(4, 0.3, 11.0), (8, 0.2, 12.0), (12, 0.1, 13.0)] {
+            add(ips, 800, 1, mse, bound);
+            add(ips, 800, 2, mse, bound);
+        }
+        let found = Comparison::of(&results(2, &jobs));
+        let groups: Vec<(&str, f64)> = found.correlations.iter().map(|c| (&c.label[..], c.rank)).collect();
+        assert_eq!(
+            groups.iter().map(|(label, _)| *label).collect::<Vec<_>>(),
+            ["10 iterations", "800 iterations"]
+        );
+        assert_relative_eq!(groups[0].1, 1.0);
+        assert_relative_eq!(groups[1].1, -1.0);
+        assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
+        assert_eq!(
+            found.models[5].candidate,
+            ModelSettings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
+        );
+        let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
+        assert!(said[0].contains("1.00 times") && said[1].contains("-1.00 over 3 settings"), "{said:?}");
+    }
+
+    #[test]
+    fn time_is_compared_over_the_same_folds_and_settings() {
+        let mut jobs = Vec::new();
+        for count in 1..=4usize {
+            let frames = 100 * count;
+            let cubic = (frames as f64).powi(3) * 1e-6;
+            jobs.push(finished(
+                ModelSettings::MapCgpdm(map(false)),
+                1,
+                count,
+                0,
+                outcome(1.0, None, frames, cubic),
+            ));
+            let linear = frames as f64 * 1e-3;
+            let vcgpdm = || ModelSettings::Vcgpdm(variational(12));
+            jobs.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
+        }
+        // Another fold that has only the most trials, and another setting: neither tells how time grows.
+        let odd = || outcome(1.0, Some(1.0), 400, 1e6);
+        jobs.push(finished(ModelSettings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
+        jobs.push(finished(ModelSettings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        let found = Comparison::of(&results(5, &jobs));
+        let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
+        assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
+        assert_relative_eq!(exponents[1], 3.0, epsilon = 1e-9);
+        assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
+        assert_eq!(answer(&found, "supplement", "power 1.00 (1.00 to 1.00)"), Answer::Yes);
+        assert_eq!(answer(&found, "supplement", "power 3.00 (3.00 to 3.00)"), Answer::Yes);
+        // Where more frames take more iterations too, learning takes longer than they say.
+        for finished in &mut jobs {
+            let count = finished.job.training_trials;
+            let outcome = finished.outcome.as_mut().unwrap();
+            outcome.iterations *= count;
+            outcome.seconds *= count as f64;
+            outcome.reason = Some(EndReason::BoundSettled.to_string());
+        }
+        let found = Comparison::of(&results(5, &jobs));
+        let vcgpdm = &found.growth[0];
+        assert_relative_eq!(vcgpdm.exponent.unwrap(), 1.0, epsilon = 1e-9);
+        assert_relative_eq!(vcgpdm.training_exponent.unwrap(), 2.0, epsilon = 1e-9);
+        assert_eq!(vcgpdm.converged, Some(1.0));
+        let words = "training grows with the power 2.00 (2.00 to 2.00) of the frames, of an iteration with the power 1.00";
+        assert_eq!(answer(&found, "supplement", words), Answer::No);
+    }
+
+    #[test]
+    fn errors_on_the_trials_trained_on_are_told_from_those_held_out() {
+        let mut jobs = Vec::new();
+        for fold in 1..=7 {
+            // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out
+            // is another matter.
+            for (dynamics_ips, pose_ips, trained_on, bound) in [
+                (5, 5, 0.9, 1.0),
+                (30, 5, 0.4, 3.0),
+                (5, 30, 0.8, 2.0),
+                (30, 30, 0.3, 4.0),
+                (20, 5, 0.5, 2.5),
+            ] {
+                let settings = VariationalSettings { dynamics_ips, pose_ips, ..variational(5) };
+                let mut outcome = outcome(0.5 + bound, Some(bound), 100, 1.0);
+                outcome.training_mse = Some(trained_on * (1.0 + 0.1 * fold as f64));
+                jobs.push(finished(ModelSettings::Vcgpdm(settings), fold, 6, 0, outcome));
+            }
+        }
+        let found = Comparison::of(&results(7, &jobs));
+        assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
+        assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), Answer::No);
+        assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), Answer::Yes);
+        let words = "30 + 5 inducing points beside 5 + 30 inducing points: 0.50 times";
+        assert_eq!(answer(&found, "figure 6B", words), Answer::Yes);
+        // Results of earlier programs do not hold them.
+        for finished in &mut jobs {
+            finished.outcome.as_mut().unwrap().training_mse = None;
+        }
+        let found = Comparison::of(&results(7, &jobs));
+        assert!(found.models[0].training_mse.is_none());
+        assert!(found.claims.iter().all(|claim| !claim.place.contains("6B")), "{:?}", found.claims);
+    }
+}

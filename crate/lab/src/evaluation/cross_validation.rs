@@ -1,0 +1,428 @@
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and
+//! on the first frames of the one held out as a sequence of its own; roll out from those for the length of
+//! the trial; score.
+
+use crate::evaluation::dtw::{ScoreError, dtw_mse, score_and_columns};
+use crate::evaluation::outcome::Outcome;
+use crate::evaluation::stats::mean;
+use nalgebra::DMatrix;
+use thiserror::Error;
+use vcgpdm::gp::NumericsError;
+use vcgpdm::internals::dataset_error;
+use vcgpdm::models::library::{CombinationError, PlanError};
+use vcgpdm::models::{
+    Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
+    Sequence, Source,
+};
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::motion::pose::PoseError;
+use vcgpdm::motion::{Clip, ClipError};
+
+/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko
+/// et al. (2018) have 2.
+pub const START_FRAMES: usize = 5;
+
+/// Why a model could not be evaluated.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum EvaluationError {
+    /// There is no such trial.
+    #[error(
+        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}"
+    )]
+    Trial {
+        /// Trials there are.
+        count: usize,
+        /// The one asked for, counted from 1.
+        found: usize,
+    },
+    /// There are not so many trials to train on.
+    #[error("expected from 1 to {most} trials to train on, found {found}")]
+    TrainingTrials {
+        /// Trials besides the one held out.
+        most: usize,
+        /// The number asked for.
+        found: usize,
+    },
+    /// A coupled model has nothing to couple.
+    #[error("expected two parts or more for a {model} model, found 1")]
+    OnePart {
+        /// The id of its kind.
+        model: &'static str,
+    },
+    /// The trials cannot be used together.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    /// The trial held out cannot be brought to the frame rate.
+    #[error(transparent)]
+    Clip(#[from] ClipError),
+    /// The trial held out cannot be turned into rows.
+    #[error(transparent)]
+    Pose(#[from] PoseError),
+    /// The trained model could not be fitted.
+    #[error(transparent)]
+    Numerics(#[from] NumericsError),
+    /// The model could not be rolled out.
+    #[error(transparent)]
+    Rollout(#[from] RolloutError),
+    /// Movements that cannot be planned as a library.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// A movement of a library could not be made.
+    #[error(transparent)]
+    Combination(#[from] CombinationError),
+    /// A number that is not finite, though the predicted columns are.
+    #[error("the prediction is not finite: {what} is {found}")]
+    NotFinite {
+        /// Which number of the outcome.
+        what: &'static str,
+        /// What it is.
+        found: f64,
+    },
+    /// A time that no training can take.
+    #[error("expected the seconds of the training, from 0, found {0}")]
+    Seconds(f64),
+    /// The prediction could not be scored.
+    #[error("the prediction cannot be scored: {0}")]
+    Score(#[from] ScoreError),
+}
+
+/// One trial held out: what is trained on, and what is to be predicted.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    body: Body,
+    movements: Movements,
+    /// All columns of the trial held out [T x D].
+    actual: DMatrix<f64>,
+}
+
+impl Fold {
+    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first
+    /// `training_trials` of the others.
+    ///
+    /// # Errors
+    /// There are not so many trials, or they cannot be trained on together at this frame rate.
+    pub fn new(
+        trials: &[Clip],
+        held_out: usize,
+        training_trials: usize,
+        parts: &[PartSpec],
+        frames_per_second: f64,
+        start_frames: usize,
+    ) -> Result<Self, EvaluationError> {
+        let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
+        let Some(place) = place else {
+            return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
+        };
+        let (trial, most) = (&trials[place], trials.len() - 1);
+        if !(1..=most).contains(&training_trials) {
+            return Err(EvaluationError::TrainingTrials { most, found: training_trials });
+        }
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
+        let mut sources: Vec<Source> =
+            others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
+        sources.push(Source { clip: trial, first_frames: Some(start_frames) });
+        let dataset = Dataset::new(&sources, parts, frames_per_second)?;
+        let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
+        let lengths = dataset.lengths();
+        let last = lengths.len() - 1;
+        let sequences =
+            lengths.iter().enumerate().map(|(k, frames)| Sequence { frames: *frames, whole: k != last });
+        let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
+        Ok(Self { body: Body::new(&dataset), movements, actual })
+    }
+
+    /// What a model of this fold is trained on; its last sequence is the beginning of the trial held out.
+    pub fn movements(&self) -> &Movements {
+        &self.movements
+    }
+
+    /// What turns the columns into poses.
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// All columns of the trial held out [T x D].
+    pub fn actual(&self) -> &DMatrix<f64> {
+        &self.actual
+    }
+
+    /// All columns that the model predicts for the trial held out [T x D].
+    ///
+    /// # Errors
+    /// The model cannot be rolled out for the length of the trial.
+    pub fn predict(&self, model: &Model) -> Result<DMatrix<f64>, RolloutError> {
+        self.generate(model, self.movements.sequences.len() - 1, self.actual.nrows())
+    }
+
+    /// All columns [frames x D] that the model makes from the beginning of a sequence.
+    fn generate(&self, model: &Model, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        let rollout = model.rollout(sequence, frames)?;
+        // A model of the whole body has one part with the columns of all parts side by side.
+        if rollout.len() == self.movements.y.len() {
+            return Ok(self.body.columns(&rollout));
+        }
+        let mut at = 0;
+        let parts = self.movements.y.iter().map(|y| {
+            at += y.ncols();
+            rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
+        });
+        Ok(self.body.columns(&parts.collect::<Vec<_>>()))
+    }
+
+    /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be
+    /// scored.
+    fn training_mse(&self, model: &Model) -> Option<f64> {
+        let mut begin = 0;
+        let mut errors = Vec::new();
+        for (place, Sequence { frames, whole }) in self.movements.sequences.iter().enumerate() {
+            if *whole {
+                let rows = |y: &DMatrix<f64>| y.rows(begin, *frames).into_owned();
+                let actual = self.body.columns(&self.movements.y.iter().map(rows).collect::<Vec<_>>());
+                let made = self.generate(model, place, *frames).ok()?;
+                errors.push(dtw_mse(&made, &actual).ok()?.dtw_mse);
+            }
+            begin += frames;
+        }
+        Some(mean(&errors)).filter(|error| error.is_finite())
+    }
+
+    /// A training of a candidate in this fold, ready to begin.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one
+    /// of them.
+    pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+        let kind = candidate.kind();
+        if kind.is_coupled() && self.movements.y.len() == 1 {
+            return Err(EvaluationError::OnePart { model: kind.id() });
+        }
+        let learner = candidate.learner(&self.movements, seed);
+        Ok(learner.map_err(|reason| dataset_error(reason, &self.body.sequences))?)
+    }
+
+    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training
+    /// by saying false: then there is no outcome. `seconds` is a clock.
+    ///
+    /// # Errors
+    /// The candidate cannot be trained, or its prediction cannot be scored.
+    pub fn evaluate(
+        &self,
+        candidate: &ModelSettings,
+        seed: u32,
+        seconds: &dyn Fn() -> f64,
+        watch: &mut dyn FnMut(&LearningProgress) -> bool,
+    ) -> Result<Option<Outcome>, EvaluationError> {
+        let begin = seconds();
+        let mut learner = self.learner(candidate, seed)?;
+        while {
+            let progress = learner.step();
+            if !watch(&progress) {
+                return Ok(None);
+            }
+            !progress.done
+        } {}
+        let model = learner.model()?;
+        let trained = seconds() - begin;
+        self.outcome(&model, &learner.progress(), trained).map(Some)
+    }
+
+    /// How well a model predicts the trial held out; its training ended like this and took so many seconds.
+    ///
+    /// # Errors
+    /// The prediction cannot be made or scored, or a number of the outcome is not finite.
+    pub fn outcome(
+        &self,
+        model: &Model,
+        training: &LearningProgress,
+        seconds: f64,
+    ) -> Result<Outcome, EvaluationError> {
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            return Err(EvaluationError::Seconds(seconds));
+        }
+        let (score, columns) = score_and_columns(&self.predict(model)?, &self.actual)?;
+        let layout = &self.body.layout;
+        let part = |part: usize| {
+            let columns = layout.columns(part).iter().map(|column| columns[*column]);
+            columns.sum::<f64>() / layout.columns(part).len().max(1) as f64
+        };
+        let outcome = Outcome {
+            score,
+            terms: model.terms().cloned(),
+            part_errors: (0..self.movements.y.len()).map(part).collect(),
+            bound: model.bound(),
+            objective: training.best,
+            iterations: training.iteration,
+            seconds,
+            frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
+            stored_numbers: model.stored_numbers(),
+            reason: training.reason.as_ref().map(ToString::to_string),
+            training_mse: self.training_mse(model),
+        };
+        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do
+        // not.
+        for (what, found) in [
+            ("its mean squared error after time warping", Some(outcome.score.dtw_mse)),
+            ("its mean squared error", Some(outcome.score.mse)),
+            ("the trial's variance", Some(outcome.score.variance)),
+            ("the model's bound", outcome.bound),
+            ("what the training maximised", Some(outcome.objective)),
+        ] {
+            if let Some(found) = found.filter(|found| !found.is_finite()) {
+                return Err(EvaluationError::NotFinite { what, found });
+            }
+        }
+        Ok(outcome)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Setbacks, TmpSettings, VariationalSettings};
+    use vcgpdm::motion::{parts, samples};
+
+    fn trials() -> Vec<Clip> {
+        samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
+    }
+
+    #[test]
+    fn every_model_predicts_a_walk() {
+        predict_from(START_FRAMES);
+    }
+
+    /// As in Velychko et al. (2018): a history, and no transition.
+    #[test]
+    fn every_model_predicts_a_walk_from_two_frames() {
+        predict_from(2);
+    }
+
+    fn predict_from(start_frames: usize) {
+        let trials = trials();
+        let parts =
+            &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
+        let fold = Fold::new(&trials, 2, 2, parts, 20.0, start_frames).unwrap();
+        assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: start_frames, whole: false }));
+        let gpdm =
+            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
+        for candidate in [
+            ModelSettings::Vcgpdm(gpdm.clone()),
+            ModelSettings::Vgpdm(gpdm),
+            ModelSettings::MapGpdm(point.clone()),
+            ModelSettings::MapCgpdm(point),
+            ModelSettings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
+            ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
+            ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
+        ] {
+            let mut steps = 0;
+            let mut watch = |progress: &LearningProgress| {
+                steps += 1;
+                progress.best.is_finite() || steps < 3
+            };
+            let outcome = fold.evaluate(&candidate, 1, &|| 0.0, &mut watch).unwrap().unwrap();
+            let score = outcome.score;
+            assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
+            assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
+            assert_eq!(
+                outcome.terms.as_ref().map(|terms| terms.total()),
+                outcome.bound.filter(|_| candidate.is_random())
+            );
+            // Those that were trained on are known better.
+            assert!(outcome.training_mse.unwrap() < score.variance, "{candidate:?}: {outcome:?}");
+            // The parts have all columns between them.
+            let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
+            let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();
+            let mean = sum / fold.actual().ncols() as f64;
+            assert!((mean / score.dtw_mse - 1.0).abs() < 1e-9, "{:?} {}", outcome.part_errors, score.dtw_mse);
+            match candidate.kind() {
+                ModelKind::Tmp => assert!(outcome.converged().is_some()),
+                ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => assert_eq!(outcome.converged(), None),
+                _ => assert_eq!(outcome.converged(), Some(false), "{:?}", outcome.reason),
+            }
+            let text = serde_json::to_string(&candidate).unwrap();
+            assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
+        }
+    }
+
+    #[test]
+    fn a_stopped_training_has_no_outcome() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
+        assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
+    }
+
+    #[test]
+    fn a_coupled_model_of_one_part_is_not_evaluated() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let candidate = ModelSettings::Vcgpdm(VariationalSettings::default());
+        let error = fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| true).unwrap_err().to_string();
+        assert_eq!(error, "expected two parts or more for a vcgpdm model, found 1");
+    }
+
+    #[test]
+    fn what_cannot_be_held_out_is_refused() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let error = Fold::new(&trials, 4, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
+        );
+        assert!(Fold::new(&trials, 0, 2, parts, 20.0, START_FRAMES).is_err());
+        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0, START_FRAMES).is_err());
+        let error = Fold::new(&trials, 1, 3, parts, 20.0, START_FRAMES).unwrap_err().to_string();
+        assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
+    }
+
+    /// Predicts that all columns stay where no body is.
+    fn astray(fold: &Fold, place: f64) -> Model {
+        let settings = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
+        let Model::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
+            panic!("another kind of model");
+        };
+        model.weights.fill(0.0);
+        model.centre.fill(place);
+        for start in &mut model.starts {
+            start.spring.position.fill(place);
+            start.spring.velocity.fill(0.0);
+        }
+        Model::DmpRhythmic(model)
+    }
+
+    #[test]
+    fn no_outcome_holds_a_number_that_is_not_finite() {
+        let trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let outcome = |to: f64, best: f64, seconds: f64| {
+            let training = LearningProgress {
+                iteration: 1,
+                max_iterations: 1,
+                evaluations: 0,
+                objective: best,
+                best,
+                phase: None,
+                done: true,
+                reason: None,
+                setbacks: Setbacks::default(),
+                fraction: 1.0,
+            };
+            fold.outcome(&astray(&fold, to), &training, seconds).map_err(|error| error.to_string())
+        };
+        assert!(outcome(1.0, 0.0, 1.0).is_ok());
+        let far = outcome(1e200, 0.0, 1.0).unwrap_err();
+        assert_eq!(far, "the prediction is not finite: its mean squared error after time warping is inf");
+        assert!(outcome(f64::NAN, 0.0, 1.0).unwrap_err().contains("expected finite numbers, found NaN"));
+        let unbegun = outcome(1.0, f64::NEG_INFINITY, 1.0).unwrap_err();
+        assert_eq!(unbegun, "the prediction is not finite: what the training maximised is -inf");
+        for seconds in [-1.0, f64::NAN] {
+            let error = outcome(1.0, 0.0, seconds).unwrap_err();
+            assert_eq!(error, format!("expected the seconds of the training, from 0, found {seconds}"));
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The effect of a choice of model on the error, trial by trial.
+
+use crate::evaluation::stats::{Interval, mean, mean_interval, median, median_interval};
+use crate::evaluation::summary::Answer;
+use std::collections::BTreeMap;
+use vcgpdm::internals::Elementary;
+
+/// Errors by the trial held out.
+pub(super) type Errors = BTreeMap<usize, f64>;
+
+/// How many times the error of one model is that of another, over the trials that both have.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Effect {
+    /// Trials that both have.
+    pub folds: usize,
+    /// In how many the error is lower.
+    pub wins: usize,
+    /// The median ratio.
+    pub median: f64,
+    /// Of the median: absent for fewer than six trials.
+    pub median_interval: Option<Interval>,
+    /// The geometric mean of the ratios.
+    pub mean: f64,
+    /// Of the geometric mean, by Student's t of the logarithms: absent for a single trial.
+    pub mean_interval: Option<Interval>,
+}
+
+impl Effect {
+    /// Of the errors `a` over the errors `b`; absent without a trial that both have.
+    pub fn of(a: &Errors, b: &Errors) -> Option<Self> {
+        let ratio = |(fold, a): (&usize, &f64)| {
+            let ratio = a / b.get(fold)?;
+            (ratio.is_finite() && ratio > 0.0).then(|| ratio.logarithm())
+        };
+        let logarithms: Vec<f64> = a.iter().filter_map(ratio).collect();
+        (!logarithms.is_empty()).then(|| Self {
+            folds: logarithms.len(),
+            wins: logarithms.iter().filter(|l| **l < 0.0).count(),
+            median: median(&logarithms).exponential(),
+            median_interval: median_interval(&logarithms).map(|i| i.through(f64::exponential)),
+            mean: mean(&logarithms).exponential(),
+            mean_interval: mean_interval(&logarithms).map(|i| i.through(f64::exponential)),
+        })
+    }
+
+    /// What the answer rests on: the interval of the median, and for fewer than six trials that of the mean.
+    pub fn interval(&self) -> Option<Interval> {
+        self.median_interval.or(self.mean_interval)
+    }
+
+    /// Whether the error is less than `times` that of the other: said only when the whole interval says so.
+    pub fn is_below(&self, times: f64) -> Answer {
+        match self.interval() {
+            Some(interval) if interval.high < times => Answer::Yes,
+            Some(interval) if interval.low > times => Answer::No,
+            _ => Answer::Undecided,
+        }
+    }
+
+    /// The effect in words.
+    pub fn words(&self) -> String {
+        let range = |interval: &Option<Interval>| interval.map_or(String::new(), |i| format!(" ({i})"));
+        format!(
+            "{:.2} times{} in the median of {} {}, {:.2} times{} in the mean; lower in {}",
+            self.median,
+            range(&self.median_interval),
+            self.folds,
+            if self.folds == 1 { "trial" } else { "trials" },
+            self.mean,
+            range(&self.mean_interval),
+            self.wins
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn errors(values: &[f64]) -> Errors {
+        values.iter().copied().enumerate().map(|(k, v)| (k + 1, v)).collect()
+    }
+
+    #[test]
+    fn one_wild_fold_does_not_decide() {
+        let b = errors(&[1.0; 10]);
+        let mut a = errors(&[0.9, 0.8, 0.95, 0.85, 0.9, 0.7, 0.9, 0.8, 0.9, 0.85]);
+        let calm = Effect::of(&a, &b).unwrap();
+        assert_eq!((calm.wins, calm.is_below(1.0)), (10, Answer::Yes));
+        a.insert(10, 300.0);
+        let wild = Effect::of(&a, &b).unwrap();
+        assert_eq!((wild.wins, wild.is_below(1.0)), (9, Answer::Yes));
+        // The mean, beside it, is carried away.
+        assert!(wild.mean > 1.5 && wild.mean_interval.unwrap().high > 4.0, "{wild:?}");
+        assert!(
+            wild.words().starts_with("0.90 times (0.80 to 0.95) in the median of 10 trials, 1.5"),
+            "{}",
+            wild.words()
+        );
+    }
+
+    #[test]
+    fn few_or_mixed_folds_decide_nothing() {
+        let b = errors(&[1.0; 10]);
+        let mixed = errors(&[0.9, 1.1, 0.8, 1.2, 0.9, 1.1, 0.95, 1.05, 0.9, 1.1]);
+        assert_eq!(Effect::of(&mixed, &b).unwrap().is_below(1.0), Answer::Undecided);
+        let one = Effect::of(&errors(&[0.1]), &b).unwrap();
+        assert_eq!((one.folds, one.is_below(1.0)), (1, Answer::Undecided));
+        // Four trials: by Student's t of the logarithms.
+        let four = Effect::of(&errors(&[1.5, 1.6, 1.4, 1.5]), &b).unwrap();
+        assert!(four.median_interval.is_none());
+        assert_eq!((four.is_below(1.0), four.is_below(2.0)), (Answer::No, Answer::Yes));
+        assert_eq!(Effect::of(&errors(&[]), &b), None);
+    }
+}

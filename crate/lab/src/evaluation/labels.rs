@@ -1,0 +1,136 @@
+//! What candidates are called beside others of their kind.
+
+use crate::evaluation::candidate_words::{Common, LINEAR, balance, common, size};
+use crate::evaluation::results::Results;
+use std::collections::HashMap;
+use vcgpdm::models::{ModelKind, ModelSettings};
+
+/// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
+pub struct Labels {
+    varying: HashMap<ModelKind, Varying>,
+}
+
+/// In what the candidates of a kind differ.
+#[derive(Clone, Copy, Default)]
+struct Varying {
+    latent: bool,
+    order: bool,
+    max_iterations: bool,
+    balanced: bool,
+}
+
+impl Labels {
+    /// For all candidates of these results.
+    pub fn of(results: &Results) -> Self {
+        Self::of_all(&[results])
+    }
+
+    /// For all candidates of several comparisons.
+    pub(super) fn of_all(several: &[&Results]) -> Self {
+        let finished = several.iter().flat_map(|results| results.finished());
+        Self::of_candidates(finished.map(|finished| &finished.job.candidate))
+    }
+
+    /// For these candidates.
+    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a ModelSettings>) -> Self {
+        let mut first: HashMap<ModelKind, Common> = HashMap::new();
+        let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
+        for candidate in candidates {
+            let Some(now) = common(candidate) else { continue };
+            let first = *first.entry(candidate.kind()).or_insert(now);
+            let differ = varying.entry(candidate.kind()).or_default();
+            differ.latent |= now.latent != first.latent;
+            differ.order |= now.order != first.order;
+            differ.max_iterations |= now.max_iterations != first.max_iterations;
+            differ.balanced |= now.balanced != first.balanced;
+        }
+        Self { varying }
+    }
+
+    /// What a candidate is called.
+    pub fn label(&self, candidate: &ModelSettings) -> String {
+        let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
+        match common(candidate) {
+            Some(settings) if words.is_empty() => format!("Q = {}", settings.latent),
+            _ => words.join(", "),
+        }
+    }
+
+    /// The same without its size.
+    pub(super) fn besides_size(&self, candidate: &ModelSettings) -> String {
+        self.others(candidate).join(", ")
+    }
+
+    fn others(&self, candidate: &ModelSettings) -> Vec<String> {
+        let Some(settings) = common(candidate) else { return Vec::new() };
+        let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
+        // Balanced is not what the papers do: it is said even where all are.
+        let balanced = settings.balanced.filter(|balanced| *balanced || differ.balanced);
+        [
+            differ.latent.then(|| format!("Q = {}", settings.latent)),
+            differ.order.then(|| format!("order {}", settings.order)),
+            differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
+            balanced.map(|balanced| balance(balanced).to_owned()),
+            settings.linear.then(|| LINEAR.to_owned()),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::job::{Finished, Job};
+    use crate::evaluation::testing::setting;
+    use vcgpdm::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
+
+    fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
+        VariationalSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
+    }
+
+    fn point(order: usize, balanced: bool) -> MapSettings {
+        MapSettings { latent: 3, order, max_iterations: 100, balanced, linear: false }
+    }
+
+    fn labels(candidates: &[ModelSettings]) -> Vec<String> {
+        let mut results = Results::new(setting(2));
+        for candidate in candidates {
+            let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
+            results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
+        }
+        let labels = Labels::of(&results);
+        candidates.iter().map(|candidate| labels.label(candidate)).collect()
+    }
+
+    #[test]
+    fn labels_name_what_differs_within_a_kind() {
+        use ModelSettings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+        assert_eq!(
+            labels(&[
+                Vcgpdm(gpdm(800, 3)),
+                Vcgpdm(gpdm(100, 3)),
+                Vgpdm(gpdm(800, 3)),
+                Vgpdm(gpdm(800, 2)),
+                MapGpdm(point(2, false)),
+                MapGpdm(point(1, true)),
+                MapCgpdm(point(2, false)),
+                Tmp(TmpSettings::default()),
+                DmpRhythmic(DmpSettings { bases: 20 }),
+            ]),
+            [
+                "12 + 8 inducing points, 800 iterations",
+                "12 + 8 inducing points, 100 iterations",
+                "12 + 8 inducing points, Q = 3",
+                "12 + 8 inducing points, Q = 2",
+                "order 2, not balanced",
+                "order 1, balanced",
+                "Q = 3",
+                "primitives by the bound",
+                "20 bases",
+            ]
+        );
+        assert_eq!(labels(&[MapGpdm(point(2, true))]), ["balanced"]);
+    }
+}

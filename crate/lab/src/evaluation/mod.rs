@@ -1,0 +1,49 @@
+//! How well models predict: one model trained and scored in one fold, the jobs of a comparison, their
+//! results, and what these say.
+//!
+//! A [`Plan`] asks for jobs, a [`Fold`] trains and scores a candidate, [`Results`] keep the outcomes, and a
+//! [`Comparison`] says what they mean.
+
+mod candidate_size;
+mod candidate_words;
+mod claims;
+mod comparison;
+mod contender;
+mod correlation;
+mod cost;
+mod cross_validation;
+mod cycles;
+mod dtw;
+mod effect;
+mod evidence;
+mod growth;
+mod job;
+mod labels;
+mod modularity;
+mod modularity_test;
+mod outcome;
+mod plan;
+mod results;
+mod rows;
+mod setting;
+pub mod stats;
+mod summary;
+#[cfg(test)]
+pub(crate) mod testing;
+
+pub use comparison::Comparison;
+pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
+pub use cycles::{CyclesError, whole_cycles};
+pub use dtw::{Score, ScoreError, dtw_mse};
+pub use job::{Finished, Job};
+pub use labels::Labels;
+pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
+pub use modularity_test::{FoldTraining, ModularityTest, Trained};
+pub use outcome::Outcome;
+pub use plan::{Plan, PlanError};
+pub use results::{PlannedJob, Results, ResultsError};
+pub use setting::{Setting, SettingError, Trial};
+pub use summary::{
+    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
+    TermMeans,
+};

@@ -1,0 +1,132 @@
+//! The modularity test (Velychko et al. 2018, section 5.5 and figure 7): are movements that share a primitive
+//! predicted as well as by models of their own?
+
+use crate::evaluation::cross_validation::EvaluationError;
+use crate::evaluation::dtw::{Score, score_and_columns};
+use nalgebra::DMatrix;
+use serde::Serialize;
+use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm::models::{Dataset, Source, VariationalSettings};
+use vcgpdm::motion::Clip;
+use vcgpdm::motion::parts::PartSpec;
+
+/// The trials of one movement.
+#[derive(Clone, Debug)]
+pub struct MovementTrials {
+    /// Its name.
+    pub name: String,
+    /// Its trials.
+    pub trials: Vec<Clip>,
+}
+
+/// One trial of one movement held out: a library is trained on all other trials of all movements and on the
+/// first frames of that one.
+#[derive(Clone, Debug)]
+pub struct LibraryFold {
+    dataset: Dataset,
+    plan: LibraryPlan,
+    /// The movement of the trial held out, and where its first frames stand among the movement's sequences.
+    movement: usize,
+    sequence: usize,
+    /// All columns of the trial held out [T x D].
+    actual: DMatrix<f64>,
+    frames_per_second: f64,
+}
+
+/// How well a movement of a library predicts the trial held out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LibraryOutcome {
+    /// How far the prediction is from the trial.
+    pub score: Score,
+    /// The bound of the library, in nats.
+    pub bound: f64,
+    /// Numbers that must be kept to roll out all its movements, each from one sequence.
+    pub stored_numbers: usize,
+    /// Frames trained on.
+    pub frames: usize,
+}
+
+impl LibraryOutcome {
+    /// Whether the library of this seed stands for its fold rather than that of another seed: its bound is
+    /// higher.
+    pub fn is_better_seed(&self, other: &LibraryOutcome) -> bool {
+        self.bound > other.bound
+    }
+}
+
+impl LibraryFold {
+    /// The trial `held_out`, counted from 1, of the movement `movement`, counted from 0, predicted from its
+    /// first `start_frames`. The parts named in `shared` use the same primitive in all movements.
+    ///
+    /// # Errors
+    /// There is no such trial, or the trials cannot be trained on together.
+    pub fn new(
+        movements: &[MovementTrials],
+        (movement, held_out): (usize, usize),
+        parts: &[PartSpec],
+        shared: &[String],
+        frames_per_second: f64,
+        start_frames: usize,
+    ) -> Result<Self, EvaluationError> {
+        let count = movements.get(movement).map_or(0, |trials| trials.trials.len());
+        let place = held_out.checked_sub(1).filter(|place| *place < count && count > 1);
+        let Some(place) = place else {
+            return Err(EvaluationError::Trial { count, found: held_out });
+        };
+        let (mut sources, mut planned) = (Vec::new(), Vec::new());
+        for (m, of) in movements.iter().enumerate() {
+            let before = sources.len();
+            let kept = of.trials.iter().enumerate().filter(|(k, _)| m != movement || *k != place);
+            sources.extend(kept.map(|(_, clip)| Source { clip, first_frames: None }));
+            if m == movement {
+                sources.push(Source { clip: &of.trials[place], first_frames: Some(start_frames) });
+            }
+            planned.push(PlannedMovement { name: of.name.clone(), sequences: sources.len() - before });
+        }
+        let sequence = planned[movement].sequences - 1;
+        let shared = parts.iter().map(|part| shared.contains(&part.name)).collect();
+        let plan = LibraryPlan::new(planned, shared)?;
+        let dataset = Dataset::new(&sources, parts, frames_per_second)?;
+        let trial = movements[movement].trials[place].resample(1.0 / dataset.frame_time)?;
+        let actual = dataset.mapping.encode(&trial)?.y;
+        Ok(Self { dataset, plan, movement, sequence, actual, frames_per_second })
+    }
+
+    /// A training of the library, ready to begin.
+    ///
+    /// # Errors
+    /// A setting is out of its range, or a trial is too short.
+    pub fn trainer(
+        &self,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<LibraryTrainer, EvaluationError> {
+        let (y, lengths) = (self.dataset.y.clone(), self.dataset.lengths());
+        let trainer = LibraryTrainer::new(y, lengths, self.plan.clone(), settings, seed);
+        Ok(trainer.map_err(|reason| self.dataset.refusal(reason))?)
+    }
+
+    /// The library that training has come to.
+    ///
+    /// # Errors
+    /// A covariance cannot be factorised.
+    pub fn library(&self, trainer: &LibraryTrainer) -> Result<TrainedLibrary, EvaluationError> {
+        Ok(TrainedLibrary::trained(&self.dataset, trainer, self.frames_per_second)?)
+    }
+
+    /// How well the library predicts the trial held out.
+    ///
+    /// # Errors
+    /// The prediction cannot be made or scored.
+    pub fn outcome(&self, trained: &TrainedLibrary) -> Result<LibraryOutcome, EvaluationError> {
+        let model = trained.library.movement(self.movement)?;
+        let predicted = model.rollout(self.sequence, self.actual.nrows())?;
+        let (score, _) = score_and_columns(&trained.body.columns(&predicted), &self.actual)?;
+        Ok(LibraryOutcome {
+            score,
+            bound: trained.provenance.objective,
+            stored_numbers: trained.library.stored_numbers(),
+            frames: self.dataset.sequences.iter().map(|info| info.frames).sum(),
+        })
+    }
+}

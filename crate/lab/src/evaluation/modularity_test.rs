@@ -1,0 +1,267 @@
+//! The modularity test on the sample trials: what docs/modularity.md measures, and the page does for one
+//! trial.
+
+use crate::evaluation::cross_validation::{EvaluationError, START_FRAMES};
+use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
+use vcgpdm::models::VariationalSettings;
+use vcgpdm::models::library::{LibraryTrainer, TrainedLibrary};
+use vcgpdm::models::variational::TrainingProgress;
+use vcgpdm::motion::parts::{PartSpec, presets};
+use vcgpdm::motion::samples;
+
+/// The movements: what they are called here, and in the list of samples.
+const MOVEMENTS: [(&str, &str); 2] = [("walk", "walk"), ("wave", "walk and wave")];
+/// The preset of the body, and of its parts those that have one primitive for all movements.
+const PRESET: &str = "lower-upper";
+const SHARED: [&str; 1] = ["lower"];
+/// Of these the one of the highest bound is taken, as somebody would choose who does not know the trial held
+/// out.
+const SEEDS: [u32; 2] = [1, 2];
+/// The sample trials have very little noise, and need more iterations than recordings.
+const ITERATIONS: usize = 600;
+
+/// Movements of which some parts use the same primitive, beside models of each movement alone (Velychko et
+/// al. 2018, section 5.5 and figure 7).
+#[derive(Clone, Debug)]
+pub struct ModularityTest {
+    /// The movements with their trials.
+    pub movements: Vec<MovementTrials>,
+    /// The parts of the body.
+    pub parts: Vec<PartSpec>,
+    /// The names of the parts that have one primitive for all movements.
+    pub shared: Vec<String>,
+    /// The clips are brought to about this rate.
+    pub frames_per_second: f64,
+    /// Of each training.
+    pub settings: VariationalSettings,
+    /// The seeds that are tried.
+    pub seeds: Vec<u32>,
+}
+
+/// What is trained in a fold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trained {
+    /// A library of all movements.
+    Together,
+    /// A model of the movement of the trial held out.
+    Alone,
+}
+
+impl ModularityTest {
+    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points a part,
+    /// 16 dynamics inducing points an expert. Empty of parts where no sample has them, which no fold can be
+    /// made of.
+    pub fn on_samples() -> Self {
+        let trials = |movement: &str| {
+            let of = samples::list().into_iter().filter(|sample| sample.movement == movement);
+            of.filter_map(|sample| samples::clip(sample.id)).collect::<Vec<_>>()
+        };
+        let movements: Vec<_> = MOVEMENTS
+            .iter()
+            .map(|(name, of)| MovementTrials { name: (*name).to_owned(), trials: trials(of) })
+            .collect();
+        let first = movements.first().and_then(|movement| movement.trials.first());
+        let presets = first.map(|clip| presets(&clip.skeleton)).unwrap_or_default();
+        let preset = presets.into_iter().find(|preset| preset.id == PRESET);
+        Self {
+            movements,
+            parts: preset.map(|preset| preset.parts).unwrap_or_default(),
+            shared: SHARED.map(str::to_owned).to_vec(),
+            frames_per_second: 30.0,
+            settings: VariationalSettings {
+                latent: 3,
+                dynamics_ips: 16,
+                pose_ips: 25,
+                max_iterations: ITERATIONS,
+                ..VariationalSettings::default()
+            },
+            seeds: SEEDS.to_vec(),
+        }
+    }
+
+    /// Where a sample stands: its movement, counted from 0, and its trial, counted from 1; `None` where the
+    /// test does not have it.
+    pub fn place_of(sample: &str) -> Option<(usize, usize)> {
+        let samples = samples::list();
+        MOVEMENTS.iter().enumerate().find_map(|(m, (_, movement))| {
+            let mut of = samples.iter().filter(|info| info.movement == *movement);
+            of.position(|info| info.id == sample).map(|trial| (m, trial + 1))
+        })
+    }
+
+    /// The training of a fold, ready to begin: the trial, counted from 1, of the movement, counted from 0, is
+    /// held out.
+    ///
+    /// # Errors
+    /// There is no such trial, or the trials cannot be trained on.
+    pub fn training(
+        &self,
+        (movement, trial): (usize, usize),
+        trained: Trained,
+    ) -> Result<FoldTraining, EvaluationError> {
+        let (rate, parts) = (self.frames_per_second, &self.parts);
+        let fold = match (trained, self.movements.get(movement)) {
+            (Trained::Alone, Some(own)) => {
+                let own = std::slice::from_ref(own);
+                LibraryFold::new(own, (0, trial), parts, &[], rate, START_FRAMES)?
+            }
+            _ => {
+                LibraryFold::new(&self.movements, (movement, trial), parts, &self.shared, rate, START_FRAMES)?
+            }
+        };
+        FoldTraining::new(fold, self.settings.clone(), self.seeds.clone())
+    }
+}
+
+/// The training of one fold, one step at a time: with each seed in turn; that of the highest bound is kept.
+pub struct FoldTraining {
+    fold: LibraryFold,
+    settings: VariationalSettings,
+    seeds: Vec<u32>,
+    /// Seeds that are over.
+    over: usize,
+    trainer: LibraryTrainer,
+    best: Option<(LibraryOutcome, TrainedLibrary)>,
+}
+
+impl FoldTraining {
+    /// Ready to train on a fold; without a seed, with seed 1.
+    ///
+    /// # Errors
+    /// A setting is out of its range, or a trial is too short.
+    pub fn new(
+        fold: LibraryFold,
+        settings: VariationalSettings,
+        mut seeds: Vec<u32>,
+    ) -> Result<Self, EvaluationError> {
+        if seeds.is_empty() {
+            seeds.push(1);
+        }
+        let trainer = fold.trainer(&settings, seeds[0])?;
+        Ok(Self { fold, settings, seeds, over: 0, trainer, best: None })
+    }
+
+    /// One iteration of the optimiser. How far all seeds are together: iterations and their share; the bound
+    /// is that of the seed at work. After the end it does nothing.
+    ///
+    /// # Errors
+    /// A model cannot be fitted, rolled out or scored, or the training with the next seed cannot begin.
+    pub fn step(&mut self) -> Result<TrainingProgress, EvaluationError> {
+        let count = self.seeds.len();
+        if self.over == count {
+            return Ok(self.progress(count - 1, self.trainer.progress()));
+        }
+        let progress = self.trainer.step();
+        let at = self.over;
+        if progress.done {
+            let library = self.fold.library(&self.trainer)?;
+            let outcome = self.fold.outcome(&library)?;
+            if self.best.as_ref().is_none_or(|(best, _)| outcome.is_better_seed(best)) {
+                self.best = Some((outcome, library));
+            }
+            self.over += 1;
+            if let Some(seed) = self.seeds.get(self.over) {
+                self.trainer = self.fold.trainer(&self.settings, *seed)?;
+            }
+        }
+        Ok(self.progress(at, progress))
+    }
+
+    /// How far all seeds are when the one of this place is so far.
+    fn progress(&self, at: usize, progress: TrainingProgress) -> TrainingProgress {
+        let (count, most) = (self.seeds.len(), progress.max_iterations);
+        let fraction = if progress.done { 1.0 } else { progress.fraction };
+        TrainingProgress {
+            iteration: at * most + progress.iteration,
+            max_iterations: count * most,
+            fraction: (at as f64 + fraction) / count as f64,
+            done: progress.done && self.over == count,
+            ..progress
+        }
+    }
+
+    /// How many seeds there are.
+    pub fn seeds(&self) -> usize {
+        self.seeds.len()
+    }
+
+    /// How well the best of the seeds that are over predicts the trial held out, and its library; `None`
+    /// before there is one.
+    pub fn best(&self) -> Option<&(LibraryOutcome, TrainedLibrary)> {
+        self.best.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::Fold;
+    use vcgpdm::models::ModelSettings;
+
+    fn test(iterations: usize) -> ModularityTest {
+        let mut test = ModularityTest::on_samples();
+        test.settings.max_iterations = iterations;
+        for movement in &mut test.movements {
+            movement.trials.truncate(2);
+        }
+        test
+    }
+
+    #[test]
+    fn it_has_the_sample_trials() {
+        let test = ModularityTest::on_samples();
+        let trials: Vec<_> = test.movements.iter().map(|m| (m.name.as_str(), m.trials.len())).collect();
+        assert_eq!(trials, [("walk", 6), ("wave", 4)]);
+        assert_eq!(test.parts.len(), 2);
+        assert!(test.shared.iter().all(|name| test.parts.iter().any(|part| part.name == *name)));
+        assert_eq!(ModularityTest::place_of("walk-3"), Some((0, 3)));
+        assert_eq!(ModularityTest::place_of("walk-wave-1"), Some((1, 1)));
+        assert_eq!(ModularityTest::place_of("run-1"), None);
+        for place in [(2, 1), (0, 7), (0, 0)] {
+            assert!(test.training(place, Trained::Alone).is_err());
+            assert!(test.training(place, Trained::Together).is_err());
+        }
+    }
+
+    /// A library of one movement is the plain model: trained, rolled out and scored as in all other
+    /// comparisons.
+    #[test]
+    fn alone_it_is_the_plain_model() {
+        let test = test(12);
+        let mut training = test.training((1, 2), Trained::Alone).unwrap();
+        let mut fractions = vec![0.0];
+        loop {
+            let progress = training.step().unwrap();
+            assert!(progress.fraction >= fractions[fractions.len() - 1]);
+            fractions.push(progress.fraction);
+            if progress.done {
+                break;
+            }
+        }
+        assert_eq!(fractions.last(), Some(&1.0));
+        assert!(training.step().unwrap().done);
+        let (found, _) = training.best().unwrap();
+        let fold = Fold::new(&test.movements[1].trials, 2, 1, &test.parts, 30.0, START_FRAMES).unwrap();
+        let plain = test.seeds.iter().map(|seed| {
+            let candidate = ModelSettings::Vcgpdm(test.settings.clone());
+            fold.evaluate(&candidate, *seed, &|| 0.0, &mut |_| true).unwrap().unwrap()
+        });
+        let plain = plain.reduce(|a, b| if b.is_better_seed(&a) { b } else { a }).unwrap();
+        assert_eq!((found.bound, found.frames), (plain.objective, plain.frames));
+        assert_eq!(found.score, plain.score);
+        assert_eq!(found.stored_numbers, plain.stored_numbers);
+    }
+
+    #[test]
+    fn together_it_knows_the_trials_of_all_movements() {
+        let mut training = test(3).training((0, 1), Trained::Together).unwrap();
+        assert!(training.best().is_none());
+        while !training.step().unwrap().done {}
+        let (outcome, library) = training.best().unwrap();
+        assert!(outcome.score.dtw_mse > 0.0);
+        let uses: Vec<_> = library.library.movements.iter().map(|movement| movement.uses.clone()).collect();
+        assert_eq!(uses[0][0], uses[1][0]);
+        assert_ne!(uses[0][1], uses[1][1]);
+        assert_eq!(training.seeds(), 2);
+    }
+}

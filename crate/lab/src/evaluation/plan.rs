@@ -1,0 +1,312 @@
+//! Which jobs a comparison asks for.
+
+use crate::evaluation::job::Job;
+use serde::Deserialize;
+use std::collections::HashSet;
+use thiserror::Error;
+use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+
+/// Which jobs a comparison asks for: every candidate in every fold with every seed.
+///
+/// ```
+/// use vcgpdm_lab::evaluation::Plan;
+/// use vcgpdm::models::ModelKind;
+///
+/// let plan = Plan { models: vec![ModelKind::Vgpdm, ModelKind::DmpRhythmic], seeds: vec![0, 1], ..Plan::default() };
+/// let jobs = plan.jobs(3)?;
+/// // In each of three folds two vGPDMs and, as it has no random start, one DMP.
+/// assert_eq!(jobs.len(), 9);
+/// # Ok::<(), vcgpdm_lab::evaluation::PlanError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The kinds of models.
+    pub models: Vec<ModelKind>,
+    /// Latent dimensions Q of every part.
+    pub latent: usize,
+    /// Order p of the dynamics.
+    pub order: usize,
+    /// Most iterations of the optimiser.
+    pub max_iterations: usize,
+    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map
+    /// where `pose_ips` is empty.
+    pub ips: Vec<usize>,
+    /// Numbers of inducing points of every pose map: each with each of `ips`.
+    #[serde(default)]
+    pub pose_ips: Vec<usize>,
+    /// Numbers of primitives of the TMP; `None` is the number that the bound prefers.
+    pub primitives: Vec<Option<usize>>,
+    /// Whether the TMP's primitives are functions of normalised time, with weights that all trials share, as
+    /// in the papers.
+    #[serde(default)]
+    pub normalised_time: bool,
+    /// Numbers of basis functions of the DMPs.
+    pub bases: Vec<usize>,
+    /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
+    pub balanced: bool,
+    /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
+    #[serde(default)]
+    pub linear: bool,
+    /// The trials held out, counted from 1; empty: each in turn.
+    pub held_out: Vec<usize>,
+    /// The seeds of models with a random start; the others get 0.
+    pub seeds: Vec<u32>,
+    /// How many of the other trials are trained on; empty: all.
+    pub training_trials: Vec<usize>,
+    /// Whether also the coupled models are trained on one trial, on two, and so on, to see how time grows:
+    /// with the middle number of inducing points, in the first fold, with the first seed.
+    pub growth: bool,
+}
+
+impl Default for Plan {
+    /// All kinds of models at the defaults of their settings, in each fold, with seed 0.
+    fn default() -> Self {
+        let VariationalSettings { latent, order, dynamics_ips, max_iterations, .. } =
+            VariationalSettings::default();
+        Self {
+            models: ModelKind::ALL.to_vec(),
+            latent,
+            order,
+            max_iterations,
+            ips: vec![dynamics_ips],
+            pose_ips: Vec::new(),
+            primitives: vec![TmpSettings::default().primitives],
+            normalised_time: false,
+            bases: vec![DmpSettings::default().bases],
+            balanced: false,
+            linear: false,
+            held_out: Vec::new(),
+            seeds: vec![0],
+            training_trials: Vec::new(),
+            growth: false,
+        }
+    }
+}
+
+/// Why a plan cannot be followed.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// There is no such trial to hold out.
+    #[error("expected a trial from 1 to {trials} to hold out, found {found}")]
+    HeldOut {
+        /// Trials there are.
+        trials: usize,
+        /// The one asked for.
+        found: usize,
+    },
+    /// There are not so many trials to train on.
+    #[error("expected from 1 to {most} trials to train on, found {found}")]
+    TrainingTrials {
+        /// Trials besides the one held out.
+        most: usize,
+        /// The number asked for.
+        found: usize,
+    },
+}
+
+impl Plan {
+    /// The same without the models that couple parts, for a body in one part.
+    pub fn without_coupled(mut self) -> Self {
+        self.models.retain(|kind| !kind.is_coupled());
+        self
+    }
+
+    /// The models with all settings that are asked for.
+    pub fn candidates(&self) -> Vec<ModelSettings> {
+        self.models.iter().flat_map(|kind| self.candidates_of(*kind)).collect()
+    }
+
+    fn candidates_of(&self, kind: ModelKind) -> Vec<ModelSettings> {
+        let (latent, order, max_iterations) = (self.latent, self.order, self.max_iterations);
+        let variational = |candidate: fn(VariationalSettings) -> ModelSettings| {
+            let settings = |(dynamics_ips, pose_ips)| VariationalSettings {
+                latent,
+                order,
+                dynamics_ips,
+                pose_ips,
+                max_iterations,
+            };
+            let pairs = self.ips.iter().flat_map(|&dynamics| {
+                let poses = if self.pose_ips.is_empty() { vec![dynamics] } else { self.pose_ips.clone() };
+                poses.into_iter().map(move |pose| (dynamics, pose))
+            });
+            pairs.map(settings).map(candidate).collect()
+        };
+        let (balanced, linear) = (self.balanced, self.linear);
+        let map = || MapSettings { latent, order, max_iterations, balanced, linear };
+        let dmp = |candidate: fn(DmpSettings) -> ModelSettings| {
+            self.bases.iter().map(|&bases| candidate(DmpSettings { bases })).collect()
+        };
+        match kind {
+            ModelKind::Vcgpdm => variational(ModelSettings::Vcgpdm),
+            ModelKind::Vgpdm => variational(ModelSettings::Vgpdm),
+            ModelKind::MapGpdm => vec![ModelSettings::MapGpdm(map())],
+            ModelKind::MapCgpdm => vec![ModelSettings::MapCgpdm(map())],
+            ModelKind::Tmp => {
+                let primitives = self.primitives.iter();
+                primitives
+                    .map(|&primitives| {
+                        ModelSettings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })
+                    })
+                    .collect()
+            }
+            ModelKind::DmpDiscrete => dmp(ModelSettings::DmpDiscrete),
+            ModelKind::DmpRhythmic => dmp(ModelSettings::DmpRhythmic),
+        }
+    }
+
+    /// The jobs on so many trials, each once, fold after fold, so that the first tables come early.
+    ///
+    /// # Errors
+    /// It asks for a trial that is not there, or for more trials to train on than there are.
+    pub fn jobs(&self, trials: usize) -> Result<Vec<Job>, PlanError> {
+        let most = trials.saturating_sub(1);
+        let folds = if self.held_out.is_empty() { (1..=trials).collect() } else { self.held_out.clone() };
+        if let Some(&found) = folds.iter().find(|fold| !(1..=trials).contains(*fold)) {
+            return Err(PlanError::HeldOut { trials, found });
+        }
+        let counts = if self.training_trials.is_empty() { vec![most] } else { self.training_trials.clone() };
+        if let Some(&found) = counts.iter().find(|count| !(1..=most).contains(*count)) {
+            return Err(PlanError::TrainingTrials { most, found });
+        }
+        let candidates = self.candidates();
+        let mut jobs = Vec::new();
+        for &held_out in &folds {
+            for &training_trials in &counts {
+                for candidate in &candidates {
+                    let seeds = if candidate.is_random() { &self.seeds[..] } else { &[0] };
+                    let job = |&seed| Job { candidate: candidate.clone(), held_out, training_trials, seed };
+                    jobs.extend(seeds.iter().map(job));
+                }
+            }
+        }
+        if self.growth {
+            let fewer = self.growth_jobs(&folds, most);
+            jobs.extend(fewer);
+        }
+        let mut known = HashSet::new();
+        jobs.retain(|job| known.insert(job.clone()));
+        Ok(jobs)
+    }
+
+    /// The coupled models on one trial, on two, and so on up to all but one of the `most` that there are.
+    fn growth_jobs(&self, folds: &[usize], most: usize) -> Vec<Job> {
+        let (Some(&held_out), Some(&seed)) = (folds.first(), self.seeds.first()) else { return Vec::new() };
+        let coupled =
+            ModelKind::ALL.into_iter().filter(|kind| kind.is_coupled() && self.models.contains(kind));
+        coupled
+            .filter_map(|kind| {
+                let candidates = self.candidates_of(kind);
+                candidates.get(candidates.len() / 2).cloned()
+            })
+            .flat_map(|candidate| {
+                (1..most).map(move |training_trials| Job {
+                    candidate: candidate.clone(),
+                    held_out,
+                    training_trials,
+                    seed,
+                })
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plan() -> Plan {
+        Plan {
+            ips: vec![8, 12, 16],
+            bases: vec![10, 20],
+            seeds: vec![3, 4],
+            max_iterations: 100,
+            ..Plan::default()
+        }
+    }
+
+    #[test]
+    fn every_candidate_in_every_fold_with_every_seed_that_it_has() {
+        let jobs = plan().jobs(3).unwrap();
+        // Three sizes of both variational models and one of both MAP models, twice each; the TMP; two sizes
+        // of both DMPs.
+        let fold = 2 * (2 * 3 + 2) + 1 + 2 * 2;
+        assert_eq!(jobs.len(), 3 * fold);
+        assert!(jobs.iter().all(|job| job.training_trials == 2));
+        assert!(jobs[..fold].iter().all(|job| job.held_out == 1), "one fold after the other");
+        let seeds = |kind: ModelKind| {
+            let of_kind = jobs[..fold].iter().filter(|job| job.candidate.kind() == kind);
+            of_kind.map(|job| job.seed).collect::<Vec<u32>>()
+        };
+        assert_eq!(seeds(ModelKind::MapGpdm), [3, 4]);
+        assert_eq!(seeds(ModelKind::DmpDiscrete), [0, 0]);
+        let some = Plan { held_out: vec![3, 1], training_trials: vec![1, 2], ..plan() };
+        let jobs = some.jobs(3).unwrap();
+        assert_eq!(jobs.len(), 4 * fold);
+        assert_eq!((jobs[0].held_out, jobs[0].training_trials), (3, 1));
+        assert_eq!((jobs[fold].held_out, jobs[fold].training_trials), (3, 2));
+    }
+
+    #[test]
+    fn what_is_named_twice_is_one_job() {
+        let once = Plan { held_out: vec![2, 1], training_trials: vec![2, 1], ..plan() };
+        let twice = Plan {
+            models: [ModelKind::ALL, ModelKind::ALL].concat(),
+            ips: vec![8, 12, 8, 16],
+            primitives: vec![None, None],
+            seeds: vec![3, 4, 3],
+            held_out: vec![2, 2, 1],
+            training_trials: vec![2, 1, 2],
+            ..once.clone()
+        };
+        assert_eq!(twice.jobs(3), once.jobs(3));
+    }
+
+    #[test]
+    fn growth_trains_the_coupled_models_on_fewer_trials() {
+        let whole = plan().jobs(5).unwrap();
+        let jobs = Plan { growth: true, ..plan() }.jobs(5).unwrap();
+        let (asked, fewer) = jobs.split_at(whole.len());
+        assert_eq!(asked, whole);
+        let found: Vec<_> = fewer.iter().map(|job| (job.candidate.kind(), job.training_trials)).collect();
+        let kinds = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
+        let expected: Vec<_> = kinds.into_iter().flat_map(|kind| (1..4).map(move |n| (kind, n))).collect();
+        assert_eq!(found, expected);
+        assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (1, 3)));
+        assert!(matches!(&fewer[0].candidate, ModelSettings::Vcgpdm(s) if s.dynamics_ips == 12));
+        // No job is asked for twice.
+        let both = Plan { growth: true, training_trials: vec![1, 2, 3, 4], ..plan() };
+        assert_eq!(both.jobs(5), Plan { growth: false, ..both }.jobs(5));
+    }
+
+    #[test]
+    fn a_body_in_one_part_has_nothing_to_couple() {
+        let candidates = plan().without_coupled().candidates();
+        let coupled = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
+        assert!(candidates.iter().all(|candidate| !coupled.contains(&candidate.kind())));
+        assert_eq!(candidates.len(), 3 + 1 + 1 + 4);
+    }
+
+    #[test]
+    fn trials_that_are_not_there_are_refused() {
+        let error = |plan: Plan| plan.jobs(3).unwrap_err().to_string();
+        let held_out = error(Plan { held_out: vec![1, 4], ..plan() });
+        assert_eq!(held_out, "expected a trial from 1 to 3 to hold out, found 4");
+        let training = error(Plan { training_trials: vec![3], ..plan() });
+        assert_eq!(training, "expected from 1 to 2 trials to train on, found 3");
+    }
+
+    #[test]
+    fn inducing_points_of_dynamics_and_poses_are_a_grid() {
+        let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm], ..plan() };
+        let pairs: Vec<_> = (grid.candidates().iter())
+            .map(|candidate| match candidate {
+                ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(pairs, [(8, 10), (8, 30), (12, 10), (12, 30), (16, 10), (16, 30)]);
+    }
+}

@@ -1,0 +1,412 @@
+//! What a comparison keeps: what was compared, and what came of it, job by job. The same in a file and on the
+//! page. No I/O.
+
+use crate::evaluation::candidate_size::size;
+use crate::evaluation::job::{Finished, Job};
+use crate::evaluation::plan::{Plan, PlanError};
+use crate::evaluation::setting::{Setting, SettingError};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use thiserror::Error;
+use vcgpdm::models::ModelKind;
+
+const FORMAT: &str = "vcgpdm-evaluation";
+const VERSION: u32 = 1;
+
+/// Why results cannot be used.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum ResultsError {
+    /// Not JSON of the expected form.
+    #[error("expected the results of an evaluation: {0}")]
+    Json(String),
+    /// Another document.
+    #[error("expected {FORMAT} version {VERSION}, found {format:?} version {version}")]
+    Format {
+        /// What the document calls itself.
+        format: String,
+        /// Its version.
+        version: u32,
+    },
+    /// Trials that cannot be compared on.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// A job for which the setting has no trials.
+    #[error(
+        "result {index}: expected trials from 1 to {trials} and at least one to train on, found trial {held_out} held out of {training_trials} more"
+    )]
+    Job {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Trials there are.
+        trials: usize,
+        /// The trial held out.
+        held_out: usize,
+        /// Trials trained on.
+        training_trials: usize,
+    },
+    /// Results of another setting.
+    #[error("these results are of {0}")]
+    Differs(String),
+    /// The same job twice.
+    #[error("result {index}: the same training stands there twice, found before as result {before}")]
+    Repeated {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Where it was before.
+        before: usize,
+    },
+    /// Neither an outcome nor a failure, or both.
+    #[error("result {0}: expected an outcome or the reason why there is none, found both or neither")]
+    Ending(usize),
+    /// A bound or an objective that is not finite.
+    #[error("result {index}: expected {what} that is finite, found {found}")]
+    NotFinite {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Which number.
+        what: &'static str,
+        /// What stands there.
+        found: f64,
+    },
+    /// An error, a variance or a time that is not finite, or negative.
+    #[error("result {index}: expected {what} that is finite and not negative, found {found}")]
+    Number {
+        /// Which result, counted from 1.
+        index: usize,
+        /// Which number.
+        what: &'static str,
+        /// What stands there.
+        found: f64,
+    },
+}
+
+/// A job that a plan asks for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlannedJob {
+    /// The job.
+    pub job: Job,
+    /// Whether the results hold an outcome of it.
+    pub done: bool,
+}
+
+/// All results of a comparison so far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Results {
+    format: String,
+    version: u32,
+    setting: Setting,
+    finished: Vec<Finished>,
+}
+
+impl Results {
+    /// No job finished yet.
+    pub fn new(setting: Setting) -> Self {
+        Self { format: FORMAT.to_owned(), version: VERSION, setting, finished: Vec::new() }
+    }
+
+    /// Reads a document.
+    ///
+    /// # Errors
+    /// It is another document, or its results do not fit its setting.
+    pub fn from_json(text: &str) -> Result<Self, ResultsError> {
+        let results: Self =
+            serde_json::from_str(text).map_err(|error| ResultsError::Json(error.to_string()))?;
+        results.check()?;
+        Ok(results)
+    }
+
+    /// The document.
+    ///
+    /// # Errors
+    /// JSON cannot hold it.
+    pub fn to_json(&self) -> Result<String, ResultsError> {
+        serde_json::to_string(self).map_err(|error| ResultsError::Json(error.to_string()))
+    }
+
+    /// Checks what [`Results::from_json`] checks, for whoever reads the document with another parser.
+    ///
+    /// # Errors
+    /// It is another document, or its results do not fit its setting.
+    pub fn check(&self) -> Result<(), ResultsError> {
+        if self.format != FORMAT || self.version != VERSION {
+            return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
+        }
+        self.setting.check()?;
+        let mut places = HashMap::new();
+        for (k, finished) in self.finished.iter().enumerate() {
+            check_finished(finished, k + 1, self.setting.trials.len())?;
+            if let Some(before) = places.insert(&finished.job, k) {
+                return Err(ResultsError::Repeated { index: k + 1, before: before + 1 });
+            }
+        }
+        Ok(())
+    }
+
+    /// What was compared on what.
+    pub fn setting(&self) -> &Setting {
+        &self.setting
+    }
+
+    /// The jobs that are finished, in the order in which they came.
+    pub fn finished(&self) -> &[Finished] {
+        &self.finished
+    }
+
+    /// The jobs that are finished, in the order of tables: by model, then by size, then by seed.
+    pub fn in_order(&self) -> Vec<&Finished> {
+        let mut finished: Vec<&Finished> = self.finished.iter().collect();
+        finished.sort_by_key(|Finished { job, .. }| {
+            let kind = ModelKind::ALL.iter().position(|kind| *kind == job.candidate.kind());
+            (kind, size(&job.candidate), job.seed)
+        });
+        finished
+    }
+
+    /// The jobs that a plan asks for on these trials, and which of them are done: a failure may be tried
+    /// again.
+    ///
+    /// # Errors
+    /// The plan asks for trials that are not there.
+    pub fn jobs(&self, plan: &Plan) -> Result<Vec<PlannedJob>, PlanError> {
+        let jobs = plan.jobs(self.setting.trials.len())?.into_iter();
+        Ok(jobs.map(|job| PlannedJob { done: self.has_outcome(&job), job }).collect())
+    }
+
+    fn find(&self, job: &Job) -> Option<&Finished> {
+        self.finished.iter().find(|finished| finished.job == *job)
+    }
+
+    /// Whether there is nothing left to do for a job: a failure may be tried again.
+    pub fn has_outcome(&self, job: &Job) -> bool {
+        self.find(job).is_some_and(|finished| finished.outcome.is_some())
+    }
+
+    /// Whether results of both go together: they are of the same trials, parts, frame rate and first frames.
+    pub fn is_of_same_setting(&self, other: &Results) -> bool {
+        self.setting.difference(&other.setting).is_none()
+    }
+
+    /// Takes over what the other knows and this one does not.
+    ///
+    /// # Errors
+    /// The other is of another setting.
+    pub fn merge(&mut self, other: Results) -> Result<(), ResultsError> {
+        if let Some(difference) = self.setting.difference(&other.setting) {
+            return Err(ResultsError::Differs(difference));
+        }
+        let jobs = self.finished.iter().enumerate().map(|(place, finished)| (finished.job.clone(), place));
+        let places: HashMap<Job, usize> = jobs.collect();
+        for finished in other.finished {
+            match places.get(&finished.job).map(|place| &mut self.finished[*place]) {
+                None => self.finished.push(finished),
+                Some(known) if known.outcome.is_none() && finished.outcome.is_some() => *known = finished,
+                Some(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Keeps what came of a job, in place of what is known of the same job; only an outcome stays what it is.
+    ///
+    /// # Errors
+    /// The job does not fit the setting, or no outcome can be such.
+    pub fn add(&mut self, finished: Finished) -> Result<(), ResultsError> {
+        check_finished(&finished, self.finished.len() + 1, self.setting.trials.len())?;
+        self.keep(finished);
+        Ok(())
+    }
+
+    fn keep(&mut self, finished: Finished) {
+        match self.finished.iter_mut().find(|known| known.job == finished.job) {
+            Some(known) if known.outcome.is_none() => *known = finished,
+            Some(_) => {}
+            None => self.finished.push(finished),
+        }
+    }
+}
+
+/// Whether this can be the result number `index`, counted from 1, of a comparison on so many trials.
+fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<(), ResultsError> {
+    let Finished { job, outcome, failure, .. } = finished;
+    if !job.fits(trials) {
+        let (held_out, training_trials) = (job.held_out, job.training_trials);
+        return Err(ResultsError::Job { index, trials, held_out, training_trials });
+    }
+    if outcome.is_some() == failure.is_some() {
+        return Err(ResultsError::Ending(index));
+    }
+    let Some(outcome) = outcome else { return Ok(()) };
+    for (what, found) in [
+        ("an error", outcome.score.dtw_mse),
+        ("an error", outcome.score.mse),
+        ("a variance", outcome.score.variance),
+        ("a time", outcome.seconds),
+    ]
+    .into_iter()
+    .chain(outcome.part_errors.iter().map(|error| ("the error of a part", *error)))
+    .chain(outcome.training_mse.map(|error| ("the error of the trials trained on", error)))
+    {
+        if !found.is_finite() || found < 0.0 {
+            return Err(ResultsError::Number { index, what, found });
+        }
+    }
+    for (what, found) in [
+        ("a bound", outcome.bound),
+        ("an objective", Some(outcome.objective)),
+        ("a term of the bound", outcome.terms.as_ref().map(|terms| terms.total())),
+    ] {
+        if let Some(found) = found.filter(|found| !found.is_finite()) {
+            return Err(ResultsError::NotFinite { index, what, found });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::outcome::Outcome;
+    use crate::evaluation::testing::{outcome, setting, variational};
+    use vcgpdm::models::{DmpSettings, ModelSettings, TmpSettings};
+
+    fn job(held_out: usize, training_trials: usize) -> Job {
+        let candidate = ModelSettings::Tmp(TmpSettings::default());
+        Job { candidate, held_out, training_trials, seed: 0 }
+    }
+
+    fn failed(held_out: usize, training_trials: usize) -> Finished {
+        Finished::new(job(held_out, training_trials), Err("why".to_owned()))
+    }
+
+    fn done(mse: f64) -> Finished {
+        Finished::new(job(1, 1), Ok(outcome(mse, Some(-10.0), 100, 1.0)))
+    }
+
+    /// What the reader says to a document with these results.
+    fn read(finished: Vec<Finished>) -> Result<Results, ResultsError> {
+        let results = Results { finished, ..Results::new(setting(2)) };
+        Results::from_json(&results.to_json().unwrap())
+    }
+
+    #[test]
+    fn merging_keeps_what_was_known_first() {
+        let mut results = Results::new(setting(2));
+        results.add(failed(1, 1)).unwrap();
+        let mut other = results.clone();
+        other.finished[0].failure = Some("another time".to_owned());
+        other.add(failed(2, 1)).unwrap();
+        results.merge(other).unwrap();
+        assert_eq!(results.finished, [failed(1, 1), failed(2, 1)]);
+        let error = results.merge(Results::new(setting(3))).unwrap_err().to_string();
+        assert_eq!(error, "these results are of other trials: expected 2, found 3");
+    }
+
+    /// A hundred thousand results once took minutes to read and to merge.
+    #[test]
+    fn many_results_are_read_and_merged_at_once() {
+        let many: Vec<Finished> =
+            (0..30_000).map(|seed| Finished::new(Job { seed, ..job(1, 1) }, Err("why".to_owned()))).collect();
+        let mut results = read(many.clone()).unwrap();
+        results.merge(read(many.clone()).unwrap()).unwrap();
+        assert_eq!(results.finished.len(), many.len());
+        let twice = [many, vec![failed(1, 1)]].concat();
+        assert_eq!(read(twice), Err(ResultsError::Repeated { index: 30_001, before: 1 }));
+    }
+
+    #[test]
+    fn a_failure_is_replaced_and_an_outcome_stays() {
+        let mut results = Results::new(setting(2));
+        results.add(failed(1, 1)).unwrap();
+        assert!(!results.has_outcome(&job(1, 1)));
+        results.add(done(0.5)).unwrap();
+        assert_eq!(results.finished, [done(0.5)]);
+        assert!(results.has_outcome(&job(1, 1)));
+        for later in [done(0.7), failed(1, 1)] {
+            results.add(later).unwrap();
+            assert_eq!(results.finished, [done(0.5)]);
+        }
+        // What failed here has an outcome in the other file.
+        let mut other = Results::new(setting(2));
+        other.add(failed(1, 1)).unwrap();
+        other.merge(results).unwrap();
+        assert_eq!(other.finished, [done(0.5)]);
+    }
+
+    #[test]
+    fn planned_jobs_with_an_outcome_are_done() {
+        let mut results = Results::new(setting(2));
+        results.add(done(0.5)).unwrap();
+        results.add(failed(2, 1)).unwrap();
+        let plan = Plan { models: vec![ModelKind::Tmp], ..Plan::default() };
+        let planned = results.jobs(&plan).unwrap();
+        assert_eq!(planned[0], PlannedJob { job: job(1, 1), done: true });
+        assert_eq!(planned[1], PlannedJob { job: job(2, 1), done: false });
+    }
+
+    #[test]
+    fn tables_go_by_model_then_size_then_seed() {
+        let mut results = Results::new(setting(2));
+        let dmp = |bases: usize| ModelSettings::DmpRhythmic(DmpSettings { bases });
+        let vgpdm = |ips: usize| ModelSettings::Vgpdm(variational(ips));
+        let jobs = [(dmp(20), 0), (dmp(10), 0), (vgpdm(12), 1), (vgpdm(12), 0), (vgpdm(8), 5)];
+        for (candidate, seed) in jobs.clone() {
+            let job = Job { candidate, seed, ..job(1, 1) };
+            results.add(Finished::new(job, Err("why".to_owned()))).unwrap();
+        }
+        let found: Vec<_> =
+            results.in_order().iter().map(|f| (f.job.candidate.clone(), f.job.seed)).collect();
+        let [dmp_20, dmp_10, vgpdm_12_1, vgpdm_12_0, vgpdm_8] = jobs;
+        assert_eq!(found, [vgpdm_8, vgpdm_12_0, vgpdm_12_1, dmp_10, dmp_20]);
+    }
+
+    #[test]
+    fn jobs_that_the_setting_has_no_trials_for_are_refused() {
+        assert_eq!(read(vec![]), Ok(Results::new(setting(2))));
+        for (held_out, training_trials) in [(0, 1), (3, 1), (1, 0), (1, 2)] {
+            let error = read(vec![failed(held_out, training_trials)]).unwrap_err();
+            assert!(error.to_string().starts_with("result 1: expected trials from 1 to 2"), "{error}");
+            assert_eq!(Results::new(setting(2)).add(failed(held_out, training_trials)), Err(error));
+        }
+        let error = read(vec![failed(1, 1), failed(2, 1), failed(1, 1)]).unwrap_err().to_string();
+        assert_eq!(error, "result 3: the same training stands there twice, found before as result 1");
+        let neither = Finished { failure: None, ..failed(2, 1) };
+        assert_eq!(read(vec![failed(1, 1), neither]), Err(ResultsError::Ending(2)));
+    }
+
+    #[test]
+    fn other_documents_are_refused() {
+        let later = Results { version: 2, ..Results::new(setting(2)) };
+        let error = Results::from_json(&later.to_json().unwrap()).unwrap_err().to_string();
+        assert_eq!(error, "expected vcgpdm-evaluation version 1, found \"vcgpdm-evaluation\" version 2");
+        let error = Results::from_json("{}").unwrap_err().to_string();
+        assert!(
+            error.starts_with("expected the results of an evaluation: missing field `format`"),
+            "{error}"
+        );
+        let alone = Results::new(setting(1)).to_json().unwrap();
+        assert_eq!(Results::from_json(&alone), Err(ResultsError::Setting(SettingError::Trials(1))));
+    }
+
+    #[test]
+    fn outcomes_that_cannot_be_are_refused() {
+        let refused = |change: &dyn Fn(&mut Outcome)| {
+            let mut outcome = outcome(0.5, Some(-10.0), 100, 1.0);
+            change(&mut outcome);
+            Results::new(setting(2)).add(Finished::new(job(1, 1), Ok(outcome)))
+        };
+        assert_eq!(refused(&|_| {}), Ok(()));
+        for (change, words) in [
+            (&(|o: &mut Outcome| o.seconds = -1.0) as &dyn Fn(&mut Outcome), "a time"),
+            (&|o| o.score.variance = f64::NAN, "a variance"),
+            (&|o| o.score.dtw_mse = f64::INFINITY, "an error"),
+            (&|o| o.score.mse = -0.1, "an error"),
+            (&|o| o.bound = Some(f64::NAN), "a bound"),
+            (&|o| o.objective = f64::NEG_INFINITY, "an objective"),
+        ] {
+            let error = refused(change).unwrap_err().to_string();
+            assert!(error.starts_with(&format!("result 1: expected {words} that is finite")), "{error}");
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them
+//! have.
+
+use crate::evaluation::candidate_size::{size, without_size};
+use crate::evaluation::outcome::{Outcome, share_converged};
+use crate::evaluation::results::Results;
+use crate::evaluation::stats::{mean, median, standard_error};
+use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
+use std::collections::{BTreeMap, BTreeSet};
+use vcgpdm::models::variational::BoundTerms;
+use vcgpdm::models::{ModelKind, ModelSettings};
+
+/// A candidate that was trained on all other trials, with at least one outcome.
+pub(super) struct Row<'a> {
+    pub candidate: &'a ModelSettings,
+    /// By the trial held out; one outcome a seed.
+    outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
+}
+
+/// Candidates that were trained on all other trials, in the order of tables: by model, then those that differ
+/// in size alone by size. Folds are numbered on from one comparison to the next.
+pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
+    let mut rows: Vec<Row> = Vec::new();
+    let mut before = 0;
+    for results in several {
+        let trials = results.setting().trials.len();
+        let others = trials.saturating_sub(1);
+        for finished in results.finished().iter().filter(|f| f.job.training_trials == others) {
+            let Some(outcome) = &finished.outcome else { continue };
+            let candidate = &finished.job.candidate;
+            let place = rows.iter().position(|row| row.candidate == candidate).unwrap_or_else(|| {
+                rows.push(Row { candidate, outcomes: BTreeMap::new() });
+                rows.len() - 1
+            });
+            rows[place].outcomes.entry(before + finished.job.held_out).or_default().push(outcome);
+        }
+        before += trials;
+    }
+    // Of several jobs at a time, which was finished first is chance.
+    let groups: Vec<ModelSettings> = rows.iter().map(|row| without_size(row.candidate)).collect();
+    rows.sort_by_cached_key(|row| {
+        let (kind, alike) = (row.candidate.kind(), without_size(row.candidate));
+        (
+            ModelKind::ALL.iter().position(|other| *other == kind),
+            groups.iter().position(|other| *other == alike),
+            size(row.candidate),
+        )
+    });
+    rows
+}
+
+/// The trials held out that all of these have.
+pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
+    rows.iter().map(|row| row.folds()).reduce(|a, b| &a & &b).unwrap_or_default()
+}
+
+/// Puts together the rows that differ in their size alone, in the order in which they come.
+pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
+    let mut groups: Vec<(ModelSettings, Vec<&Row>)> = Vec::new();
+    for row in rows {
+        let key = without_size(row.candidate);
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, group)) => group.push(row),
+            None => groups.push((key, vec![row])),
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
+}
+
+/// The settings of a kind that differ in size alone: of several such groups the one with most results, of
+/// equally many the first. `wanted` says which groups count.
+pub(super) fn settings<'a, 'r>(
+    rows: &'a [Row<'r>],
+    kind: ModelKind,
+    wanted: &dyn Fn(&ModelSettings) -> bool,
+) -> Vec<&'a Row<'r>> {
+    let chosen = |row: &&Row| row.candidate.kind() == kind && wanted(row.candidate);
+    let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
+    groups(rows.iter().filter(chosen)).into_iter().rev().max_by_key(runs).unwrap_or_default()
+}
+
+impl Row<'_> {
+    fn folds(&self) -> BTreeSet<usize> {
+        self.outcomes.keys().copied().collect()
+    }
+
+    /// How many outcomes there are.
+    pub fn runs(&self) -> usize {
+        self.outcomes.values().map(Vec::len).sum()
+    }
+
+    /// The mean over the seeds of each of these folds, where there is a value.
+    fn means(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Vec<f64> {
+        let fold = |fold: &usize| {
+            let values: Vec<f64> = self.outcomes.get(fold)?.iter().filter_map(|o| value(o)).collect();
+            (!values.is_empty()).then(|| mean(&values))
+        };
+        folds.iter().filter_map(fold).collect()
+    }
+
+    /// The mean over these folds; absent where there is no value.
+    fn mean(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Option<f64> {
+        let means = self.means(folds, value);
+        (!means.is_empty()).then(|| mean(&means))
+    }
+
+    /// The means over the seeds by fold, where there is a value.
+    fn by_fold(
+        &self,
+        folds: &BTreeSet<usize>,
+        value: &dyn Fn(&Outcome) -> Option<f64>,
+    ) -> BTreeMap<usize, f64> {
+        let of_fold = |fold: usize| self.mean(&BTreeSet::from([fold]), value);
+        folds.iter().filter_map(|fold| Some((*fold, of_fold(*fold)?))).collect()
+    }
+
+    /// The mean bound over these folds; absent without one.
+    pub fn bound(&self, folds: &BTreeSet<usize>) -> Option<f64> {
+        self.mean(folds, &|o| o.bound)
+    }
+
+    /// The mean error over these folds; absent without a fold.
+    pub fn mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
+        self.mean(folds, &|o| Some(o.score.dtw_mse))
+    }
+
+    /// The mean error on the trials trained on over these folds; absent where it is not known.
+    pub fn training_mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
+        self.mean(folds, &|o| o.training_mse)
+    }
+
+    /// The median error over these folds; absent without a fold.
+    pub fn mse_median(&self, folds: &BTreeSet<usize>) -> Option<f64> {
+        let errors = self.means(folds, &|o| Some(o.score.dtw_mse));
+        (!errors.is_empty()).then(|| median(&errors))
+    }
+
+    /// The errors of these folds, means over seeds.
+    pub fn errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        self.by_fold(folds, &|o| Some(o.score.dtw_mse))
+    }
+
+    /// The error of a fold, the mean over its seeds.
+    pub fn error(&self, fold: usize) -> Option<f64> {
+        self.mse(&BTreeSet::from([fold]))
+    }
+
+    /// The errors on the trials trained on in these folds, means over seeds, where they are known.
+    pub fn training_errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        self.by_fold(folds, &|o| o.training_mse)
+    }
+
+    /// The bounds of these folds, means over seeds, where there are some.
+    pub fn bounds(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
+        self.by_fold(folds, &|o| o.bound)
+    }
+
+    /// Over all folds that it has itself; the number of candidates it stands for is known elsewhere.
+    pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
+        let folds = self.folds();
+        let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
+            let means = self.means(&folds, value);
+            (!means.is_empty()).then(|| Spread {
+                mean: mean(&means),
+                standard_error: standard_error(&means),
+                count: means.len(),
+            })
+        };
+        let terms = |value: &dyn Fn(&BoundTerms) -> f64| Some(spread(&|o| o.terms.as_ref().map(value))?.mean);
+        let dynamics = |t: &BoundTerms| t.dynamics.iter().sum::<f64>() + t.initial + t.entropy;
+        let parts = self.outcomes.values().flatten().map(|o| o.part_errors.len()).max().unwrap_or(0);
+        Some(ModelSummary {
+            model: self.candidate.kind(),
+            candidate: self.candidate.clone(),
+            label,
+            mse: spread(&|o| Some(o.score.dtw_mse))?,
+            mse_median: self.mse_median(&folds)?,
+            training_mse: spread(&|o| o.training_mse),
+            variance: spread(&|o| Some(o.score.variance))?.mean,
+            bound: spread(&|o| o.bound),
+            seconds: spread(&|o| Some(o.seconds))?,
+            stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
+            converged: share_converged(self.outcomes.values().flatten().copied()),
+            terms: terms(&|t| t.kinematics.iter().sum())
+                .zip(terms(&dynamics))
+                .map(|(pose, dynamics)| TermMeans { pose, dynamics }),
+            part_errors: (0..parts)
+                .map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean))
+                .collect(),
+            folds: folds.len(),
+            runs: self.runs(),
+            stands_for,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::testing::{finished, outcome, results, variational};
+    use vcgpdm::models::{DmpSettings, TmpSettings};
+
+    #[test]
+    fn rows_go_by_model_and_size_whichever_was_finished_first() {
+        let vgpdm = |ips| ModelSettings::Vgpdm(variational(ips));
+        let dmp = |bases| ModelSettings::DmpRhythmic(DmpSettings { bases });
+        let tmp =
+            |primitives, normalised_time| ModelSettings::Tmp(TmpSettings { primitives, normalised_time });
+        let order =
+            [vgpdm(5), vgpdm(10), tmp(None, false), tmp(Some(4), false), tmp(None, true), dmp(25), dmp(100)];
+        let job = |place: usize| finished(order[place].clone(), 1, 1, 0, outcome(1.0, None, 100, 1.0));
+        let came = results(2, &[5, 3, 6, 1, 2, 0, 4].map(job));
+        let rows = rows(&[&came]);
+        let found: Vec<_> = rows.iter().map(|row| row.candidate.clone()).collect();
+        assert_eq!(found, order);
+    }
+}

@@ -1,0 +1,205 @@
+//! What all results of one comparison have in common: the trials, the parts, the frame rate.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+use vcgpdm::motion::Clip;
+use vcgpdm::motion::parts::PartSpec;
+
+/// A trial, by its content.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trial {
+    /// The clip's name.
+    pub name: String,
+    /// SHA-256 of the clip's file, hexadecimal.
+    pub sha256: String,
+    /// The frames of the clip that were used, from the first up to but not including the end; absent: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub piece: Option<(usize, usize)>,
+}
+
+impl Trial {
+    /// Whether it is the same motion, whatever it is called.
+    fn is_same_motion(&self, other: &Trial) -> bool {
+        (&self.sha256, self.piece) == (&other.sha256, other.piece)
+    }
+
+    fn frames(&self) -> String {
+        self.piece.map_or("the whole".to_owned(), |(first, end)| format!("frames {first} to {end}"))
+    }
+}
+
+/// Why trials cannot be compared on.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum SettingError {
+    /// Too few trials to hold one out.
+    #[error("expected at least two trials, found {0}")]
+    Trials(usize),
+    /// The same motion twice.
+    #[error(
+        "trials {first} and {second} are the same motion ({name}): the one held out would be trained on; leave one out"
+    )]
+    Twice {
+        /// What the first is called.
+        name: String,
+        /// Counted from 1.
+        first: usize,
+        /// Counted from 1.
+        second: usize,
+    },
+    /// No frame rate.
+    #[error("expected a positive number of frames a second, found {0}")]
+    Rate(f64),
+}
+
+/// What all results of a comparison have in common.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Setting {
+    /// The trials; each is held out in turn.
+    pub trials: Vec<Trial>,
+    /// How the coupled models split the body.
+    pub parts: Vec<PartSpec>,
+    /// The clips were brought to about this rate.
+    pub frames_per_second: f64,
+    /// Frames of the trial held out that a prediction starts from.
+    pub start_frames: usize,
+}
+
+impl Setting {
+    /// The clips as trials, the body split into these parts, at about this frame rate, predicted from so many
+    /// first frames.
+    ///
+    /// # Errors
+    /// The trials are too few, or two of them are the same motion, or the rate is not positive.
+    pub fn new(
+        clips: &[Clip],
+        parts: &[PartSpec],
+        frames_per_second: f64,
+        start_frames: usize,
+    ) -> Result<Self, SettingError> {
+        let trial =
+            |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone(), piece: clip.piece };
+        let setting = Self {
+            trials: clips.iter().map(trial).collect(),
+            parts: parts.to_vec(),
+            frames_per_second,
+            start_frames,
+        };
+        setting.check()?;
+        Ok(setting)
+    }
+
+    /// Checks what [`Setting::new`] checks.
+    pub(super) fn check(&self) -> Result<(), SettingError> {
+        if self.trials.len() < 2 {
+            return Err(SettingError::Trials(self.trials.len()));
+        }
+        if let Some((first, second)) = self.same_motions() {
+            let name = self.trials[first - 1].name.clone();
+            return Err(SettingError::Twice { name, first, second });
+        }
+        if !self.frames_per_second.is_finite() || self.frames_per_second <= 0.0 {
+            return Err(SettingError::Rate(self.frames_per_second));
+        }
+        Ok(())
+    }
+
+    /// Two trials that are the same motion, counted from 1: whichever is held out, the other would be trained
+    /// on.
+    fn same_motions(&self) -> Option<(usize, usize)> {
+        let trials = &self.trials;
+        let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is_same_motion(&trials[*other]));
+        (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
+    }
+
+    /// What differs in the other; absent when results of both go together. What trials and parts are called
+    /// does not count.
+    pub(super) fn difference(&self, other: &Setting) -> Option<String> {
+        let (trials, parts) = (&self.trials, &self.parts);
+        if other.trials.len() != trials.len() {
+            return Some(format!("other trials: expected {}, found {}", trials.len(), other.trials.len()));
+        }
+        if let Some(k) = (0..trials.len()).find(|&k| !trials[k].is_same_motion(&other.trials[k])) {
+            let (number, expected, found) = (k + 1, &trials[k], &other.trials[k]);
+            return Some(if expected.sha256 == found.sha256 {
+                let (a, b) = (expected.frames(), found.frames());
+                format!("other trials: expected {a} of {} as trial {number}, found {b}", expected.name)
+            } else {
+                let same_name = expected.name == found.name;
+                let b = if same_name { "another file of that name" } else { &found.name };
+                format!("other trials: expected {} as trial {number}, found {b}", expected.name)
+            });
+        }
+        if other.parts.len() != parts.len() {
+            return Some(format!("other parts: expected {}, found {}", parts.len(), other.parts.len()));
+        }
+        if let Some((part, _)) = parts.iter().zip(&other.parts).find(|(a, b)| a.joints != b.joints) {
+            return Some(format!("other parts: {} has other joints", part.name));
+        }
+        let (a, b) = (self.frames_per_second, other.frames_per_second);
+        if a != b {
+            return Some(format!("another frame rate: expected {a} frames a second, found {b}"));
+        }
+        let (a, b) = (self.start_frames, other.start_frames);
+        (a != b).then(|| format!("predictions from another number of first frames: expected {a}, found {b}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::testing::setting;
+
+    #[test]
+    fn trials_are_what_they_are_not_what_they_are_called() {
+        let difference = |change: &dyn Fn(&mut Setting)| {
+            let mut other = setting(2);
+            change(&mut other);
+            setting(2).difference(&other)
+        };
+        // A page calls a clip by its title, the terminal by its file.
+        assert_eq!(difference(&|other| other.trials[0].name = "a.bvh".to_owned()), None);
+        assert_eq!(difference(&|other| other.parts[0].name = "legs".to_owned()), None);
+        let differs = |change: &dyn Fn(&mut Setting), words: &str| {
+            assert_eq!(difference(change).as_deref(), Some(words));
+        };
+        differs(
+            &|other| other.trials[1].sha256 = "sha of another".to_owned(),
+            "other trials: expected walk 2 as trial 2, found another file of that name",
+        );
+        differs(&|other| other.trials.truncate(1), "other trials: expected 2, found 1");
+        differs(
+            &|other| other.trials[0].piece = Some((0, 60)),
+            "other trials: expected the whole of walk 1 as trial 1, found frames 0 to 60",
+        );
+        differs(&|other| other.parts.clear(), "other parts: expected 1, found 0");
+        differs(&|other| other.parts[0].joints = vec![0], "other parts: lower has other joints");
+        differs(
+            &|other| other.frames_per_second = 25.0,
+            "another frame rate: expected 30 frames a second, found 25",
+        );
+        differs(
+            &|other| other.start_frames = 3,
+            "predictions from another number of first frames: expected 5, found 3",
+        );
+        let text = serde_json::to_string(&setting(2)).unwrap();
+        assert!(!text.contains("piece"), "as in files before there were pieces: {text}");
+    }
+
+    #[test]
+    fn a_trial_cannot_be_held_out_and_trained_on() {
+        let mut twice = setting(2);
+        twice.trials.push(Trial { name: "again".to_owned(), ..twice.trials[1].clone() });
+        let error = twice.check().unwrap_err().to_string();
+        assert!(error.starts_with("trials 2 and 3 are the same motion (walk 2)"), "{error}");
+        // Another piece of the same clip is another trial.
+        twice.trials[2].piece = Some((10, 20));
+        assert_eq!(twice.check(), Ok(()));
+        twice.trials.truncate(1);
+        assert_eq!(twice.check(), Err(SettingError::Trials(1)));
+        let error = Setting { frames_per_second: 0.0, ..setting(2) }.check().unwrap_err().to_string();
+        assert_eq!(error, "expected a positive number of frames a second, found 0");
+    }
+}

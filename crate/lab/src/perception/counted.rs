@@ -1,0 +1,105 @@
+//! How often the movements of each setting were taken for the natural one, beside what their scores are.
+
+use crate::evaluation::Labels;
+use crate::evaluation::stats::mean;
+use crate::perception::answers::Answer;
+use crate::perception::beta::Rate;
+use crate::perception::participants::took_generated;
+use crate::perception::results::{Confusion, MeanScores, Participant, SettingResult, Size};
+use crate::perception::stimulus::Generated;
+use crate::perception::study::Study;
+use crate::perception::trials::TrialKind;
+use vcgpdm::models::{ModelKind, ModelSettings};
+
+/// The answers that count: those of participants who paid attention.
+pub(super) struct Counted<'a> {
+    study: &'a Study,
+    answers: Vec<&'a Answer>,
+}
+
+impl<'a> Counted<'a> {
+    pub fn new(study: &'a Study, answers: &'a [Answer], participants: &[Participant]) -> Self {
+        let counts = |answer: &&Answer| {
+            let excluded = |p: &Participant| p.excluded && p.name == answer.participant;
+            answer.chose_left.is_some() && !participants.iter().any(excluded)
+        };
+        Self { study, answers: answers.iter().filter(counts).collect() }
+    }
+
+    /// How often the generated, or else the unseen, movement was taken for the more natural one in these
+    /// trials.
+    pub fn rate(&self, wanted: impl Fn(&Answer) -> bool) -> Rate {
+        let trials: Vec<&&Answer> = self.answers.iter().filter(|answer| wanted(answer)).collect();
+        let hits = trials.iter().filter(|answer| took_generated(self.study, answer)).count();
+        Rate::new(hits, trials.len())
+    }
+}
+
+/// Every model with all its settings, in the order of tables.
+pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
+    let study = counted.study;
+    let generated: Vec<&Generated> =
+        study.stimuli.iter().filter_map(|stimulus| stimulus.generated()).collect();
+    let labels = Labels::of_candidates(generated.iter().map(|generated| &generated.candidate));
+    let mut candidates: Vec<&ModelSettings> = Vec::new();
+    for generated in &generated {
+        if !candidates.contains(&&generated.candidate) {
+            candidates.push(&generated.candidate);
+        }
+    }
+    candidates.sort_by_key(|candidate| {
+        let kind = ModelKind::ALL.iter().position(|kind| *kind == candidate.kind());
+        let Size { dynamics_ips, pose_ips, primitives, bases } = size(candidate);
+        (kind, dynamics_ips, pose_ips, primitives, bases)
+    });
+    let result = |candidate: &&ModelSettings| {
+        let own = |generated: &&&Generated| generated.candidate == **candidate;
+        let good: Vec<&&Generated> =
+            generated.iter().filter(own).filter(|generated| !generated.failed).collect();
+        let rate = counted.rate(|answer| {
+            let of_candidate = |place: usize| {
+                study.stimuli[place].generated().is_some_and(|g| !g.failed && g.candidate == **candidate)
+            };
+            answer.kind == TrialKind::Comparison && (of_candidate(answer.left) || of_candidate(answer.right))
+        });
+        SettingResult {
+            model: candidate.kind(),
+            candidate: (*candidate).clone(),
+            label: labels.label(candidate),
+            size: size(candidate),
+            movements: good.len(),
+            failed: generated.iter().filter(own).count() - good.len(),
+            scores: mean_scores(&good),
+            confusion: (rate.trials > 0).then(|| Confusion::of(rate)),
+        }
+    };
+    candidates.iter().map(result).collect()
+}
+
+fn size(candidate: &ModelSettings) -> Size {
+    match candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
+            Size { dynamics_ips: Some(s.dynamics_ips), pose_ips: Some(s.pose_ips), ..Size::default() }
+        }
+        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => Size::default(),
+        ModelSettings::Tmp(s) => Size { primitives: s.primitives, ..Size::default() },
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => {
+            Size { bases: Some(s.bases), ..Size::default() }
+        }
+    }
+}
+
+/// Means over movements; of a score that some lack, none.
+fn mean_scores(movements: &[&&Generated]) -> Option<MeanScores> {
+    let over = |value: &dyn Fn(&Generated) -> Option<f64>| -> Option<f64> {
+        let values: Option<Vec<f64>> = movements.iter().map(|generated| value(generated)).collect();
+        values.filter(|values| !values.is_empty()).map(|values| mean(&values))
+    };
+    Some(MeanScores {
+        mse: over(&|generated| Some(generated.scores.mse))?,
+        dtw_mse: over(&|generated| Some(generated.scores.dtw_mse))?,
+        bound: over(&|generated| generated.scores.bound),
+        dynamics: over(&|generated| generated.scores.dynamics()),
+        pose: over(&|generated| generated.scores.pose()),
+    })
+}

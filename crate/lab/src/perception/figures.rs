@@ -1,0 +1,183 @@
+//! The data of the papers' figures, a table each, as CSV.
+
+use crate::perception::csv::quoted;
+use crate::perception::results::{Confusion, PerceptionResults, ScoreKind, SettingResult};
+
+/// A table, and what its file is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FigureTable {
+    /// The file's name.
+    pub name: &'static str,
+    /// What it holds: the figure of which paper.
+    pub title: &'static str,
+    /// The table.
+    pub csv: String,
+}
+
+impl PerceptionResults {
+    /// The data of figures 2 to 8 of Knopp et al. (2019) and figure 6 of Velychko et al. (2018).
+    pub fn figures(&self) -> Vec<FigureTable> {
+        let table = |name, title, header: &str, rows: Vec<Vec<String>>| {
+            let mut csv = format!("{header}\n");
+            for row in rows {
+                let row: Vec<String> = row.iter().map(|field| quoted(field)).collect();
+                csv.push_str(&row.join(","));
+                csv.push('\n');
+            }
+            FigureTable { name, title, csv }
+        };
+        vec![
+            table(
+                "settings.csv",
+                "Knopp et al. 2019, figures 2, 3, 4 and 7; Velychko et al. 2018, figure 6: rates, scores and sizes",
+                SETTINGS,
+                self.settings.iter().map(setting).collect(),
+            ),
+            table(
+                "scores.csv",
+                "Knopp et al. 2019, figures 5, 6 and 7: rates over each score",
+                "model,settings,score,value,trials,rate,rate_sd",
+                self.scores(),
+            ),
+            table(
+                "regressions.csv",
+                "Knopp et al. 2019, figures 5, 6 and 7: the curves' weights and ln K",
+                "model,score,settings,trials,centre,scale,ceiling,w0,w0_se,w1,w1_se,folds,ln_k,ln_k_se",
+                self.weights(),
+            ),
+            table(
+                "curves.csv",
+                "Knopp et al. 2019, figures 5, 6 and 7: the curves",
+                "model,score,value,rate",
+                self.curves(),
+            ),
+            table(
+                "best.csv",
+                "Knopp et al. 2019, figure 8, above: the best setting of each kind",
+                "model,settings,hits,trials,rate,rate_sd,above_half",
+                self.best_rows(),
+            ),
+            table(
+                "pairs.csv",
+                "Knopp et al. 2019, figure 8, below: the probability that the first has the higher rate",
+                "first,second,probability",
+                self.pair_rows(),
+            ),
+            table(
+                "orders.csv",
+                "Knopp et al. 2019, section 4.4: orders of the kinds",
+                "order,probability",
+                self.order_rows(),
+            ),
+        ]
+    }
+
+    fn scores(&self) -> Vec<Vec<String>> {
+        let rated = self.settings.iter().filter_map(|s| Some((s, s.scores.as_ref()?, s.confusion.as_ref()?)));
+        let rows = rated.flat_map(|(setting, scores, confusion)| {
+            ScoreKind::ALL.into_iter().filter_map(move |score| {
+                let mut row = vec![setting.model.id().to_owned(), setting.label.clone()];
+                row.extend([score.id().to_owned(), score.of(scores)?.to_string()]);
+                row.extend(rate(confusion));
+                Some(row)
+            })
+        });
+        rows.collect()
+    }
+
+    fn weights(&self) -> Vec<Vec<String>> {
+        let rows = self.regressions.iter().map(|r| {
+            let error = |k: usize| r.errors.map(|errors| errors[k]);
+            vec![
+                model(r.model),
+                r.score.id().to_owned(),
+                r.settings.to_string(),
+                r.trials.to_string(),
+                r.centre.to_string(),
+                r.scale.to_string(),
+                r.ceiling.to_string(),
+                r.weights[0].to_string(),
+                number(error(0)),
+                r.weights[1].to_string(),
+                number(error(1)),
+                r.folds.to_string(),
+                number(r.log_bayes_factor),
+                number(r.log_bayes_factor_error),
+            ]
+        });
+        rows.collect()
+    }
+
+    fn curves(&self) -> Vec<Vec<String>> {
+        let rows = self.regressions.iter().flat_map(|r| {
+            let point = |(value, rate): &(f64, f64)| {
+                vec![model(r.model), r.score.id().to_owned(), value.to_string(), rate.to_string()]
+            };
+            r.curve.iter().map(point).collect::<Vec<_>>()
+        });
+        rows.collect()
+    }
+
+    fn best_rows(&self) -> Vec<Vec<String>> {
+        let rows = self.best.iter().map(|best| {
+            let Confusion { hits, trials, mean, deviation, above_half, .. } = best.confusion;
+            let mut row = vec![best.model.id().to_owned(), best.label.clone()];
+            row.extend([hits.to_string(), trials.to_string()]);
+            row.extend([mean, deviation, above_half].map(|number| number.to_string()));
+            row
+        });
+        rows.collect()
+    }
+
+    fn pair_rows(&self) -> Vec<Vec<String>> {
+        let name = |place: usize| self.best[place].model.id().to_owned();
+        let rows = self.pairs.iter().enumerate().flat_map(|(a, row)| {
+            row.iter()
+                .enumerate()
+                .filter(move |(b, _)| *b != a)
+                .map(move |(b, probability)| vec![name(a), name(b), probability.to_string()])
+        });
+        rows.collect()
+    }
+
+    fn order_rows(&self) -> Vec<Vec<String>> {
+        let rows = self.orders.iter().map(|order| {
+            let names: Vec<&str> = order.models.iter().map(|model| model.id()).collect();
+            vec![names.join(" > "), order.probability.to_string()]
+        });
+        rows.collect()
+    }
+}
+
+const SETTINGS: &str = "model,settings,dynamics_ips,pose_ips,primitives,bases,movements,failed,mse,dtw_mse,bound,dynamics,pose,hits,trials,rate,rate_sd";
+
+fn setting(setting: &SettingResult) -> Vec<String> {
+    let size = &setting.size;
+    let whole = |value: Option<usize>| value.map_or(String::new(), |value| value.to_string());
+    let mut row = vec![setting.model.id().to_owned(), setting.label.clone()];
+    row.extend([size.dynamics_ips, size.pose_ips, size.primitives, size.bases].map(whole));
+    row.extend([setting.movements.to_string(), setting.failed.to_string()]);
+    let scores = setting.scores.as_ref();
+    row.extend(ScoreKind::ALL.map(|score| number(scores.and_then(|scores| score.of(scores)))));
+    match &setting.confusion {
+        Some(confusion) => {
+            row.push(confusion.hits.to_string());
+            row.extend(rate(confusion));
+        }
+        None => row.extend(["", "", "", ""].map(str::to_owned)),
+    }
+    row
+}
+
+/// Trials, rate and its standard deviation.
+fn rate(confusion: &Confusion) -> [String; 3] {
+    [confusion.trials.to_string(), confusion.mean.to_string(), confusion.deviation.to_string()]
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| value.to_string())
+}
+
+fn model(kind: Option<vcgpdm::models::ModelKind>) -> String {
+    kind.map_or("all", |kind| kind.id()).to_owned()
+}

@@ -1,0 +1,250 @@
+//! A study from movements: natural ones, and what models made of the trials held out.
+
+use crate::evaluation::Outcome;
+use crate::perception::design::Preset;
+use crate::perception::error::StudyError;
+use crate::perception::movement::{Movement, MovementError};
+use crate::perception::staging::{StagingError, staged};
+use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::study::{Figure, Look, Study, Texts};
+use thiserror::Error;
+use vcgpdm::models::ModelSettings;
+use vcgpdm::motion::Skeleton;
+use vcgpdm::motion::landmarks::Landmarks;
+use vcgpdm::motion::stage::STAGE_HEIGHT;
+
+/// Metres of the whole numbers in which places are kept: a quarter of a pixel of a figure 400 pixels high.
+const UNIT: f64 = 0.001;
+/// Evaluations of at least so many frames a second become studies of 60, others of 30.
+const FAST: f64 = 45.0;
+
+/// Why a movement cannot be part of a study.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{id}: {reason}")]
+pub struct MakerError {
+    /// What the movement would be called.
+    pub id: String,
+    /// What is wrong with it.
+    pub reason: MakerReason,
+}
+
+/// What is wrong with a movement.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum MakerReason {
+    /// It cannot be shown.
+    #[error(transparent)]
+    Staging(#[from] StagingError),
+    /// It cannot be kept.
+    #[error(transparent)]
+    Movement(#[from] MovementError),
+    /// Its places are of another body.
+    #[error("expected places of {expected} nodes in every frame, found {found} numbers")]
+    Nodes {
+        /// Nodes of the body.
+        expected: usize,
+        /// Numbers found.
+        found: usize,
+    },
+}
+
+/// A recorded movement of its own, or the trial that a model predicted.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// The number of the trial, counted from 1.
+    pub number: usize,
+    /// What it is called.
+    pub trial: &'a str,
+    /// Places [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub positions: &'a [f32],
+    /// Seconds from one frame to the next.
+    pub frame_time: f64,
+}
+
+/// A study that is being made.
+#[derive(Clone, Debug)]
+pub struct Maker {
+    skeleton: Skeleton,
+    seconds: f64,
+    rate: usize,
+    skipped: usize,
+    stimuli: Vec<Stimulus>,
+    made: Vec<Made>,
+}
+
+/// A generated stimulus, by its place: what decides whether another seed takes it.
+#[derive(Clone, Debug)]
+struct Made {
+    place: usize,
+    trial: usize,
+    outcome: Outcome,
+}
+
+impl Maker {
+    /// Of movements of this body, each so many seconds long, after the `skipped` first frames that
+    /// predictions start from. `frames_per_second` are those of the movements: the study has 30 or 60.
+    pub fn new(skeleton: &Skeleton, seconds: f64, frames_per_second: f64, skipped: usize) -> Self {
+        let rate = if frames_per_second < FAST { 30 } else { 60 };
+        Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new(), made: Vec::new() }
+    }
+
+    /// Adds a recorded movement: one that is shown all along, or one that is kept for catch trials.
+    ///
+    /// # Errors
+    /// It is too short, not finite, or of another body.
+    pub fn natural(&mut self, shown: &Shown, seen: bool) -> Result<(), MakerError> {
+        let id = format!("{}-{}", if seen { "trial" } else { "unseen" }, shown.number);
+        self.add(id, shown, Source::Natural { seen })
+    }
+
+    /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the
+    /// [best](Outcome::is_better_seed) stays.
+    ///
+    /// # Errors
+    /// It is too short, not finite, or of another body.
+    pub fn generated(
+        &mut self,
+        shown: &Shown,
+        candidate: &ModelSettings,
+        seed: u32,
+        outcome: &Outcome,
+    ) -> Result<(), MakerError> {
+        let id = format!("{}-trial-{}", name(candidate), shown.number);
+        let scores = Scores::of(outcome);
+        let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
+        let source = Source::Generated(Box::new(generated));
+        let of_candidate = |place: usize| match &self.stimuli[place].source {
+            Source::Generated(made) => made.candidate == *candidate,
+            Source::Natural { .. } => false,
+        };
+        let same = |made: &Made| made.trial == shown.number && of_candidate(made.place);
+        let Some(known) = self.made.iter().position(same) else {
+            self.add(id, shown, source)?;
+            let place = self.stimuli.len() - 1;
+            self.made.push(Made { place, trial: shown.number, outcome: outcome.clone() });
+            return Ok(());
+        };
+        let (movement, speed) = self.movement(shown).map_err(|reason| MakerError { id, reason })?;
+        let known = &mut self.made[known];
+        if outcome.is_better_seed(&known.outcome) {
+            known.outcome = outcome.clone();
+            let stimulus = &mut self.stimuli[known.place];
+            (stimulus.source, stimulus.movement, stimulus.speed) = (source, movement, speed);
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, id: String, shown: &Shown, source: Source) -> Result<(), MakerError> {
+        let (movement, speed) =
+            self.movement(shown).map_err(|reason| MakerError { id: id.clone(), reason })?;
+        let taken = |id: &str| self.stimuli.iter().any(|stimulus| stimulus.id == id);
+        // Candidates may differ in more than their size.
+        let id = (1..).map(|k| if k == 1 { id.clone() } else { format!("{id}-{k}") }).find(|id| !taken(id));
+        let (id, trial) = (id.unwrap_or_default(), shown.trial.chars().take(200).collect());
+        self.stimuli.push(Stimulus { id, trial, source, speed, movement });
+        Ok(())
+    }
+
+    fn movement(&self, shown: &Shown) -> Result<(Movement, f64), MakerReason> {
+        let nodes = self.skeleton.node_count();
+        let found = shown.positions.len();
+        if found == 0 || nodes == 0 || !found.is_multiple_of(3 * nodes) {
+            return Err(MakerReason::Nodes { expected: nodes, found });
+        }
+        let Shown { positions, frame_time, .. } = *shown;
+        let staged = staged(&self.skeleton, positions, frame_time, self.skipped, self.seconds, self.rate)?;
+        Ok((Movement::new(&staged.positions, nodes, UNIT)?, staged.speed))
+    }
+
+    /// The study.
+    ///
+    /// # Errors
+    /// There is no natural movement that is shown all along, or no generated one.
+    pub fn study(self, title: &str, preset: Preset, look: Look, seed: u32) -> Result<Study, StudyError> {
+        let nodes = self.skeleton.figure();
+        let name = |place: usize| {
+            let joint = self.skeleton.joints[nodes[place].joint].name.chars().take(180).collect::<String>();
+            if nodes[place].end_site { format!("{joint} end") } else { joint }
+        };
+        let (_, cross_seconds) = preset.seconds();
+        let study = Study {
+            title: title.to_owned(),
+            look,
+            frames_per_second: self.rate,
+            seconds: self.seconds,
+            cross_seconds,
+            texts: Texts::default(),
+            design: preset.design(seed),
+            figure: Figure {
+                names: (0..nodes.len()).map(name).collect(),
+                parents: nodes.iter().map(|node| node.parent).collect(),
+                joints: self.skeleton.joints.len(),
+                landmarks: Landmarks::of(&self.skeleton),
+            },
+            height: STAGE_HEIGHT,
+            unit: UNIT,
+            stimuli: self.stimuli,
+        };
+        // What cannot be read would be found out in front of participants.
+        let study = study.with_preset(preset);
+        Study::from_json(&study.to_json()?)
+    }
+}
+
+/// A candidate's kind and size, as part of an id.
+fn name(candidate: &ModelSettings) -> String {
+    let size = match candidate {
+        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => format!("-{}-{}", s.dynamics_ips, s.pose_ips),
+        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => String::new(),
+        ModelSettings::Tmp(s) => s.primitives.map_or("-bound".to_owned(), |count| format!("-{count}")),
+        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => format!("-{}", s.bases),
+    };
+    format!("{}{size}", candidate.kind().id())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use vcgpdm::models::TmpSettings;
+    use vcgpdm::motion::samples;
+
+    fn outcome(objective: f64) -> Outcome {
+        Outcome { objective, ..crate::evaluation::testing::outcome(0.05, Some(objective), 10, 1.0) }
+    }
+
+    #[test]
+    fn movements_become_a_study() {
+        let clips = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap().resample(30.0).unwrap());
+        let mut maker = Maker::new(&clips[0].skeleton, 3.5, 30.0, 5);
+        let places = clips.each_ref().map(|clip| clip.stage_positions());
+        let shown = |k: usize| Shown {
+            number: k + 1,
+            trial: "a walk",
+            positions: &places[k],
+            frame_time: clips[k].frame_time,
+        };
+        maker.natural(&shown(0), true).unwrap();
+        maker.natural(&shown(1), false).unwrap();
+        let tmp = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: false });
+        let time = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: true });
+        // Of several seeds the one of the highest objective, wherever it comes.
+        for (seed, objective) in [(3, 1.0), (4, 7.0), (5, 6.0)] {
+            maker.generated(&shown(0), &tmp, seed, &outcome(objective)).unwrap();
+        }
+        maker.generated(&shown(0), &time, 0, &outcome(0.0)).unwrap();
+        let few = Shown { positions: &places[0][1..], ..shown(0) };
+        let error = maker.natural(&few, true).unwrap_err().to_string();
+        assert!(error.starts_with("trial-1: expected places of "), "{error}");
+        let short = Shown { positions: &places[0][..places[0].len() / 2], ..shown(0) };
+        let error = maker.generated(&short, &tmp, 0, &outcome(9.0)).unwrap_err().to_string();
+        assert_eq!(error, "tmp-4-trial-1: expected a movement of at least 3.50 seconds, found 2.10");
+        let study = maker.study("Walks", Preset::Class, Look::Figure, 1).unwrap();
+        let ids: Vec<&str> = study.stimuli.iter().map(|stimulus| stimulus.id.as_str()).collect();
+        assert_eq!(ids, ["trial-1", "unseen-2", "tmp-4-trial-1", "tmp-4-trial-1-2"]);
+        assert_eq!(study.stimuli[2].generated().unwrap().scores.bound, Some(7.0));
+        assert_eq!((study.frames(), study.frames_per_second, study.height), (105, 30, 1.7));
+        assert_eq!(study.figure.landmarks.dots.len(), 13);
+        assert!(study.figure.names.last().unwrap().ends_with(" end"));
+        assert_eq!(study.trials(0).len(), 56, "nothing has failed");
+    }
+}

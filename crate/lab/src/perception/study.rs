@@ -1,0 +1,160 @@
+//! A study: movements, who made them, and how they are shown.
+
+use crate::perception::design::{Design, Preset};
+use crate::perception::error::StudyError;
+use crate::perception::stimulus::Stimulus;
+use std::ops::RangeInclusive;
+use vcgpdm::motion::landmarks::Landmarks;
+
+/// How a figure is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A grey figure.
+    Figure,
+    /// Point lights: a dot at each of some joints, nothing between them (Johansson 1973).
+    Points,
+}
+
+impl Look {
+    /// Its name in documents.
+    pub fn id(self) -> &'static str {
+        match self {
+            Look::Figure => "figure",
+            Look::Points => "points",
+        }
+    }
+
+    /// The look of that name.
+    pub fn from_id(id: &str) -> Option<Self> {
+        [Look::Figure, Look::Points].into_iter().find(|look| look.id() == id)
+    }
+}
+
+/// What a participant reads: plain text, with an empty line between paragraphs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Texts {
+    /// What taking part means.
+    pub consent: String,
+    /// What there is to do.
+    pub instructions: String,
+    /// The question of every trial.
+    pub question: String,
+    /// Between two blocks.
+    pub pause: String,
+    /// After the last trial.
+    pub end: String,
+}
+
+impl Default for Texts {
+    fn default() -> Self {
+        let text = str::to_owned;
+        Self {
+            consent: text(
+                "You will see pairs of short movements and say which of the two looks more natural to you.\n\n\
+                 Taking part is voluntary. You can stop at any time without giving a reason. Your answers are \
+                 kept on this computer and are not sent anywhere. No name, picture or sound of you is recorded.",
+            ),
+            instructions: text(
+                "In every trial a cross appears first: please look at it. Then two figures move side by side. \
+                 One movement comes from a recording, the other from a computer model.\n\n\
+                 When they have ended, say on which side you saw the more natural movement: press the left or \
+                 the right arrow key, or tap on that side. There is no time limit, but answer with your first \
+                 impression. If you cannot tell, guess.",
+            ),
+            question: text("On which side did you perceive the more natural movement?"),
+            pause: text("Time for a pause. Rest your eyes for a moment."),
+            end: text("That was all. Thank you for taking part!"),
+        }
+    }
+}
+
+/// The figure that moves.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// The name of each node; joints first, then the ends of the last bones.
+    pub names: Vec<String>,
+    /// The parent of each node, which stands before it; none for the root.
+    pub parents: Vec<Option<usize>>,
+    /// How many of the nodes are joints.
+    pub joints: usize,
+    /// The nodes that a picture needs by name.
+    pub landmarks: Landmarks,
+}
+
+/// A study: movements, who made them, and how they are shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Study {
+    /// What it is called.
+    pub title: String,
+    /// How the figures are drawn.
+    pub look: Look,
+    /// Frames a second of all movements.
+    pub frames_per_second: usize,
+    /// Seconds of each movement that are shown.
+    pub seconds: f64,
+    /// Seconds of the cross before it.
+    pub cross_seconds: f64,
+    /// What a participant reads.
+    pub texts: Texts,
+    /// How many trials of which kind there are.
+    pub design: Design,
+    /// The figure that moves.
+    pub figure: Figure,
+    /// Height of the figure, in metres.
+    pub height: f64,
+    /// Metres of the whole numbers in which places are kept.
+    pub unit: f64,
+    /// The movements.
+    pub stimuli: Vec<Stimulus>,
+}
+
+impl Study {
+    /// Seconds that movements can be shown.
+    pub const SECONDS: RangeInclusive<f64> = 0.1..=60.0;
+
+    /// Frames that are shown of each movement.
+    pub fn frames(&self) -> usize {
+        (self.seconds * self.frames_per_second as f64).round() as usize
+    }
+
+    /// The longest movement in seconds that all stimuli hold; infinity without any.
+    pub fn longest(&self) -> f64 {
+        let frames = self.stimuli.iter().map(|stimulus| stimulus.movement.frames()).min();
+        frames.map_or(f64::INFINITY, |frames| frames as f64 / self.frames_per_second as f64)
+    }
+
+    /// The places of a movement's nodes as they are shown [frames x nodes x 3]: y up, in metres, the ground
+    /// at y = 0, the figure above the origin and on its way along z.
+    pub fn positions(&self, stimulus: usize) -> Option<Vec<f32>> {
+        self.stimuli.get(stimulus).map(|stimulus| stimulus.movement.positions(self.frames(), self.unit))
+    }
+
+    /// The place of the stimulus of that id.
+    pub fn find(&self, id: &str) -> Option<usize> {
+        self.stimuli.iter().position(|stimulus| stimulus.id == id)
+    }
+
+    /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's
+    /// are shown whole.
+    pub fn with_preset(mut self, preset: Preset) -> Self {
+        let (seconds, cross) = preset.seconds();
+        (self.seconds, self.cross_seconds) = (seconds.min(self.longest()), cross);
+        self.design = preset.design(self.design.seed);
+        self
+    }
+
+    /// The same movements, of which those of these ids, and no others, are marked as obvious failures.
+    ///
+    /// # Errors
+    /// There is no generated movement of such an id.
+    pub fn with_failed(mut self, ids: &[String]) -> Result<Self, StudyError> {
+        let generated = |id: &&String| self.find(id).is_some_and(|k| self.stimuli[k].generated().is_some());
+        if let Some(id) = ids.iter().find(|id| !generated(id)) {
+            return Err(StudyError::Stimulus(id.chars().take(80).collect()));
+        }
+        for stimulus in &mut self.stimuli {
+            stimulus.mark(ids.contains(&stimulus.id));
+        }
+        Ok(self)
+    }
+}

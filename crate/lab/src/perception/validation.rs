@@ -1,0 +1,126 @@
+//! Whether a score predicts answers better than a constant does: n-fold cross-validation (Knopp et al. 2019,
+//! section 3.3).
+
+use crate::evaluation::stats::{mean, standard_error};
+use crate::perception::draw::Draw;
+use crate::perception::regression::{Curve, Point};
+use vcgpdm::internals::Elementary;
+
+/// A constant is no surer than that.
+const SUREST: f64 = 1e-6;
+
+/// The logarithm of the Bayes factor of a score beside a constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LogBayesFactor {
+    /// The mean over the blocks left out of the log likelihood by the curve minus that by the constant.
+    pub mean: f64,
+    /// Its standard error over the blocks.
+    pub error: f64,
+    /// How many blocks.
+    pub folds: usize,
+}
+
+/// Splits all answers at random into blocks, fits curve and constant without each, and asks which expected
+/// the answers of the block more. Absent with fewer answers than blocks.
+pub(super) fn log_bayes_factor(
+    points: &[Point],
+    ceiling: f64,
+    folds: usize,
+    seed: u32,
+) -> Option<LogBayesFactor> {
+    let blocks = blocks(points, folds, seed)?;
+    let mut differences = Vec::with_capacity(folds);
+    for left_out in &blocks {
+        let rest = points.iter().zip(left_out).map(|(all, out)| Point {
+            hits: all.hits - out.hits,
+            trials: all.trials - out.trials,
+            ..*all
+        });
+        let rest: Vec<Point> = rest.collect();
+        let curve = Curve::fit(&rest, ceiling).log_likelihood(left_out);
+        differences.push(curve - constant(&rest, left_out));
+    }
+    let (mean, error) = (mean(&differences), standard_error(&differences)?);
+    Some(LogBayesFactor { mean, error, folds })
+}
+
+/// Of each point the answers of each block.
+fn blocks(points: &[Point], folds: usize, seed: u32) -> Option<Vec<Vec<Point>>> {
+    let mut answers: Vec<(usize, bool)> = Vec::new();
+    for (place, point) in points.iter().enumerate() {
+        let (hits, trials) = (point.hits as usize, point.trials as usize);
+        answers.extend((0..trials).map(|trial| (place, trial < hits)));
+    }
+    if folds < 2 || answers.len() < folds {
+        return None;
+    }
+    Draw::new(seed, 0).shuffle(&mut answers);
+    let none = |point: &Point| Point { hits: 0.0, trials: 0.0, ..*point };
+    let empty: Vec<Point> = points.iter().map(none).collect();
+    let mut blocks = vec![empty; folds];
+    for (k, (place, hit)) in answers.into_iter().enumerate() {
+        let point = &mut blocks[k % folds][place];
+        point.trials += 1.0;
+        point.hits += f64::from(u8::from(hit));
+    }
+    Some(blocks)
+}
+
+/// The log likelihood of some answers by the share of hits in others.
+fn constant(others: &[Point], answers: &[Point]) -> f64 {
+    let sum = |points: &[Point]| {
+        points.iter().fold((0.0, 0.0), |(hits, trials), point| (hits + point.hits, trials + point.trials))
+    };
+    let (hits, trials) = sum(others);
+    let rate = (hits / f64::max(trials, 1.0)).clamp(SUREST, 1.0 - SUREST);
+    let (hits, trials) = sum(answers);
+    hits * rate.logarithm() + (trials - hits) * (1.0 - rate).logarithm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::{Rng, SeedableRng};
+
+    fn simulated(rate: impl Fn(f64) -> f64, seed: u64) -> Vec<Point> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut uniform = || random.next_u32() as f64 / f64::from(u32::MAX);
+        let scores: Vec<f64> = (0..20).map(|_| 3.4 * (uniform() - 0.5)).collect();
+        let point = |&score: &f64| {
+            let hits = (0..158).filter(|_| uniform() < rate(score)).count();
+            Point { score, hits: hits as f64, trials: 158.0 }
+        };
+        scores.iter().map(point).collect()
+    }
+
+    #[test]
+    fn a_score_that_tells_is_told_from_one_that_does_not() {
+        let truth = Curve { ceiling: 0.5, weights: [0.0, 1.5] };
+        for seed in 0..5 {
+            let told = simulated(|score| truth.rate(score), seed);
+            let found = log_bayes_factor(&told, 0.5, 10, 1).unwrap();
+            assert!(found.mean > 5.0 && found.mean > 4.0 * found.error, "{found:?}");
+            // The score is noise: near 0, a little below, as the curve learns what is none.
+            let noise = simulated(|_| 0.3, seed);
+            let found = log_bayes_factor(&noise, 0.5, 10, 1).unwrap();
+            assert!((-0.5..0.3).contains(&found.mean), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn blocks_hold_all_answers_once() {
+        let points = simulated(|_| 0.3, 1);
+        let blocks = blocks(&points, 7, 3).unwrap();
+        for (k, point) in points.iter().enumerate() {
+            let sum =
+                |value: &dyn Fn(&Point) -> f64| blocks.iter().map(|block| value(&block[k])).sum::<f64>();
+            assert_eq!((sum(&|p| p.hits), sum(&|p| p.trials)), (point.hits, point.trials));
+        }
+        let sizes: Vec<f64> =
+            blocks.iter().map(|block| block.iter().map(|point| point.trials).sum()).collect();
+        assert!(sizes.iter().all(|size| [451.0, 452.0].contains(size)), "{sizes:?}");
+        assert_eq!(log_bayes_factor(&points, 0.5, 1, 0), None);
+        assert_eq!(log_bayes_factor(&[], 0.5, 10, 0), None);
+    }
+}

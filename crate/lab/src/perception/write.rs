@@ -1,0 +1,126 @@
+//! From a study to the tree of its document.
+
+use crate::perception::design::Design;
+use crate::perception::error::{FORMAT, VERSION};
+use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::study::{Figure, Study, Texts};
+use vcgpdm::internals::json::Value;
+use vcgpdm::internals::settings_value;
+use vcgpdm::models::variational::BoundTerms;
+
+/// The whole study.
+pub(super) fn document(study: &Study) -> Value {
+    let Texts { consent, instructions, question, pause, end } = &study.texts;
+    let Design {
+        blocks,
+        comparisons,
+        attention_checks,
+        catch_trials,
+        pause_seconds,
+        answer_during_movement,
+        seed,
+    } = &study.design;
+    Value::object([
+        ("format", Value::text(FORMAT)),
+        ("version", Value::whole(VERSION)),
+        ("title", Value::text(&study.title)),
+        ("look", Value::text(study.look.id())),
+        ("seconds", Value::Number(study.seconds)),
+        ("cross_seconds", Value::Number(study.cross_seconds)),
+        (
+            "texts",
+            Value::object([
+                ("consent", Value::text(consent)),
+                ("instructions", Value::text(instructions)),
+                ("question", Value::text(question)),
+                ("pause", Value::text(pause)),
+                ("end", Value::text(end)),
+            ]),
+        ),
+        (
+            "design",
+            Value::object([
+                ("blocks", Value::whole(*blocks)),
+                ("comparisons", Value::whole(*comparisons)),
+                ("attention_checks", Value::whole(*attention_checks)),
+                ("catch_trials", Value::whole(*catch_trials)),
+                ("pause_seconds", Value::whole(*pause_seconds)),
+                ("answer_during_movement", Value::Bool(*answer_during_movement)),
+                ("seed", Value::Number((*seed).into())),
+            ]),
+        ),
+        ("frames_per_second", Value::whole(study.frames_per_second)),
+        ("metres_per_unit", Value::Number(study.unit)),
+        ("figure", figure(study)),
+        ("stimuli", Value::list(&study.stimuli, |stimulus| movement(stimulus, stimulus.failed()))),
+    ])
+}
+
+/// What is shown: all but design, texts and marks.
+pub(super) fn shown(study: &Study) -> Value {
+    Value::object([
+        ("frames_per_second", Value::whole(study.frames_per_second)),
+        ("metres_per_unit", Value::Number(study.unit)),
+        ("figure", figure(study)),
+        ("stimuli", Value::list(&study.stimuli, |stimulus| movement(stimulus, false))),
+    ])
+}
+
+fn figure(study: &Study) -> Value {
+    let Figure { names, parents, joints, landmarks } = &study.figure;
+    let mut fields = vec![
+        ("names", Value::list(names, |name| Value::text(name))),
+        ("parents", Value::list(parents, |parent| parent.map_or(Value::Null, Value::whole))),
+        ("joints", Value::whole(*joints)),
+        ("height", Value::Number(study.height)),
+    ];
+    fields.extend(landmarks.head.map(|head| ("head", Value::whole(head))));
+    fields.extend(landmarks.feet.map(|feet| ("feet", Value::wholes(&feet))));
+    fields.push(("dots", Value::wholes(&landmarks.dots)));
+    Value::Object(named(fields))
+}
+
+fn movement(stimulus: &Stimulus, failed: bool) -> Value {
+    let mut fields = vec![("id", Value::text(&stimulus.id))];
+    match &stimulus.source {
+        Source::Natural { seen } => {
+            fields.push(("kind", Value::text("natural")));
+            fields.push(("trial", Value::text(&stimulus.trial)));
+            fields.push(("seen", Value::Bool(*seen)));
+        }
+        Source::Generated(generated) => {
+            let Generated { candidate, seed, scores, .. } = &**generated;
+            fields.push(("kind", Value::text("generated")));
+            fields.push(("trial", Value::text(&stimulus.trial)));
+            fields.push(("failed", Value::Bool(failed)));
+            fields.push(("model", Value::text(candidate.kind().id())));
+            fields.push(("settings", settings_value(candidate, *seed)));
+            fields.push(("scores", scores_value(scores)));
+        }
+    }
+    fields.push(("speed", Value::Number(stimulus.speed)));
+    fields.push(("frames", Value::whole(stimulus.movement.frames())));
+    fields.push(("places", Value::text(stimulus.movement.text())));
+    Value::Object(named(fields))
+}
+
+fn scores_value(scores: &Scores) -> Value {
+    let Scores { mse, dtw_mse, bound, terms } = scores;
+    let mut fields = vec![("mse", Value::Number(*mse)), ("dtw_mse", Value::Number(*dtw_mse))];
+    fields.extend(bound.map(|bound| ("bound", Value::Number(bound))));
+    fields.extend(terms.as_ref().map(|terms| {
+        let BoundTerms { kinematics, dynamics, initial, entropy } = terms;
+        let terms = Value::object([
+            ("kinematics", Value::numbers(kinematics)),
+            ("dynamics", Value::numbers(dynamics)),
+            ("initial", Value::Number(*initial)),
+            ("entropy", Value::Number(*entropy)),
+        ]);
+        ("terms", terms)
+    }));
+    Value::Object(named(fields))
+}
+
+fn named(fields: Vec<(&str, Value)>) -> Vec<(String, Value)> {
+    fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}

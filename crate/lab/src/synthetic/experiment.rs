@@ -1,0 +1,92 @@
+//! The experiment while it runs: the data, a training on them, and what the training has found so far.
+
+use crate::synthetic::alignment::{Alignment, align};
+use crate::synthetic::data::{Synthetic, SyntheticError};
+use crate::synthetic::verdict::Verdict;
+use nalgebra::DMatrix;
+use serde::Serialize;
+use vcgpdm::gp::NumericsError;
+use vcgpdm::models::variational::{Params, Trainer, TrainingProgress};
+use vcgpdm::models::{VariationalSettings, coupling_weight_matrix};
+
+/// How well a model explains the data.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Fit {
+    /// The bound, in nats.
+    pub bound: f64,
+    /// The error of the mean rollout: [`Synthetic::mse`].
+    pub mse: f64,
+}
+
+/// What training has found so far, at its best bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Findings {
+    /// Coupling variances `alpha[source][target]` [2 x 2].
+    pub alpha: DMatrix<f64>,
+    /// The weights that they give `[source][target]`; those into each part sum to 1.
+    pub weights: DMatrix<f64>,
+    /// What they say about who drives whom.
+    pub verdict: Verdict,
+    /// The learned latents of each part, beside the true ones.
+    pub learned: Vec<Alignment>,
+    /// How well the model explains the data.
+    pub fit: Fit,
+}
+
+/// A training on synthetic data, one step at a time, beside the truth.
+pub struct Experiment {
+    data: Synthetic,
+    trainer: Trainer,
+    start: Fit,
+}
+
+impl Experiment {
+    /// A training on the data, ready to begin.
+    ///
+    /// # Errors
+    ///
+    /// Training cannot start with these settings, or the starting point cannot be rolled out.
+    pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
+        let trainer = data.trainer(settings, seed)?;
+        let start = Fit { bound: trainer.progress().best, mse: data.mse(&trainer.model()?)? };
+        Ok(Self { data, trainer, start })
+    }
+
+    /// The data, and the truth about them.
+    pub fn data(&self) -> &Synthetic {
+        &self.data
+    }
+
+    /// How well the starting point explains the data.
+    pub fn start(&self) -> Fit {
+        self.start
+    }
+
+    /// One iteration of the optimiser. After the end it does nothing.
+    pub fn step(&mut self) -> TrainingProgress {
+        self.trainer.step()
+    }
+
+    /// How far training is.
+    pub fn progress(&self) -> TrainingProgress {
+        self.trainer.progress()
+    }
+
+    /// What training has found so far. It may be called at any time.
+    ///
+    /// # Errors
+    ///
+    /// The model cannot be fitted or rolled out.
+    pub fn findings(&self) -> Result<Findings, SyntheticError> {
+        let model = self.trainer.model()?;
+        let fit = Fit { bound: self.trainer.progress().best, mse: self.data.mse(&model)? };
+        let weights = coupling_weight_matrix(&model.alpha);
+        let learned = self.learned(&self.trainer.best())?;
+        Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, learned, fit })
+    }
+
+    fn learned(&self, params: &Params) -> Result<Vec<Alignment>, NumericsError> {
+        let parts = params.parts.iter().zip(&self.data.latents);
+        parts.map(|(part, actual)| align(&part.latents.mean, actual)).collect()
+    }
+}

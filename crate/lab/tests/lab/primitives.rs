@@ -1,0 +1,62 @@
+//! TMP and DMP on recorded walks: what they predict of a trial of which they saw five frames.
+//!
+//! The walks are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in
+//! `shared/bvh` beside the repository; without them the test says that it skips.
+
+use nalgebra::DMatrix;
+use std::path::PathBuf;
+use vcgpdm::models::{Dataset, DmpSettings, Model, ModelSettings, Movements, Sequence, Source, TmpSettings};
+use vcgpdm::motion::{bvh, parts};
+use vcgpdm_lab::evaluation::{Score, dtw_mse};
+
+/// All but one walk and five frames of that one; and all of it.
+fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/bvh");
+    let folder = std::env::var_os("VCGPDM_CLIPS").map_or(beside, PathBuf::from).join("cmu-walk");
+    if !folder.is_dir() {
+        eprintln!("skipped: no recorded walks in {}", folder.display());
+        return None;
+    }
+    let read = |k: usize| {
+        let name = format!("35_{k:02}.bvh");
+        bvh::read(&name, &std::fs::read(folder.join(&name)).unwrap()).unwrap().into_clip()
+    };
+    let mut clips: Vec<_> = (1..=trials).filter(|&k| k != held_out).map(read).collect();
+    clips.push(read(held_out));
+    let last = clips.len() - 1;
+    let sources: Vec<Source> = clips
+        .iter()
+        .enumerate()
+        .map(|(k, clip)| Source { clip, first_frames: (k == last).then_some(5) })
+        .collect();
+    let parts = &parts::presets(&clips[0].skeleton)[1].parts;
+    let data = Dataset::new(&sources, parts, 30.0).unwrap();
+    let trial = data.mapping.encode(&clips[last].resample(30.0).unwrap()).unwrap().y;
+    let sequences =
+        data.lengths().into_iter().enumerate().map(|(k, frames)| Sequence { frames, whole: k < last });
+    // The order of columns of the trial is that of the mapping; the parts' is put back for the score.
+    let actual = data.layout.split(&trial);
+    let all = Movements { y: actual, sequences: Vec::new() }.as_one_part().y.swap_remove(0);
+    Some((Movements { y: data.y, sequences: sequences.collect() }, all))
+}
+
+fn score(model: &Model, sequence: usize, actual: &DMatrix<f64>) -> Score {
+    let y = model.rollout(sequence, actual.nrows()).unwrap();
+    let y = Movements { y, sequences: Vec::new() }.as_one_part().y.swap_remove(0);
+    dtw_mse(&y, actual).unwrap()
+}
+
+#[test]
+fn a_held_out_walk_is_predicted_from_its_first_five_frames() {
+    let Some((movements, actual)) = walks(6, 6) else { return };
+    for settings in [
+        ModelSettings::Tmp(TmpSettings { primitives: Some(6), ..TmpSettings::default() }),
+        ModelSettings::DmpRhythmic(DmpSettings::default()),
+    ] {
+        let mut learner = settings.learner(&movements, 0).unwrap();
+        while !learner.step().done {}
+        let s = score(&learner.model().unwrap(), 5, &actual);
+        // A motionless prediction scores the variance, the vCGPDM 0.0007.
+        assert!((s.variance - 0.00586).abs() < 1e-5 && s.dtw_mse < 0.0011, "{s:?}");
+    }
+}
