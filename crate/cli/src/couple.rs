@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 clips.push(trained.observed(&files::read_clip(place)?)?);
             }
             let mut trainer = trained.coupling_trainer(&uses, &clips, arguments.max_iterations)?;
-            reason = Some(train_steps(|| trainer.step().into(), "bound")?);
+            reason = Some(train_steps(|| trainer.step(), "bound")?);
             (trainer.movement(name), clips.into_iter().map(|clip| clip.info).collect())
         };
         trained.add(movement, sequences)?;

@@ -143,7 +143,7 @@ fn relearn(
         ImportRequest { companions, max_iterations: arguments.max_iterations, seed: arguments.seed };
     let begin = Instant::now();
     let mut trainer = ImportTrainer::new(library, other, frames, &request)?;
-    let reason = train_steps(|| trainer.step().into(), "bound")?;
+    let reason = train_steps(|| trainer.step(), "bound")?;
     let progress = trainer.progress();
     let parts = library.body.layout.parts().iter().map(|part| part.name.clone());
     let lost: serde_json::Map<String, Value> =

@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use vcgpdm::models::{Dataset, Model, Movements, SequenceInfo, Source, TrainedModel, with_bones_of};
+use vcgpdm::models::{Dataset, FittedModel, Model, SequenceInfo, Source, Trainer, with_bones_of};
 use vcgpdm::motion::Clip;
 
 /// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON
@@ -43,9 +43,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !(tolerance.is_finite() && tolerance >= 0.0) {
         return Err(usage(format!("--tolerance {tolerance}: expected a finite number from 0")));
     }
-    let recorded = TrainedModel::<Model>::from_json(&files::read_text(path)?)
-        .map_err(|reason| files::about(path, &reason))?;
-    if is_put_together(&recorded.model) {
+    let recorded =
+        Model::from_json(&files::read_text(path)?).map_err(|reason| files::about(path, &reason))?;
+    if is_put_together(&recorded.fitted) {
         return Err(format!(
             "{}: expected a model that was trained from clips, found one that was put together from the primitives of a library, which \
              learned from other movements too",
@@ -68,14 +68,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let made = &recorded.provenance;
     let dataset = Dataset::new(&sources, recorded.body.layout.parts(), made.frames_per_second)?;
-    let movements = Movements::of(&dataset);
     let begin = Instant::now();
-    let learner = made.settings.learner(&movements, made.seed);
-    let mut learner = learner.map_err(|reason| dataset.refusal(reason))?;
-    learner.use_threads(arguments.threads.into());
+    let mut trainer = Trainer::new(&dataset, &made.settings, made.seed)?;
+    trainer.use_threads(arguments.threads.into());
     let stopped = interrupt::flag()?;
     loop {
-        let progress = learner.step();
+        let progress = trainer.step();
         // A training that was cancelled is cancelled again.
         if progress.done || progress.iteration >= made.iterations {
             break;
@@ -84,9 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             return Err("stopped before the training had come as far as the recorded one".into());
         }
     }
-    let settings = made.settings.clone();
-    let again =
-        TrainedModel::<Model>::trained(&dataset, &*learner, settings, made.seed, made.frames_per_second)?;
+    let again = trainer.finish()?;
     if let Some(out) = &arguments.out {
         files::write_text(out, &again.to_json()?)?;
     }
@@ -115,8 +111,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Whether it knows more than its own sequences say: a model of a library of several movements. That of a
 /// library of one movement is what plain training makes.
-fn is_put_together(model: &Model) -> bool {
-    matches!(model, Model::Vcgpdm(model) if !model.elsewhere.is_empty())
+fn is_put_together(model: &FittedModel) -> bool {
+    matches!(model, FittedModel::Vcgpdm(model) if !model.elsewhere.is_empty())
 }
 
 /// The clip of a sequence, as it was used.
@@ -146,11 +142,8 @@ fn owner_of<'a>(name: &str, infos: &'a [SequenceInfo]) -> Option<&'a SequenceInf
 
 /// Where two models differ most, and by how much relative to the larger number; infinity where they are not
 /// even alike.
-fn difference(
-    recorded: &TrainedModel<Model>,
-    again: &TrainedModel<Model>,
-) -> Result<Option<(String, f64)>, Box<dyn Error>> {
-    let document = |model: &TrainedModel<Model>| -> Result<Value, Box<dyn Error>> {
+fn difference(recorded: &Model, again: &Model) -> Result<Option<(String, f64)>, Box<dyn Error>> {
+    let document = |model: &Model| -> Result<Value, Box<dyn Error>> {
         let mut document: Value = serde_json::from_str(&model.to_json()?)?;
         // Which program made it and what somebody noted is not the model.
         for name in ["engine", "note"] {

@@ -98,7 +98,7 @@ impl Store {
 mod tests {
     use super::*;
     use std::fs;
-    use vcgpdm::models::{ModelSettings, TmpSettings};
+    use vcgpdm::models::{Settings, TmpSettings};
     use vcgpdm::motion::samples;
     use vcgpdm_lab::evaluation::Job;
 
@@ -108,7 +108,7 @@ mod tests {
     }
 
     fn finished(seed: u32) -> Finished {
-        let candidate = ModelSettings::Tmp(TmpSettings::default());
+        let candidate = Settings::Tmp(TmpSettings::default());
         let job = Job { candidate, held_out: 1, training_trials: 1, seed };
         Finished::new(job, Err("a test".to_owned()))
     }

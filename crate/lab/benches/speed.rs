@@ -6,8 +6,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::DMatrix;
 use std::hint::black_box;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, Reading, RolloutRequest, Source, TrainedModel, VariationalSettings};
+use vcgpdm::models::variational::VariationalTrainer;
+use vcgpdm::models::{Dataset, Reading, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
 fn dataset() -> Dataset {
@@ -17,14 +17,14 @@ fn dataset() -> Dataset {
     Dataset::new(&sources, &parts, 30.0).unwrap()
 }
 
-fn trained(y: Vec<DMatrix<f64>>, lengths: Vec<usize>, ips: usize) -> Trainer {
+fn trained(y: Vec<DMatrix<f64>>, lengths: Vec<usize>, ips: usize) -> VariationalTrainer {
     let settings = VariationalSettings {
         dynamics_ips: ips,
         pose_ips: ips,
         max_iterations: 30,
         ..VariationalSettings::default()
     };
-    let mut trainer = Trainer::new(y, lengths, &settings, 0).unwrap();
+    let mut trainer = VariationalTrainer::new(y, lengths, &settings, 0).unwrap();
     while !trainer.step().done {}
     trainer
 }
@@ -46,7 +46,7 @@ fn split(dataset: &Dataset, parts: usize) -> Vec<DMatrix<f64>> {
 fn bound(criterion: &mut Criterion) {
     let dataset = dataset();
     let mut group = criterion.benchmark_group("bound with gradient");
-    let mut add = |id: BenchmarkId, trainer: &Trainer| {
+    let mut add = |id: BenchmarkId, trainer: &VariationalTrainer| {
         let (objective, params) = (trainer.objective(), trainer.best());
         let mut workspace = objective.workspace(&params);
         group.throughput(Throughput::Elements(objective.sequences().frames() as u64));
@@ -70,7 +70,8 @@ fn bound(criterion: &mut Criterion) {
 fn rollout(criterion: &mut Criterion) {
     let dataset = dataset();
     let trainer = trained(dataset.y.clone(), dataset.lengths(), 12);
-    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = trainer.finish(&dataset).unwrap();
+    let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut group = criterion.benchmark_group("rollout");
     group.throughput(Throughput::Elements(300));

@@ -15,13 +15,13 @@ mod alone;
 #[path = "shared/seeds.rs"]
 mod seeds;
 
-use alone::{Alone, FRAMES_PER_SECOND, alone};
+use alone::{Alone, alone};
 use clap::Parser;
 use seeds::{each_seed, near, range};
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, Health, RolloutRequest, TrainedModel, VariationalSettings, best_to_show};
+use vcgpdm::Trainer;
+use vcgpdm::models::{Dataset, Health, RolloutRequest, VariationalSettings, best_to_show};
 
 /// So many seeds are trained from together where nobody asks for another number.
 const GROUP: usize = 4;
@@ -76,11 +76,12 @@ struct Run {
 
 fn run(dataset: &Dataset, settings: &VariationalSettings, seed: u32, frames: usize) -> Run {
     let begin = Instant::now();
-    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), settings, seed).unwrap();
+    let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed).unwrap();
     while !trainer.step().done {}
     let seconds = begin.elapsed().as_secs_f64();
-    let model = TrainedModel::<Vcgpdm>::trained(dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let model = trainer.finish().unwrap();
     let request = RolloutRequest { frames, ..Default::default() };
+    let model = model.coupled().unwrap();
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
     let health = model.health(&rollout, &request, &positions).unwrap();

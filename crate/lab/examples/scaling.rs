@@ -17,8 +17,8 @@ use long_walks::{split, walks};
 use nalgebra::DMatrix;
 use std::process::Command;
 use std::time::Instant;
-use vcgpdm::models::variational::Trainer;
-use vcgpdm::models::{MapSettings, ModelSettings, Movements, Sequence, VariationalSettings};
+use vcgpdm::models::variational::VariationalTrainer;
+use vcgpdm::models::{MapSettings, Movements, Sequence, Settings, VariationalSettings};
 use vcgpdm_lab::evaluation::stats::exponent;
 
 /// Iterations enough for the optimiser to have filled its memory.
@@ -41,15 +41,15 @@ fn settings(latent: usize, ips: usize) -> VariationalSettings {
     VariationalSettings { latent, dynamics_ips, pose_ips, max_iterations, ..VariationalSettings::default() }
 }
 
-fn map_settings(latent: usize) -> ModelSettings {
-    ModelSettings::MapCgpdm(MapSettings { latent, ..MapSettings::default() })
+fn map_settings(latent: usize) -> Settings {
+    Settings::MapCgpdm(MapSettings { latent, ..MapSettings::default() })
 }
 
 /// Milliseconds of one bound with its gradient.
 fn measure(size: Size, ips: usize) -> f64 {
     let (y, lengths) = walks(size.frames);
     let settings = settings(size.latent, ips);
-    let mut trainer = Trainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
+    let mut trainer = VariationalTrainer::new(split(&y, size.parts), lengths, &settings, 0).unwrap();
     while !trainer.step().done {}
     let (objective, params) = (trainer.objective().clone(), trainer.best());
     // Its memory is that of a training alone.

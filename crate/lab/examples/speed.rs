@@ -12,8 +12,8 @@
 use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+use vcgpdm::models::variational::VariationalTrainer;
+use vcgpdm::models::{Dataset, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm::speed::{Rates, Work};
 use vcgpdm_lab::golden::Case;
@@ -44,7 +44,8 @@ fn training(clips: &[Clip]) -> Value {
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let begin = Instant::now();
     let mut trainer =
-        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
+        VariationalTrainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0)
+            .unwrap();
     let mut trace = Vec::new();
     let last = loop {
         let progress = trainer.step();
@@ -53,7 +54,8 @@ fn training(clips: &[Clip]) -> Value {
             break progress;
         }
     };
-    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
+    let model = trainer.finish(&dataset).unwrap();
+    let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
     let mut times = Vec::new();
     for _ in 0..200 {

@@ -17,7 +17,7 @@ mod clips;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::{ModelSettings, VariationalSettings};
+use vcgpdm::models::{Settings, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::{Clip, samples};
 use vcgpdm_lab::evaluation::stats::{mean, median, median_interval};
@@ -80,7 +80,7 @@ fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
 /// What each of both models makes of each trial held out, from every seed: [parts, whole].
 fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
     let settings = VariationalSettings::default();
-    let candidates = [ModelSettings::Vcgpdm(settings.clone()), ModelSettings::Vgpdm(settings)];
+    let candidates = [Settings::Vcgpdm(settings.clone()), Settings::Vgpdm(settings)];
     let clock = Instant::now();
     let fold = |held_out| {
         let fold =

@@ -10,8 +10,8 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Reading, RolloutRequest, TrainedModel};
+use vcgpdm::models::Reading;
+use vcgpdm::{Coupled, Model, RolloutRequest};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -22,7 +22,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let path = folder.join("model.json");
     let document = std::fs::read_to_string(&path)
         .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
-    let trained = TrainedModel::<Vcgpdm>::from_json(&document)?;
+    let model = Model::from_json(&document)?;
+    let trained = model.coupled().ok_or("expected a model with couplings")?;
     let (lower, upper) = (0, 1); // the order in which training got the parts
 
     println!("factor  weight lower to upper  weight upper to upper  swing of the left hand, cm");
@@ -43,7 +44,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
             "{factor:6}  {:21.2}  {:21.2}  {:26.0}",
             rollout.weights[(lower, upper)],
             rollout.weights[(upper, upper)],
-            100.0 * swing(&trained, &trained.positions(&rollout)?)?,
+            100.0 * swing(trained, &trained.positions(&rollout)?)?,
         );
     }
     Ok(())
@@ -51,7 +52,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
 /// How far the left hand swings forward and back beside the hips, in metres. `positions` are [frames x nodes
 /// x 3].
-fn swing(trained: &TrainedModel<Vcgpdm>, positions: &[f32]) -> Result<f32, Box<dyn Error>> {
+fn swing(trained: Coupled, positions: &[f32]) -> Result<f32, Box<dyn Error>> {
     let skeleton = trained.body.mapping.skeleton();
     let hand = skeleton
         .joints

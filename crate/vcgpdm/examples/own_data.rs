@@ -15,10 +15,10 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, SeriesModel, VariationalSettings, coupling_weight_matrix};
+use vcgpdm::models::coupling_weight_matrix;
 use vcgpdm::nalgebra::DMatrix;
 use vcgpdm::series::{Table, parts_from_words, write};
+use vcgpdm::{Dataset, Trainer, VariationalSettings};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -41,12 +41,13 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     // Two latent dimensions for each part; the last two states predict the next one (order 2).
     let settings =
         VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 200 };
-    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 1)?;
-    while !trainer.step().done {}
-    let model = SeriesModel::<Vcgpdm>::trained(&dataset, &trainer, 50.0)?;
+    let mut trainer = Trainer::new(&dataset, &settings.into(), 1)?;
+    trainer.run();
+    let model = trainer.finish()?;
     // Two parts in step can explain each other equally well, so such weights say what the model uses, not
     // what the cause is.
-    let weights = coupling_weight_matrix(&model.model.alpha);
+    let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
+    let weights = coupling_weight_matrix(&coupled.model.alpha);
     for (i, part) in parts.iter().enumerate() {
         let (own, other) = (weights[(i, i)], weights[(i, 1 - i)]);
         println!(
@@ -58,7 +59,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
     // A model is a document like any other; it holds what a rollout needs, and none of the recordings.
     let saved = folder.join("own-data.json");
-    std::fs::write(&saved, SeriesModel::from(model).to_json()?)?;
+    std::fs::write(&saved, model.to_json()?)?;
     let Document::Series(model) = Document::from_json(&std::fs::read_to_string(&saved)?)? else {
         return Err("expected a model of tables".into());
     };

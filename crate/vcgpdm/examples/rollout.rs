@@ -7,9 +7,8 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{RolloutRequest, TrainedModel};
 use vcgpdm::motion::bvh;
+use vcgpdm::{Model, RolloutRequest};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -23,7 +22,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
     // The document holds all that a rollout needs: the body, the mapping to poses, the model. No training
     // clip is in it.
-    let trained = TrainedModel::<Vcgpdm>::from_json(&document)?;
+    let model = Model::from_json(&document)?;
+    let trained = model.coupled().ok_or("expected a model with couplings")?;
 
     // The mean rollout starts where the first training sequence starts, and goes on for ten seconds.
     let frames = (10.0 / trained.body.frame_time).round() as usize;

@@ -9,9 +9,9 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, Source, TrainedModel, VariationalSettings, coupling_weight_matrix};
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm::models::coupling_weight_matrix;
+use vcgpdm::motion::{parts, samples};
+use vcgpdm::{Clip, Dataset, Source, Trainer, VariationalSettings};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -28,23 +28,19 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
     // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns
     // of each part.
-    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let sources: Vec<Source> = clips.iter().map(Source::from).collect();
     let dataset = Dataset::new(&sources, &split.parts, 20.0)?;
 
     // A few iterations, so that it takes seconds. The default is 250.
     let settings = VariationalSettings { max_iterations: 60, ..VariationalSettings::default() };
     let seed = 1;
-    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, seed)?;
-    loop {
-        let progress = trainer.step();
-        if progress.done {
-            println!("{} iterations: the bound is {:.0} nats", progress.iteration, progress.best);
-            break;
-        }
-    }
+    let mut trainer = Trainer::new(&dataset, &settings.into(), seed)?;
+    let progress = trainer.run();
+    println!("{} iterations: the bound is {:.0} nats", progress.iteration, progress.best);
 
-    let trained = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 20.0)?;
-    let weights = coupling_weight_matrix(&trained.model.alpha);
+    let model = trainer.finish()?;
+    let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
+    let weights = coupling_weight_matrix(&coupled.model.alpha);
     for (target, into) in split.parts.iter().enumerate() {
         for (source, from) in split.parts.iter().enumerate() {
             println!(
@@ -57,7 +53,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     }
 
     let path = folder.join("model.json");
-    std::fs::write(&path, trained.to_json()?)?;
+    std::fs::write(&path, model.to_json()?)?;
     println!("the model is in {}", path.display());
     Ok(())
 }

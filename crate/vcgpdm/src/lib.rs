@@ -7,21 +7,21 @@
 //! From a clip to a new motion:
 //!
 //! ```
-//! use vcgpdm::models::variational::{Trainer, Vcgpdm};
-//! use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
 //! use vcgpdm::motion::{bvh, parts, samples};
+//! use vcgpdm::{Dataset, RolloutRequest, Settings, Trainer, VariationalSettings};
 //!
 //! let clip = samples::clip("walk-1").ok_or("no such sample")?;
 //! let parts = &parts::presets(&clip.skeleton)[1].parts; // lower and upper body
-//! let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0)?;
+//! let dataset = Dataset::new(&[(&clip).into()], parts, 30.0)?;
 //!
 //! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
-//! let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0)?;
-//! while !trainer.step().done {}
+//! let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(settings), 0)?;
+//! trainer.run();
+//! let model = trainer.finish()?;
 //!
-//! let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0)?;
-//! let rollout = model.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
-//! let motion = bvh::write(&model.clip(&rollout, "walk.bvh")?);
+//! let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
+//! let rollout = coupled.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
+//! let motion = bvh::write(&coupled.clip(&rollout, "walk.bvh")?);
 //! assert!(motion.starts_with("HIERARCHY"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -62,6 +62,12 @@ pub mod series;
 #[cfg(feature = "speed")]
 pub mod speed;
 mod words;
+
+pub use models::{
+    Coupled, Dataset, DatasetError, Model, ModelKind, Progress, Provenance, Rollout, RolloutError,
+    RolloutRequest, SeriesModel, Settings, Source, Trainer, TrainingError, VariationalSettings,
+};
+pub use motion::Clip;
 
 /// For the other crates of this project: semantic versioning does not cover it, and any version may change it.
 #[cfg(feature = "internals")]

@@ -4,7 +4,7 @@
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{Dataset, Source, VariationalSettings};
 use vcgpdm::motion::{parts, samples};
 
@@ -33,7 +33,8 @@ fn an_evaluation_allocates_nothing() {
     let parts = parts::presets(&clip.skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
     let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], &parts, 30.0).unwrap();
     let trainer =
-        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
+        VariationalTrainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0)
+            .unwrap();
     let (objective, params) = (trainer.objective(), trainer.best());
     let mut workspace = objective.workspace(&params);
     objective.compute_with_gradient(&params, &mut workspace).unwrap();

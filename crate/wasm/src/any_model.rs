@@ -11,8 +11,7 @@ use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Body, Model as FittedModel, ModelKind, ModelSettings, Observed, RolloutRequest, SequenceInfo,
-    SeriesModel, TrainedModel,
+    Body, Model as TrainedModel, ModelKind, Observed, RolloutRequest, SequenceInfo, SeriesModel, Settings,
 };
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
@@ -49,7 +48,7 @@ export interface AnyModelInfo {
 #[derive(Serialize)]
 struct Made<'a> {
     engine: &'a str,
-    settings: &'a ModelSettings,
+    settings: &'a Settings,
     seed: u32,
     frames_per_second: f64,
     objective: f64,
@@ -116,8 +115,7 @@ impl AnyModel {
     /// one that is neither a vCGPDM nor a vGPDM.
     pub fn coupled(&self) -> Option<Model> {
         let Any::Body(model) = &self.model else { return None };
-        let model = TrainedModel::clone(model).into_vcgpdm().ok()?;
-        Some(Model { model: Rc::new(model) })
+        model.coupled().map(|_| Model { model: Rc::clone(model) })
     }
 
     /// A rollout from a training sequence's start. Only a vCGPDM or vGPDM can start from another frame or
@@ -136,10 +134,7 @@ impl AnyModel {
     }
 }
 
-fn info<'a, S: Observed>(
-    trained: &'a TrainedModel<FittedModel, S>,
-    figure: Option<BodyInfo>,
-) -> AnyModelInfo<'a> {
+fn info<'a, S: Observed>(trained: &'a TrainedModel<S>, figure: Option<BodyInfo>) -> AnyModelInfo<'a> {
     let (body, made) = (&trained.body, &trained.provenance);
     AnyModelInfo {
         kind: trained.kind(),
@@ -147,10 +142,7 @@ fn info<'a, S: Observed>(
         columns: names(body),
         frame_time: body.frame_time,
         sequences: &body.sequences,
-        alpha: match &trained.model {
-            FittedModel::Vcgpdm(model) => Some(rows(&model.alpha)),
-            _ => None,
-        },
+        alpha: trained.coupled().map(|coupled| rows(&coupled.model.alpha)),
         body: figure,
         provenance: Made {
             engine: &made.engine,
@@ -175,24 +167,21 @@ struct Rolled {
     columns: Vec<String>,
 }
 
-fn roll<S: Observed>(
-    model: &TrainedModel<FittedModel, S>,
-    request: &RolloutRequest,
-) -> Result<Rolled, VcgpdmError> {
+fn roll<S: Observed>(model: &TrainedModel<S>, request: &RolloutRequest) -> Result<Rolled, VcgpdmError> {
     let columns = names(&model.body);
-    match model.clone().into_vcgpdm() {
-        Ok(model) => {
-            let rolled = model.rollout(request)?;
+    match model.coupled() {
+        Some(coupled) => {
+            let rolled = coupled.rollout(request)?;
             Ok(Rolled { y: rolled.y, latents: rolled.latents, weights: Some(rolled.weights), columns })
         }
-        Err(model) if request.alpha.is_some() || request.frame > 0 => {
+        None if request.alpha.is_some() || request.frame > 0 => {
             let words = format_args!(
                 "expected a vcgpdm or vgpdm model for other couplings or another frame, found a {} model",
                 model.kind().id()
             );
             Err(VcgpdmError::new(ErrorCode::Rollout, &words))
         }
-        Err(model) => {
+        None => {
             let y = model.rollout(request.sequence, request.frames)?;
             Ok(Rolled { y, latents: Vec::new(), weights: None, columns })
         }

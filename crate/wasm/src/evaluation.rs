@@ -6,7 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::models::{Learner, LearningProgress, Model, ModelSettings};
+use vcgpdm::models::{FittedModel, Learner, Progress, Settings};
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm_lab::evaluation::{Fold as HeldOut, START_FRAMES};
 use wasm_bindgen::prelude::*;
@@ -193,7 +193,7 @@ impl Evaluation {
         seed: &Whole,
     ) -> Result<Evaluation, VcgpdmError> {
         let seed = seed.get(ErrorCode::Comparison, "the seed")?;
-        let candidate: ModelSettings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
+        let candidate: Settings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed)?;
         Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })
     }
@@ -216,8 +216,8 @@ impl Evaluation {
 #[wasm_bindgen]
 pub struct Prediction {
     fold: Rc<HeldOut>,
-    training: LearningProgress,
-    model: Model,
+    training: Progress,
+    model: FittedModel,
 }
 
 #[wasm_bindgen]

@@ -34,6 +34,8 @@ mod perception;
 mod predictions;
 #[cfg(feature = "training")]
 mod primitives;
+#[cfg(feature = "training")]
+mod progress;
 #[cfg(test)]
 mod refusals;
 #[cfg(feature = "training")]

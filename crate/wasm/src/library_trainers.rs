@@ -6,6 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use crate::library::{Library, uses_of};
 use crate::model::Model;
+use crate::progress::progress_to_js;
 use crate::settings::{Task, settings_from_js};
 use serde::Deserialize;
 use std::rc::Rc;
@@ -46,7 +47,6 @@ struct PlannedName {
 pub struct LibraryTrainer {
     dataset: Dataset,
     training: Training,
-    frames_per_second: f64,
 }
 
 #[wasm_bindgen]
@@ -71,13 +71,13 @@ impl LibraryTrainer {
         let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
         let training = Training::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
             .map_err(|reason| dataset.refusal(reason))?;
-        Ok(LibraryTrainer { dataset, training, frames_per_second })
+        Ok(LibraryTrainer { dataset, training })
     }
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.training.step())
+        progress_to_js(&self.training.step())
     }
 
     /// Allows so many more iterations: training goes on where it stopped.
@@ -93,7 +93,7 @@ impl LibraryTrainer {
 
     /// The best library so far, at any time.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
-        let trained = TrainedLibrary::trained(&self.dataset, &self.training, self.frames_per_second)?;
+        let trained = TrainedLibrary::trained(&self.dataset, &self.training)?;
         Ok(Library { trained: Rc::new(trained) })
     }
 }
@@ -126,7 +126,7 @@ impl CouplingTrainer {
     /// One iteration of the optimiser. The bound is that of the clips under the stored primitives.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.fit.step())
+        progress_to_js(&self.fit.step())
     }
 
     /// The best couplings so far, `alpha[source][target]`.

@@ -3,11 +3,12 @@
 use crate::convert::flat;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
+use crate::model::coupled;
 use crate::rollout::Rollout;
 use nalgebra::DMatrix;
 use std::rc::Rc;
-use vcgpdm::models::variational::{CyclePlace, Vcgpdm};
-use vcgpdm::models::{LatentDynamics, LiveFrames as MotionFrames, Push, Reading, TrainedModel};
+use vcgpdm::models::variational::CyclePlace;
+use vcgpdm::models::{LatentDynamics, LiveFrames as MotionFrames, Model, Push, Reading};
 use wasm_bindgen::prelude::*;
 
 /// A rollout under way: a few frames at a time, with couplings that change and parts that are pushed.
@@ -18,7 +19,7 @@ pub struct LiveRollout {
     reading: Reading,
     cuts: Vec<(usize, usize)>,
     dynamics: LatentDynamics,
-    model: Rc<TrainedModel<Vcgpdm>>,
+    model: Rc<Model>,
 }
 
 #[wasm_bindgen]
@@ -28,9 +29,10 @@ impl LiveRollout {
     pub fn new(rollout: &Rollout, frame: &Whole) -> Result<LiveRollout, VcgpdmError> {
         let frame = frame.count(ErrorCode::Rollout, "the frame")?;
         let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
-        let live = vcgpdm::models::LiveRollout::behind(&model, &rollout.rollout, frame, request.sequence)?;
-        let (alpha, reading) = (request.alpha_or(&model.model.alpha).clone(), request.reading);
-        let dynamics = model.model.dynamics_without(&[], &alpha, reading)?;
+        let view = coupled(&model)?;
+        let live = vcgpdm::models::LiveRollout::behind(view, &rollout.rollout, frame, request.sequence)?;
+        let (alpha, reading) = (request.alpha_or(&view.model.alpha).clone(), request.reading);
+        let dynamics = view.model.dynamics_without(&[], &alpha, reading)?;
         Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })
     }
 
@@ -38,7 +40,7 @@ impl LiveRollout {
     /// the experts are inferred again under them. When they do not fit, all stays as it was.
     #[wasm_bindgen(js_name = setCouplings)]
     pub fn set_couplings(&mut self, alpha: &[f64], re_inferred: bool) -> Result<(), VcgpdmError> {
-        let (parts, found) = (self.model.model.part_count(), alpha.len());
+        let (parts, found) = (coupled(&self.model)?.model.part_count(), alpha.len());
         if found != parts * parts {
             let words = format_args!(
                 "expected coupling variances for {parts} x {parts} parts, found {found} numbers"
@@ -47,7 +49,7 @@ impl LiveRollout {
         }
         let alpha = DMatrix::from_row_slice(parts, parts, alpha);
         let reading = if re_inferred { Reading::ReInferred } else { Reading::AsLearned };
-        self.dynamics = self.model.model.dynamics_without(&self.cuts, &alpha, reading)?;
+        self.dynamics = coupled(&self.model)?.model.dynamics_without(&self.cuts, &alpha, reading)?;
         (self.alpha, self.reading) = (alpha, reading);
         Ok(())
     }
@@ -61,7 +63,7 @@ impl LiveRollout {
         if cut {
             cuts.push((source, target));
         }
-        self.dynamics = self.model.model.dynamics_without(&cuts, &self.alpha, self.reading)?;
+        self.dynamics = coupled(&self.model)?.model.dynamics_without(&cuts, &self.alpha, self.reading)?;
         self.cuts = cuts;
         Ok(())
     }
@@ -69,7 +71,7 @@ impl LiveRollout {
     /// The next frames.
     pub fn advance(&mut self, frames: &Whole) -> Result<LiveFrames, VcgpdmError> {
         let frames = frames.count(ErrorCode::Rollout, "the number of frames")?;
-        Ok(LiveFrames(self.live.advance(&self.model, &self.dynamics, frames)?))
+        Ok(LiveFrames(self.live.advance(coupled(&self.model)?, &self.dynamics, frames)?))
     }
 
     /// Pushes a part by so much in each latent dimension [Q], felt by the next frame.
@@ -82,7 +84,7 @@ impl LiveRollout {
     /// z], metres.
     pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
         let node = node.count(ErrorCode::Rollout, "the node")?;
-        let push = self.live.pull(&self.model, node, [x, y, z])?;
+        let push = self.live.pull(coupled(&self.model)?, node, [x, y, z])?;
         Ok(self.live.push(&push)?)
     }
 }

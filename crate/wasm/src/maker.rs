@@ -6,7 +6,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use crate::study::{Study, look, preset};
 use serde::Deserialize;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
 use vcgpdm_lab::perception::{Maker, Shown};
 use wasm_bindgen::prelude::*;
@@ -78,7 +78,7 @@ impl StudyMaker {
         #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
     ) -> Result<(), VcgpdmError> {
         let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
-        let candidate: ModelSettings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
+        let candidate: Settings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
         let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
         let seed = seed.get(ErrorCode::Study, "the seed")?;
         let shown = Shown { number: trial, trial: &name, positions, frame_time };

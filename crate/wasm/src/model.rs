@@ -12,8 +12,8 @@ use serde::Serialize;
 use std::rc::Rc;
 #[cfg(feature = "training")]
 use vcgpdm::document::DocumentError;
-use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
-use vcgpdm::models::{MOST_SAMPLES, RolloutRequest, SequenceInfo, TrainedModel, VariationalSettings};
+use vcgpdm::models::variational::{BoundTerms, PoseMap};
+use vcgpdm::models::{Coupled, MOST_SAMPLES, Model as TrainedModel, RolloutRequest, SequenceInfo};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -115,8 +115,8 @@ struct ModelInfo<'a> {
 }
 
 impl<'a> ModelInfo<'a> {
-    fn new(model: &'a TrainedModel<Vcgpdm>, settings: JsValue) -> Self {
-        let (fitted, body, made) = (&model.model, &model.body, &model.provenance);
+    fn new(coupled: Coupled<'a>, settings: JsValue) -> Self {
+        let Coupled { model: fitted, body, provenance: made, .. } = coupled;
         let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z().nrows()).collect());
         ModelInfo {
             parts: part_infos(body.layout.parts(), &fitted.parts),
@@ -144,7 +144,7 @@ pub(crate) fn part_infos<'a>(specs: &'a [PartSpec], maps: &[PoseMap]) -> Vec<Par
 
 /// How a model or a library was made.
 pub(crate) fn provenance_info<'a>(
-    made: &'a vcgpdm::models::Provenance<VariationalSettings>,
+    made: &'a vcgpdm::models::Provenance,
     terms: &'a BoundTerms,
     settings: JsValue,
 ) -> Provenance<'a> {
@@ -159,10 +159,18 @@ pub(crate) fn provenance_info<'a>(
     }
 }
 
+/// The couplings and latents of a model, which vCGPDM and vGPDM alone have.
+pub(crate) fn coupled(model: &TrainedModel) -> Result<Coupled<'_>, VcgpdmError> {
+    model.coupled().ok_or_else(|| {
+        let found = format_args!("expected a vcgpdm or vgpdm model, found a {} model", model.kind().id());
+        VcgpdmError::new(ErrorCode::Model, &found)
+    })
+}
+
 /// A trained model.
 #[wasm_bindgen]
 pub struct Model {
-    pub(crate) model: Rc<TrainedModel<Vcgpdm>>,
+    pub(crate) model: Rc<TrainedModel>,
 }
 
 #[wasm_bindgen]
@@ -171,7 +179,7 @@ impl Model {
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Model, VcgpdmError> {
         let text = text.get(ErrorCode::Model, "the document")?;
-        let model = TrainedModel::<Vcgpdm>::from_json(&text);
+        let model = TrainedModel::coupled_from_json(&text);
         // Only the whole package reads the other kinds.
         #[cfg(feature = "training")]
         if let Err(reason @ (DocumentError::Kind { .. } | DocumentError::Subject { .. })) = &model {
@@ -184,12 +192,12 @@ impl Model {
     /// The model as a JSON document.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> Result<String, VcgpdmError> {
-        Ok(self.model.to_json()?)
+        Ok(coupled(&self.model)?.to_json()?)
     }
 
     /// SHA-256 of that document, hexadecimal.
     pub fn sha256(&self) -> Result<String, VcgpdmError> {
-        Ok(self.model.sha256()?)
+        Ok(coupled(&self.model)?.sha256()?)
     }
 
     /// What there is to know of it.
@@ -198,7 +206,8 @@ impl Model {
         let (body, made) = (&self.model.body, &self.model.provenance);
         let parts = body.layout.parts().to_vec();
         let task = Task { parts, frames_per_second: made.frames_per_second, seed: made.seed };
-        let info = ModelInfo::new(&self.model, settings_to_js(&task, &made.settings)?);
+        let settings = settings_to_js(&task, &made.settings)?;
+        let info = ModelInfo::new(coupled(&self.model)?, settings);
         to_js_beside(&info, &BodyInfo::new(body.mapping.skeleton()))
     }
 
@@ -208,7 +217,7 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Rollout, VcgpdmError> {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
-        Rollout::new(&self.model, self.model.rollout(&request)?, &request)
+        Rollout::new(&self.model, coupled(&self.model)?.rollout(&request)?, &request)
     }
 
     /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from
@@ -229,11 +238,12 @@ impl Model {
         let seed = seed.get(ErrorCode::Rollout, "the seed")?;
         let request: RolloutRequest = from_js(ErrorCode::Rollout, "rollout", &options)?;
         let together = request.frames.saturating_mul(count as usize);
-        self.model.check_frames(together).map_err(|reason| {
+        let model = coupled(&self.model)?;
+        model.check_frames(together).map_err(|reason| {
             VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
         })?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
-        let rollouts = self.model.sampled_rollouts(&request, seeds)?;
+        let rollouts = model.sampled_rollouts(&request, seeds)?;
         rollouts.map(|rollout| Rollout::new(&self.model, rollout?, &request)).collect()
     }
 
@@ -244,14 +254,14 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Moments, VcgpdmError> {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
-        Ok(Moments(self.model.moments(&request)?))
+        Ok(Moments(coupled(&self.model)?.moments(&request)?))
     }
 
     /// Pose inducing inputs r of a part [L x Q].
     #[wasm_bindgen(js_name = poseIps)]
     pub fn pose_ips(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
-        Ok(flat(self.model.model.pose_map(part)?.r()))
+        Ok(flat(coupled(&self.model)?.model.pose_map(part)?.r()))
     }
 
     /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source],
@@ -260,7 +270,7 @@ impl Model {
     pub fn dynamics_ips(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
-        Ok(flat(self.model.model.expert(source, target)?.z()))
+        Ok(flat(coupled(&self.model)?.model.expert(source, target)?.z()))
     }
 
     /// What the source's dynamics inducing points predict, `E[u]` [K x Q of the target].
@@ -268,7 +278,7 @@ impl Model {
     pub fn dynamics_ivs(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
-        Ok(flat(self.model.model.expert(source, target)?.mean()))
+        Ok(flat(coupled(&self.model)?.model.expert(source, target)?.mean()))
     }
 
     /// How much a pose inducing point says about each latent point [frames x Q], 0 to 1: k(x, r) / sigma^2.
@@ -281,7 +291,7 @@ impl Model {
     ) -> Result<Vec<f64>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
         let index = index.count(ErrorCode::Model, "the index")?;
-        Ok(self.model.model.pose_ip_weights(part, index, latents)?)
+        Ok(coupled(&self.model)?.model.pose_ip_weights(part, index, latents)?)
     }
 
     /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0
@@ -297,13 +307,13 @@ impl Model {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
         let index = index.count(ErrorCode::Model, "the index")?;
-        Ok(self.model.model.dynamics_ip_weights(source, target, index, latents)?)
+        Ok(coupled(&self.model)?.model.dynamics_ip_weights(source, target, index, latents)?)
     }
 
     /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at
     /// their mean pose.
     pub fn pose(&self, part: &Whole, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
-        Ok(self.model.pose(part, latent)?)
+        Ok(coupled(&self.model)?.pose(part, latent)?)
     }
 }

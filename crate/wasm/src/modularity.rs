@@ -1,7 +1,8 @@
 //! The modularity test on the sample trials, one trial at a time.
 
-use crate::convert::{from_js, to_js, to_js_beside};
+use crate::convert::{from_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::progress::progress_to_js;
 use serde::{Deserialize, Serialize};
 use vcgpdm_lab::evaluation::{FoldTraining, ModularityTest, Trained};
 use wasm_bindgen::prelude::*;
@@ -78,7 +79,7 @@ impl ModularityTraining {
     /// One iteration of the optimiser.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.training.step()?)
+        progress_to_js(&self.training.step()?)
     }
 
     /// What came of it; null before a seed is over.

@@ -7,8 +7,8 @@ use crate::given::Whole;
 #[cfg(feature = "training")]
 #[cfg(feature = "training")]
 use vcgpdm::models::variational::LatentMoments;
-use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction, Vcgpdm};
-use vcgpdm::models::{Rollout, RolloutRequest, TrainedModel};
+use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
+use vcgpdm::models::{Coupled, Rollout, RolloutRequest};
 use wasm_bindgen::prelude::*;
 
 /// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with
@@ -22,7 +22,7 @@ pub struct Predictions {
 
 impl Predictions {
     pub(crate) fn new(
-        model: &TrainedModel<Vcgpdm>,
+        model: Coupled,
         request: &RolloutRequest,
         rollout: &Rollout,
     ) -> Result<Self, VcgpdmError> {

@@ -4,6 +4,7 @@ use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::library::{Library, uses_of};
+use crate::progress::progress_to_js;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::library::{
@@ -177,7 +178,7 @@ impl ImportTrainer {
     /// One iteration of the optimiser. The bound is that of the frames under what stays.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.import.step())
+        progress_to_js(&self.import.step())
     }
 
     /// How much of what the frames show of each part the pose maps of the library do not reproduce: 0

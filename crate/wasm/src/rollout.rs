@@ -3,11 +3,11 @@
 use crate::convert::{flat, rows, to_js, to_js_beside};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
+use crate::model::coupled;
 use crate::predictions::Predictions;
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Health, Rollout as MotionRollout, RolloutRequest, TrainedModel};
+use vcgpdm::models::{Health, Model, Rollout as MotionRollout, RolloutRequest};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
@@ -133,17 +133,17 @@ pub fn best_to_show(
 pub struct Rollout {
     pub(crate) rollout: MotionRollout,
     pub(crate) positions: Vec<f32>,
-    pub(crate) model: Rc<TrainedModel<Vcgpdm>>,
+    pub(crate) model: Rc<Model>,
     pub(crate) request: RolloutRequest,
 }
 
 impl Rollout {
     pub(crate) fn new(
-        model: &Rc<TrainedModel<Vcgpdm>>,
+        model: &Rc<Model>,
         rollout: MotionRollout,
         request: &RolloutRequest,
     ) -> Result<Self, VcgpdmError> {
-        let positions = model.positions(&rollout)?;
+        let positions = coupled(model)?.positions(&rollout)?;
         Ok(Self { rollout, positions, model: Rc::clone(model), request: request.clone() })
     }
 }
@@ -174,7 +174,7 @@ impl Rollout {
 
     /// What every expert predicts, with its uncertainty, about each of its frames.
     pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
-        Predictions::new(&self.model, &self.request, &self.rollout)
+        Predictions::new(coupled(&self.model)?, &self.request, &self.rollout)
     }
 
     /// What the body does from this frame on, counted from 0, to the end.
@@ -195,7 +195,7 @@ impl Rollout {
     /// How it ends: moving on, standing still, far from what the model was trained on.
     #[wasm_bindgen(unchecked_return_type = "Health")]
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
-        let health = self.model.health(&self.rollout, &self.request, &self.positions)?;
+        let health = coupled(&self.model)?.health(&self.rollout, &self.request, &self.positions)?;
         let (state, from, part) = match health {
             Health::MovesOn => ("moves on", None, None),
             Health::StandsStill { from } => ("stands still", Some(from), None),
@@ -209,6 +209,6 @@ impl Rollout {
     /// The motion as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> Result<String, VcgpdmError> {
-        Ok(bvh::write(&self.model.clip(&self.rollout, "rollout.bvh")?))
+        Ok(bvh::write(&coupled(&self.model)?.clip(&self.rollout, "rollout.bvh")?))
     }
 }

@@ -9,7 +9,7 @@ use crate::given::Whole;
 #[cfg(feature = "training")]
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use vcgpdm::models::{ModelKind, TrainingCost, VariationalSettings};
+use vcgpdm::models::{ModelKind, Settings, TrainingCost, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
@@ -95,8 +95,11 @@ pub struct Task<P = PartSpec> {
 }
 
 /// The settings of a training for JavaScript.
-pub fn settings_to_js(task: &Task, settings: &VariationalSettings) -> Result<JsValue, VcgpdmError> {
-    to_js_beside(task, settings)
+pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, VcgpdmError> {
+    match settings.variational() {
+        Some(settings) => to_js_beside(task, settings),
+        None => to_js(task),
+    }
 }
 
 /// The settings of a training from JavaScript.

@@ -5,7 +5,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 use vcgpdm_lab::perception::{
     Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, StudyTrial as Shown, Texts,
 };
@@ -178,7 +178,7 @@ struct Stimulus<'a> {
     failed: bool,
     speed: f64,
     model: Option<ModelKind>,
-    settings: Option<&'a ModelSettings>,
+    settings: Option<&'a Settings>,
     scores: Option<Scores>,
 }
 

@@ -3,6 +3,7 @@
 use crate::convert::{flat, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
+use crate::progress::progress_to_js;
 use serde::Serialize;
 use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm_lab::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
@@ -140,7 +141,7 @@ impl SyntheticExperiment {
     /// One iteration of the optimiser: a few milliseconds.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.experiment.step())
+        progress_to_js(&self.experiment.step())
     }
 
     /// What training has found so far, at any time.

@@ -4,12 +4,14 @@ use crate::any_model::{Any, AnyModel};
 use crate::convert::{flat, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
+use crate::progress::progress_to_js;
 use crate::settings::settings_from_js;
+use crate::trainer::latents_of;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::models::variational::{Trainer as Training, Vcgpdm};
-use vcgpdm::models::{Dataset, SeriesModel};
+use vcgpdm::Trainer as Training;
+use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table as Series, read};
 use wasm_bindgen::prelude::*;
@@ -110,7 +112,7 @@ impl Table {
 pub struct TableTrainer {
     tables: Vec<Series>,
     settings: JsValue,
-    begun: Option<(Dataset<Columns>, Training)>,
+    begun: Option<Training<Columns>>,
 }
 
 #[wasm_bindgen]
@@ -141,39 +143,35 @@ impl TableTrainer {
     /// One iteration of the optimiser: a few milliseconds to some tens.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.begin()?.1.step())
+        progress_to_js(&self.begin()?.step())
     }
 
     /// Allows so many more iterations.
     pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
         let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
-        self.begin()?.1.extend(iterations);
+        self.begin()?.extend(iterations);
         Ok(())
     }
 
     /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
     pub fn notices(&mut self) -> Result<Vec<String>, VcgpdmError> {
-        Ok(self.begin()?.1.notices().to_vec())
+        Ok(self.begin()?.notices().to_vec())
     }
 
     /// The best model so far, at any time.
     pub fn model(&mut self) -> Result<AnyModel, VcgpdmError> {
-        let (dataset, training) = self.begin()?;
-        let rate = 1.0 / dataset.frame_time;
-        let model = SeriesModel::<Vcgpdm>::trained(dataset, training, rate)?;
-        Ok(AnyModel { model: Any::Series(Rc::new(model.into())) })
+        Ok(AnyModel { model: Any::Series(Rc::new(self.begin()?.finish()?)) })
     }
 
     /// Latent means of the training rows at the best so far [rows x Q] of one part, tables one after the
     /// other.
     pub fn latents(&mut self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        let parts = &self.begin()?.1.best().parts;
-        Ok(flat(&part.part_of(ErrorCode::Training, parts)?.latents.mean))
+        latents_of(self.begin()?, part)
     }
 }
 
 impl TableTrainer {
-    fn begin(&mut self) -> Result<&mut (Dataset<Columns>, Training), VcgpdmError> {
+    fn begin(&mut self) -> Result<&mut Training<Columns>, VcgpdmError> {
         if self.begun.is_none() {
             let (task, settings) = settings_from_js::<TablePart>(&self.settings)?;
             let first = self.tables.first().ok_or(SeriesError::Empty)?;
@@ -190,9 +188,7 @@ impl TableTrainer {
                 parts.push(PartSpec { name: part.name.clone(), joints });
             }
             let dataset = Dataset::of_tables(&self.tables, &parts, task.frames_per_second)?;
-            let training = Training::new(dataset.y.clone(), dataset.lengths(), &settings, task.seed)
-                .map_err(|reason| dataset.refusal(reason))?;
-            self.begun = Some((dataset, training));
+            self.begun = Some(Training::new(&dataset, &settings.into(), task.seed)?);
         }
         self.begun.as_mut().ok_or_else(|| VcgpdmError::new(ErrorCode::Training, &"expected tables"))
     }

@@ -1,14 +1,15 @@
 //! A training under way, step by step.
 
 use crate::clip::TrainingSet;
-use crate::convert::{flat, to_js};
+use crate::convert::flat;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
 use crate::model::Model;
+use crate::progress::progress_to_js;
 use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
-use vcgpdm::models::variational::{Trainer as Training, Vcgpdm};
-use vcgpdm::models::{Dataset, Source, TrainedModel};
+use vcgpdm::Trainer as Training;
+use vcgpdm::models::{Dataset, Observed, Source};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -64,9 +65,7 @@ export interface TrainingProgress {
 /// A training under way.
 #[wasm_bindgen]
 pub struct Trainer {
-    dataset: Dataset,
     training: Training,
-    frames_per_second: f64,
 }
 
 #[wasm_bindgen]
@@ -78,18 +77,15 @@ impl Trainer {
         #[wasm_bindgen(unchecked_param_type = "TrainingSettings")] settings: JsValue,
     ) -> Result<Trainer, VcgpdmError> {
         let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
-        let sources: Vec<Source> =
-            clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+        let sources: Vec<Source> = clips.clips.iter().map(Source::from).collect();
         let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
-        let training = Training::new(dataset.y.clone(), dataset.lengths(), &settings, seed)
-            .map_err(|reason| dataset.refusal(reason))?;
-        Ok(Trainer { dataset, training, frames_per_second })
+        Ok(Trainer { training: Training::new(&dataset, &settings.into(), seed)? })
     }
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        to_js(&self.training.step())
+        progress_to_js(&self.training.step())
     }
 
     /// Allows so many more iterations: training goes on where it stopped, as if they had been allowed from
@@ -107,13 +103,18 @@ impl Trainer {
 
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
-        let model = TrainedModel::<Vcgpdm>::trained(&self.dataset, &self.training, self.frames_per_second)?;
-        Ok(Model { model: Rc::new(model) })
+        Ok(Model { model: Rc::new(self.training.finish()?) })
     }
 
     /// Latent means of the training frames at the best so far [frames x Q] of one part, sequences one after
     /// the other.
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
-        Ok(flat(&part.part_of(ErrorCode::Training, &self.training.best().parts)?.latents.mean))
+        latents_of(&self.training, part)
     }
+}
+
+/// Latent means of a part of a training under way, row after row.
+pub(crate) fn latents_of<S: Observed>(training: &Training<S>, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+    let latents: Vec<_> = (0..training.part_count()).filter_map(|part| training.latents(part)).collect();
+    Ok(flat(part.part_of(ErrorCode::Training, &latents)?))
 }

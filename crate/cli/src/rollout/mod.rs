@@ -11,9 +11,8 @@ use std::error::Error;
 use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
-use vcgpdm::models::variational::Vcgpdm;
 use vcgpdm::models::{
-    Body, MOST_FRAMES, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest, TrainedModel,
+    Body, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest,
 };
 use vcgpdm::motion::bvh;
 use vcgpdm::series;
@@ -117,12 +116,12 @@ type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(
 
 fn roll_out<S: Observed>(
     arguments: &Arguments,
-    model: TrainedModel<Model, S>,
+    model: Model<S>,
     motion: WriteMotion<S>,
 ) -> Result<(), Box<dyn Error>> {
-    match model.into_vcgpdm() {
-        Ok(model) => coupled(arguments, &model, motion),
-        Err(model) => {
+    match model.coupled() {
+        Some(model) => coupled(arguments, model, motion),
+        None => {
             if let Some(option) = arguments.about_couplings() {
                 let kind = model.kind().id();
                 return Err(usage(format!(
@@ -211,14 +210,14 @@ impl Arguments {
 /// The rollouts of a model whose couplings may be changed, and its latents into files of their own.
 fn coupled<S: Observed>(
     arguments: &Arguments,
-    model: &TrainedModel<Vcgpdm, S>,
+    model: Coupled<S>,
     motion: WriteMotion<S>,
 ) -> Result<(), Box<dyn Error>> {
     let parts: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
     let request = arguments.request(&parts, &model.model.alpha)?;
     let rollout = model.rollout(&request)?;
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
-        arguments.write(&model.body, &rollout.y, number, motion)?;
+        arguments.write(model.body, &rollout.y, number, motion)?;
         if let Some(path) = &arguments.latents {
             let text = latents::csv(&parts, &rollout.latents, model.body.frame_time);
             files::write_text(&numbered(path, number), &text)?;
@@ -248,8 +247,8 @@ fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
 }
 
 /// Reads a model document of any kind.
-pub fn read_model(path: &Path) -> Result<TrainedModel, Box<dyn Error>> {
-    TrainedModel::<Model>::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+pub fn read_model(path: &Path) -> Result<Model, Box<dyn Error>> {
+    Model::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::{
     DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelKind,
-    ModelSettings, TmpSettings, VariationalSettings,
+    Settings, TmpSettings, VariationalSettings,
 };
 
 /// The options that only some kinds have. What they hold counts where the kind has them.
@@ -86,7 +86,7 @@ const KINDS: [(&str, &[ModelKind]); 13] = [
 
 impl Options {
     /// A model of that kind with the settings asked for; an option that the kind does not have is refused.
-    pub fn settings(&self, kind: ModelKind) -> Result<ModelSettings, Box<dyn Error>> {
+    pub fn settings(&self, kind: ModelKind) -> Result<Settings, Box<dyn Error>> {
         let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
         if let Some((id, kinds)) = misplaced {
             let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
@@ -103,16 +103,16 @@ impl Options {
         let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
-            ModelKind::Vcgpdm => ModelSettings::Vcgpdm(variational),
-            ModelKind::Vgpdm => ModelSettings::Vgpdm(variational),
-            ModelKind::MapGpdm => ModelSettings::MapGpdm(point),
-            ModelKind::MapCgpdm => ModelSettings::MapCgpdm(point),
+            ModelKind::Vcgpdm => Settings::Vcgpdm(variational),
+            ModelKind::Vgpdm => Settings::Vgpdm(variational),
+            ModelKind::MapGpdm => Settings::MapGpdm(point),
+            ModelKind::MapCgpdm => Settings::MapCgpdm(point),
             ModelKind::Tmp => {
                 let (primitives, normalised_time) = (self.primitives, self.normalised_time);
-                ModelSettings::Tmp(TmpSettings { primitives, normalised_time })
+                Settings::Tmp(TmpSettings { primitives, normalised_time })
             }
-            ModelKind::DmpDiscrete => ModelSettings::DmpDiscrete(DmpSettings { bases }),
-            ModelKind::DmpRhythmic => ModelSettings::DmpRhythmic(DmpSettings { bases }),
+            ModelKind::DmpDiscrete => Settings::DmpDiscrete(DmpSettings { bases }),
+            ModelKind::DmpRhythmic => Settings::DmpRhythmic(DmpSettings { bases }),
         })
     }
 }

@@ -12,7 +12,7 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, ModelKind, ModelSettings, Setbacks, Source, with_bones_of};
+use vcgpdm::models::{Dataset, ModelKind, Setbacks, Settings, Source, with_bones_of};
 use vcgpdm::motion::Clip;
 
 /// A movement as it is asked for: its name and the places of its clips.
@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         .map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
     let model_settings = arguments.options.settings(ModelKind::Vcgpdm)?;
-    let ModelSettings::Vcgpdm(settings) = &model_settings else {
+    let Settings::Vcgpdm(settings) = &model_settings else {
         return Err("expected settings of a vcgpdm".into());
     };
     if arguments.options.write_start.is_some() {
@@ -85,9 +85,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, settings, seed)
         .map_err(|reason| dataset.refusal(reason))?;
     trainer.use_threads(arguments.options.threads.into());
-    let reason = train_steps(|| trainer.step().into(), "bound")?;
+    let reason = train_steps(|| trainer.step(), "bound")?;
     let seconds = begin.elapsed().as_secs_f64();
-    let mut trained = TrainedLibrary::trained(&dataset, &trainer, arguments.fps)?;
+    let mut trained = TrainedLibrary::trained(&dataset, &trainer)?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
     let end = (&*reason, trainer.progress().setbacks);

@@ -21,10 +21,9 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 use vcgpdm::document::DocumentError;
-use vcgpdm::models::variational::Trainer;
+use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
-    Dataset, Model, ModelKind, ModelSettings, Movements, Observed, Provenance, Source, TrainedModel,
-    with_bones_of,
+    Dataset, FittedModel, Model, ModelKind, Observed, Provenance, Settings, Source, Trainer, with_bones_of,
 };
 use vcgpdm::motion::Clip;
 use vcgpdm_lab::golden::Case;
@@ -40,8 +39,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;
-        let rate = 1.0 / dataset.frame_time;
-        return learn(arguments, split, &dataset, rate, |model| model.to_json());
+        return learn(arguments, split, &dataset, |model| model.to_json());
     }
     check_fps(arguments.fps)?;
     let mut clips = Vec::new();
@@ -62,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    learn(arguments, split, &dataset, arguments.fps, |model| model.to_json())
+    learn(arguments, split, &dataset, |model| model.to_json())
 }
 
 /// What `--parts` says, or all as one part for models that are not coupled.
@@ -76,18 +74,15 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, and writes the model and what it reached; `fps` is the rate that the data set was
-/// asked for.
+/// Trains on the data set, and writes the model and a summary of the training.
 fn learn<S: Observed>(
     arguments: &Arguments,
     split: &str,
     dataset: &Dataset<S>,
-    fps: f64,
-    to_json: impl Fn(&TrainedModel<Model, S>) -> Result<String, DocumentError>,
+    to_json: impl Fn(&Model<S>) -> Result<String, DocumentError>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::of_parts(arguments.model, dataset.layout.parts().len(), split)?;
     let settings = arguments.options.settings(kind)?;
-    let movements = Movements::of(dataset);
     let seed_frames =
         arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
     let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
@@ -96,22 +91,22 @@ fn learn<S: Observed>(
     warn_of_training(&settings, dataset);
     let begin = Instant::now();
     let seed = arguments.options.seed;
-    let mut learner = settings.learner(&movements, seed).map_err(|reason| dataset.refusal(reason))?;
-    learner.use_threads(arguments.options.threads.into());
+    let mut trainer = Trainer::new(dataset, &settings, seed)?;
+    trainer.use_threads(arguments.options.threads.into());
     if let Some(path) = &arguments.options.write_start {
-        write_start(path, movements, &settings, seed)?;
+        write_start(path, dataset, &settings, seed)?;
     }
-    let reason = train_steps(|| learner.step(), objective(kind))?;
+    let reason = train_steps(|| trainer.step(), objective(kind))?;
     let seconds = begin.elapsed().as_secs_f64();
-    let setbacks = learner.progress().setbacks;
-    let warnings = [&dataset.warnings, learner.notices()].concat();
+    let setbacks = trainer.progress().setbacks;
+    let warnings = [&dataset.warnings, trainer.notices()].concat();
 
-    let mut trained = TrainedModel::<Model, S>::trained(dataset, &*learner, settings, seed, fps)?;
+    let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &to_json(&trained)?)?;
     let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
-    let summary = match &trained.model {
-        Model::Vcgpdm(model) => {
+    let summary = match &trained.fitted {
+        FittedModel::Vcgpdm(model) => {
             json!({
                 "kind": kind.id(),
                 "elbo": objective,
@@ -140,16 +135,15 @@ fn learn<S: Observed>(
 }
 
 /// Writes where the training of a variational model starts, as the input of a case.
-fn write_start(
+fn write_start<S: Observed>(
     path: &Path,
-    movements: Movements,
-    settings: &ModelSettings,
+    dataset: &Dataset<S>,
+    settings: &Settings,
     seed: u32,
 ) -> Result<(), Box<dyn Error>> {
     // No other kind has the option.
-    if let ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) = settings {
-        let lengths = movements.lengths();
-        let trainer = Trainer::new(movements.y, lengths, settings, seed)?;
+    if let Settings::Vcgpdm(settings) | Settings::Vgpdm(settings) = settings {
+        let trainer = VariationalTrainer::new(dataset.y.clone(), dataset.lengths(), settings, seed)?;
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
     }
     Ok(())

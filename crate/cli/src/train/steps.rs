@@ -1,10 +1,10 @@
 //! A training, one step after the other.
 
 use crate::interrupt;
-use crate::progress::{Progress, say};
+use crate::progress::{Progress as Bar, say};
 use std::error::Error;
 use std::sync::atomic::Ordering;
-use vcgpdm::models::{Dataset, LearningProgress, ModelSettings, Observed, TrainingCost};
+use vcgpdm::models::{Dataset, Observed, Progress, Settings, TrainingCost};
 
 /// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small
 /// machine.
@@ -12,12 +12,10 @@ const LONG: f64 = 1800.0;
 const LARGE: f64 = 4e9;
 
 /// Says before trainings on a data set that they would take long, or much memory.
-pub fn warn_of_training<S: Observed>(settings: &ModelSettings, dataset: &Dataset<S>) {
+pub fn warn_of_training<S: Observed>(settings: &Settings, dataset: &Dataset<S>) {
     let columns: Vec<usize> = dataset.y.iter().map(|y| y.ncols()).collect();
     let less = match settings {
-        ModelSettings::Vcgpdm(_) | ModelSettings::Vgpdm(_) => {
-            "a lower --fps, fewer inducing points or iterations"
-        }
+        Settings::Vcgpdm(_) | Settings::Vgpdm(_) => "a lower --fps, fewer inducing points or iterations",
         _ => "a lower --fps or fewer iterations",
     };
     warn_of_cost(settings.cost(dataset.lengths().iter().sum(), &columns), 1, less);
@@ -36,12 +34,9 @@ pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
 }
 
 /// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
-pub fn train_steps(
-    mut step: impl FnMut() -> LearningProgress,
-    objective: &str,
-) -> Result<String, Box<dyn Error>> {
+pub fn train_steps(mut step: impl FnMut() -> Progress, objective: &str) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
-    let mut shown = Progress::new("at most");
+    let mut shown = Bar::new("at most");
     loop {
         let progress = step();
         // Not the iterations: a search for the number of primitives may end long before the most there can

@@ -4,9 +4,8 @@ use crate::call::{fails, folder, one_frame, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
-use vcgpdm::models::TrainedModel;
+use vcgpdm::models::Model;
 use vcgpdm::models::library::{CouplingsFrom, TrainedLibrary};
-use vcgpdm::models::variational::Vcgpdm;
 
 fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&prints(arguments)).unwrap()
@@ -35,7 +34,7 @@ fn primitives_of_a_library_are_coupled_anew() {
     let uses = ["couple", text(&library), "--use", "lower=walk,upper=wave"];
     let printed = json(&[&uses[..], &["--out", text(&out)]].concat());
     assert_eq!(printed["couplings"]["from"], "training");
-    let model = TrainedModel::<Vcgpdm>::from_json(&fs::read_to_string(&out).unwrap()).unwrap();
+    let model = Model::coupled_from_json(&fs::read_to_string(&out).unwrap()).unwrap();
     assert_eq!(model.body.sequences[0].name, "walk-wave-1 (made by this project).bvh");
     prints(&["rollout", text(&out), "--frames", "30", "--out", text(&library.with_file_name("motion.bvh"))]);
     // To a clip; the library keeps the combination.

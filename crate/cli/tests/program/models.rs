@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use vcgpdm::models::{
-    Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, Sequence, Source,
-    TmpSettings, TrainedModel, VariationalSettings,
+    Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, Movements, Sequence, Settings, Source,
+    TmpSettings, VariationalSettings,
 };
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::evaluation::dtw_mse;
@@ -26,7 +26,7 @@ fn train(out: &Path, more: &str) -> Value {
 }
 
 /// The same with the library: all columns that the model makes of the beginning of the third walk.
-fn rolled_out(candidate: &ModelSettings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
+fn rolled_out(candidate: &Settings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
     let clips: Vec<Clip> = [1, 2, 3].map(|k| samples::clip(&format!("walk-{k}")).unwrap()).into();
     let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
     let first = |k: usize| (k == SEQUENCE).then_some(START_FRAMES);
@@ -48,17 +48,17 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
     let ips = "--dynamics-ips 4 --pose-ips 5";
     let split = "--parts lower,upper";
     let cases = [
-        (ModelSettings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
-        (ModelSettings::Vgpdm(gpdm), "whole", format!("{small} {ips}")),
-        (ModelSettings::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
-        (ModelSettings::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
+        (Settings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
+        (Settings::Vgpdm(gpdm), "whole", format!("{small} {ips}")),
+        (Settings::MapGpdm(point(false)), "whole", format!("--parts whole {small}")),
+        (Settings::MapCgpdm(point(true)), "lower-upper", format!("{split} {small} --balanced")),
         (
-            ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
+            Settings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
             "lower-upper",
             format!("{split} --primitives 2"),
         ),
-        (ModelSettings::DmpDiscrete(DmpSettings { bases: 7 }), "whole", "--bases 7".to_owned()),
-        (ModelSettings::DmpRhythmic(DmpSettings { bases: 6 }), "whole", "--bases 6".to_owned()),
+        (Settings::DmpDiscrete(DmpSettings { bases: 7 }), "whole", "--bases 7".to_owned()),
+        (Settings::DmpRhythmic(DmpSettings { bases: 6 }), "whole", "--bases 6".to_owned()),
     ];
     let folder = folder("models-kinds");
     assert_eq!(cases.each_ref().map(|(candidate, ..)| candidate.kind()), ModelKind::ALL);
@@ -70,7 +70,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
         assert!(printed["seconds"].as_f64().unwrap() > 0.0 && printed["reason"].is_string(), "{printed}");
 
         let written = fs::read_to_string(&file).unwrap();
-        let model = TrainedModel::<Model>::from_json(&written).unwrap();
+        let model = Model::from_json(&written).unwrap();
         assert_eq!((model.kind(), model.to_json().unwrap()), (candidate.kind(), written.clone()));
         let again = rolled_out(&candidate, preset, 3, 40);
         assert_eq!(model.rollout(SEQUENCE, 40).unwrap(), again, "{id}");
@@ -90,7 +90,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
         // Couplings and latents are there where the model has some.
         let latents = folder.join("latents.csv");
         let _ = fs::remove_file(&latents);
-        let variational = matches!(model.model, Model::Vcgpdm(_));
+        let variational = model.coupled().is_some();
         for (option, value) in [("--alpha", "0:0=2"), ("--latents", text(&latents))] {
             let arguments: Vec<&str> = arguments.into_iter().chain([option, value]).collect();
             if variational {
@@ -109,7 +109,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
             continue;
         }
         assert_eq!(printed["objective"].as_f64(), Some(model.provenance.objective));
-        assert_eq!(printed["bound"].as_f64(), model.model.bound());
+        assert_eq!(printed["bound"].as_f64(), model.fitted.bound());
         let settings: Vec<(&str, f64)> = document["provenance"]["settings"]
             .as_object()
             .unwrap()

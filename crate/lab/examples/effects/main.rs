@@ -20,9 +20,10 @@ mod sweep;
 
 use clap::Parser;
 use clips::read_clips;
-use models::{Trained, lower_upper, train};
+use models::{lower_upper, train};
 use std::path::PathBuf;
 use sweep::{Learned, strength};
+use vcgpdm::Model;
 use vcgpdm::models::Reading;
 use vcgpdm::motion::Clip;
 
@@ -41,17 +42,17 @@ fn main() {
     if arguments.clips.is_empty() {
         let start = models::start();
         println!("### The model that the page opens with\n");
-        sweep::print(&start);
+        sweep::print(start.coupled().unwrap());
         println!("### Its presets\n");
-        presets::print(&start);
+        presets::print(start.coupled().unwrap());
         for (title, model) in models::of_samples() {
             println!("### {title}\n");
-            sweep::print(&model);
+            sweep::print(model.coupled().unwrap());
         }
         return;
     }
     let clips: Vec<Clip> = read_clips(&arguments.clips).collect();
-    let models: Vec<(u32, Trained)> = (arguments.seeds.iter())
+    let models: Vec<(u32, Model)> = (arguments.seeds.iter())
         .map(|&seed| {
             eprintln!("seed {seed}");
             (seed, train(&clips, &lower_upper(&clips[0]), seed, arguments.max_iterations))
@@ -62,6 +63,7 @@ fn main() {
     println!("| seed | bound | hands swing | feet swing | in step | period of hands, s | of feet, s |");
     println!("{}|", "|---".repeat(7));
     for (seed, model) in &models {
+        let model = model.coupled().unwrap();
         let learned = Learned::of(model);
         let alpha = strength(&model.model.alpha, &[(0, 1, 100.0)]);
         let cut = learned.effect(model, alpha, Reading::ReInferred);
@@ -75,9 +77,9 @@ fn main() {
         );
     }
     println!();
-    let best = models.iter().max_by(|a, b| a.1.model.bound().total_cmp(&b.1.model.bound()));
+    let best = models.iter().max_by(|a, b| a.1.fitted.bound().partial_cmp(&b.1.fitted.bound()).unwrap());
     if let Some((seed, model)) = best {
         println!("### The highest bound: seed {seed}\n");
-        sweep::print(model);
+        sweep::print(model.coupled().unwrap());
     }
 }

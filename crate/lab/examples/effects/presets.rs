@@ -1,8 +1,9 @@
 //! The presets of the model that the page opens with, as the page has them.
 
-use crate::models::{Trained, www};
+use crate::models::www;
 use crate::sweep::{Learned, number, strength, words};
 use serde::Deserialize;
+use vcgpdm::Coupled;
 use vcgpdm::models::Reading;
 
 #[derive(Deserialize)]
@@ -19,7 +20,7 @@ struct Change {
     factor: f64,
 }
 
-pub fn print(model: &Trained) {
+pub fn print(model: Coupled) {
     let presets: Vec<Preset> = serde_json::from_str(&www("presets.json")).unwrap();
     let learned = Learned::of(model);
     let place = |name: &str| {

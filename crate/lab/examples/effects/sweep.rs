@@ -1,7 +1,7 @@
 //! Every coupling through its range, in both readings.
 
-use crate::models::Trained;
 use nalgebra::DMatrix;
+use vcgpdm::Coupled;
 use vcgpdm::models::{Health, Reading, RolloutRequest};
 use vcgpdm::motion::measures::{LimbMeasures, Measures, measures};
 
@@ -61,13 +61,13 @@ pub struct Learned {
 }
 
 impl Learned {
-    pub fn of(model: &Trained) -> Self {
+    pub fn of(model: Coupled) -> Self {
         let (measures, health) = roll(model, model.model.alpha.clone(), Reading::AsLearned);
         Self { measures, health }
     }
 
     /// What other couplings do.
-    pub fn effect(&self, model: &Trained, alpha: DMatrix<f64>, reading: Reading) -> Effect {
+    pub fn effect(&self, model: Coupled, alpha: DMatrix<f64>, reading: Reading) -> Effect {
         let (measures, health) = roll(model, alpha, reading);
         let swing = |hands: bool| {
             let of = |measures| mean(measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);
@@ -78,7 +78,7 @@ impl Learned {
     }
 }
 
-fn roll(model: &Trained, alpha: DMatrix<f64>, reading: Reading) -> (Measures, Health) {
+fn roll(model: Coupled, alpha: DMatrix<f64>, reading: Reading) -> (Measures, Health) {
     let frame_time = model.body.frame_time;
     let frames = |seconds: f64| (seconds / frame_time).round() as usize;
     let request = RolloutRequest {
@@ -117,7 +117,7 @@ pub fn number(value: Option<f64>) -> String {
 }
 
 /// The tables of one model.
-pub fn print(model: &Trained) {
+pub fn print(model: Coupled) {
     let learned = Learned::of(model);
     let names: Vec<&str> = model.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
     let swing = |hands| mean(&learned.measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);

@@ -23,8 +23,8 @@ use seeds::{each_seed, near, range};
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
-use vcgpdm::models::variational::{Objective, Params, SMALLEST_S, Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+use vcgpdm::models::variational::{Objective, Params, SMALLEST_S, VariationalTrainer};
+use vcgpdm::models::{Dataset, RolloutRequest, Source, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, PartsPreset};
 use vcgpdm::motion::{Clip, Skeleton, parts, samples};
 use vcgpdm_lab::evaluation::dtw_mse;
@@ -113,7 +113,8 @@ fn run(problem: &Problem, way: &Way, seed: u32) -> Run {
             break progress;
         }
     };
-    let model = TrainedModel::<Vcgpdm>::trained(&problem.dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    let model = trainer.finish(&problem.dataset).unwrap();
+    let model = model.coupled().unwrap();
     let request = |frames, sequence| {
         model.rollout(&RolloutRequest { frames, sequence, ..Default::default() }).unwrap().y
     };
@@ -141,10 +142,10 @@ impl Run {
     }
 }
 
-fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u32) -> Trainer {
+fn trainer(problem: &Problem, way: &Way, settings: &VariationalSettings, seed: u32) -> VariationalTrainer {
     let objective = problem.objective.clone();
     let start = (way.begin)(objective.observations(), objective.sequences(), settings, seed);
-    Trainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
+    VariationalTrainer::from_start(objective, start, (way.phases)(), settings, seed).unwrap()
 }
 
 fn read_trials(folder: Option<&PathBuf>) -> Vec<Clip> {
@@ -195,7 +196,8 @@ fn problem(trials: &[Clip], preset: &str) -> Problem {
     let trial = trials[trials.len() - 1].resample(1.0 / dataset.frame_time).unwrap();
     let actual = dataset.mapping.encode(&trial).unwrap().y;
     let trainer =
-        Trainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0).unwrap();
+        VariationalTrainer::new(dataset.y.clone(), dataset.lengths(), &VariationalSettings::default(), 0)
+            .unwrap();
     Problem { title: chosen.title, objective: trainer.objective(), dataset, actual }
 }
 

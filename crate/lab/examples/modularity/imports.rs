@@ -45,7 +45,7 @@ fn library(test: &ModularityTest, movement: usize) -> TrainedLibrary {
         let (y, plan) = (dataset.y.clone(), plan.clone());
         let mut trainer = LibraryTrainer::new(y, dataset.lengths(), plan, &test.settings, *seed).unwrap();
         while !trainer.step().done {}
-        TrainedLibrary::trained(&dataset, &trainer, rate).unwrap()
+        TrainedLibrary::trained(&dataset, &trainer).unwrap()
     });
     libraries.max_by(|a, b| a.provenance.objective.total_cmp(&b.provenance.objective)).unwrap()
 }

@@ -2,12 +2,9 @@
 //! the sample walks.
 
 use std::path::Path;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, Source, TrainedModel, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::{Clip, samples};
-
-pub type Trained = TrainedModel<Vcgpdm>;
+use vcgpdm::{Dataset, Model, Source, Trainer, VariationalSettings};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
@@ -18,12 +15,12 @@ pub fn www(file: &str) -> String {
 }
 
 /// The model that the page opens with.
-pub fn start() -> Trained {
-    Trained::from_json(&www("model.json")).unwrap()
+pub fn start() -> Model {
+    Model::from_json(&www("model.json")).unwrap()
 }
 
 /// Models of the sample walks, with the default settings.
-pub fn of_samples() -> Vec<(&'static str, Trained)> {
+pub fn of_samples() -> Vec<(&'static str, Model)> {
     let clips = |movement: &str| -> Vec<Clip> {
         let samples = samples::list().into_iter().filter(|sample| sample.movement == movement);
         samples.map(|sample| samples::clip(sample.id).unwrap()).collect()
@@ -40,13 +37,13 @@ pub fn of_samples() -> Vec<(&'static str, Trained)> {
 }
 
 /// A model of these clips.
-pub fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Trained {
+pub fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Model {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, parts, FRAMES_PER_SECOND).unwrap();
     let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
-    let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, seed).unwrap();
-    while !trainer.step().done {}
-    Trained::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap()
+    let mut trainer = Trainer::new(&dataset, &settings.into(), seed).unwrap();
+    trainer.run();
+    trainer.finish().unwrap()
 }
 
 /// Lower and upper body.

@@ -10,9 +10,9 @@
 mod models;
 mod spread;
 
-use models::Trained;
 use spread::{Cloud, Group, rms};
 use std::ops::Range;
+use vcgpdm::Coupled;
 use vcgpdm::models::RolloutRequest;
 
 const FRAMES: [usize; 7] = [5, 10, 15, 20, 30, 45, 60];
@@ -22,15 +22,15 @@ const PATH: usize = 90;
 
 fn main() {
     println!("### The model that the page opens with\n");
-    print(&models::start());
+    print(models::start().coupled().unwrap());
     for (title, model) in models::of_samples() {
         println!("### {title}\n");
-        print(&model);
+        print(model.coupled().unwrap());
     }
 }
 
 /// One row for each part and frame.
-fn print(model: &Trained) {
+fn print(model: Coupled) {
     let request = RolloutRequest { frames: PATH, ..RolloutRequest::default() };
     let dynamics = model.predictive_dynamics(&request).unwrap();
     let start = &model.model.start(0, 0).unwrap();

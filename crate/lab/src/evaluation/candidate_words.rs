@@ -1,7 +1,7 @@
 //! The settings of a candidate in words.
 
 use vcgpdm::internals::counted;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 
 /// The settings of a GPDM besides its size.
 #[derive(Clone, Copy, PartialEq)]
@@ -16,41 +16,41 @@ pub(super) struct Common {
 }
 
 /// What all models with latents have in common; absent for the others.
-pub(super) fn common(candidate: &ModelSettings) -> Option<Common> {
+pub(super) fn common(candidate: &Settings) -> Option<Common> {
     match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => Some(Common {
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => Some(Common {
             latent: s.latent,
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: None,
             linear: false,
         }),
-        ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) => Some(Common {
+        Settings::MapGpdm(s) | Settings::MapCgpdm(s) => Some(Common {
             latent: s.latent,
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: Some(s.balanced),
             linear: s.linear,
         }),
-        ModelSettings::Tmp(_) | ModelSettings::DmpDiscrete(_) | ModelSettings::DmpRhythmic(_) => None,
+        Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => None,
     }
 }
 
 /// Its size; absent where the data are the size.
-pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
+pub(super) fn size(candidate: &Settings) -> Option<String> {
     match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => {
             Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
         }
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => None,
-        ModelSettings::Tmp(s) => {
+        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => None,
+        Settings::Tmp(s) => {
             let count = match s.primitives {
                 None => "primitives by the bound".to_owned(),
                 Some(count) => counted(count, "primitive"),
             };
             Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
         }
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => Some(match s.bases {
+        Settings::DmpDiscrete(s) | Settings::DmpRhythmic(s) => Some(match s.bases {
             1 => "1 basis".to_owned(),
             bases => format!("{bases} bases"),
         }),
@@ -58,7 +58,7 @@ pub(super) fn size(candidate: &ModelSettings) -> Option<String> {
 }
 
 /// The kind with every setting: different for different candidates.
-pub(super) fn every_setting(candidate: &ModelSettings) -> String {
+pub(super) fn every_setting(candidate: &Settings) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
     if let Some(Common { latent, order, max_iterations, balanced, linear }) = common(candidate) {

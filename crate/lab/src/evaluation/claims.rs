@@ -13,7 +13,7 @@ use crate::evaluation::rows::{Row, common_folds, groups, settings};
 use crate::evaluation::stats::Interval;
 use crate::evaluation::summary::{Answer, Claim, Correlation, Growth};
 use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// A sentence of a paper, and where it stands.
 struct Said(&'static str, &'static str);
@@ -75,8 +75,8 @@ const CHANCE: f64 = 0.05;
 const OPTIMAL_BASES: usize = 25;
 
 /// As the other settings of the table: MAP models neither balanced nor with a linear term.
-fn is_plain(candidate: &ModelSettings) -> bool {
-    !matches!(candidate, ModelSettings::MapGpdm(s) | ModelSettings::MapCgpdm(s) if s.balanced || s.linear)
+fn is_plain(candidate: &Settings) -> bool {
+    !matches!(candidate, Settings::MapGpdm(s) | Settings::MapCgpdm(s) if s.balanced || s.linear)
 }
 
 /// Claims as they are found.
@@ -149,7 +149,7 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
         bases(&mut claims, &settings(rows, kind, &is_plain));
     }
     // Those whose number of primitives is given; the one that is chosen by the bound is one of them again.
-    let given = |s: &ModelSettings| matches!(s, ModelSettings::Tmp(s) if s.primitives.is_some());
+    let given = |s: &Settings| matches!(s, Settings::Tmp(s) if s.primitives.is_some());
     if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
         let (found, answer) = correlated(&c);
         let criterion = "rank correlation over the numbers of primitives below 0, by chance in less than 5 %";

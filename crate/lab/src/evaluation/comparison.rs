@@ -11,7 +11,7 @@ use crate::evaluation::results::Results;
 use crate::evaluation::rows::{Row, groups, rows};
 use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSummary};
 use serde::Serialize;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 
 /// What the results of a comparison say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -49,14 +49,14 @@ impl Comparison {
         let evidence = evidence(&rows, &|fold| names.get(fold.wrapping_sub(1)).unwrap_or(&"").to_string());
         let claims = claims(&rows, &growth, &labels);
         let groups = groups(rows.iter()).into_iter();
-        let chosen: Vec<(&ModelSettings, usize)> = groups
+        let chosen: Vec<(&Settings, usize)> = groups
             .filter_map(|group| {
                 let (count, first) = (group.len(), group.first()?.candidate);
                 // Where sizes have no trial in common, none can be chosen.
                 Some((Contender::new(group).map_or(first, |c| c.most_often().candidate), count))
             })
             .collect();
-        let stands_for = |candidate: &ModelSettings| {
+        let stands_for = |candidate: &Settings| {
             chosen.iter().find(|(of_group, _)| *of_group == candidate).map_or(0, |(_, count)| *count)
         };
         let summary = |row: &Row| row.summary(labels.label(row.candidate), stands_for(row.candidate));
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn seeds_are_averaged_before_folds() {
         let mut jobs = Vec::new();
-        let candidate = || ModelSettings::Vgpdm(variational(8));
+        let candidate = || Settings::Vgpdm(variational(8));
         for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
             jobs.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
         }
@@ -111,18 +111,18 @@ mod tests {
         let mut jobs = Vec::new();
         for fold in 1..=7 {
             let hard = 1.0 + 0.3 * fold as f64;
-            let mut add = |candidate: ModelSettings, mse: f64, bound: Option<f64>| {
+            let mut add = |candidate: Settings, mse: f64, bound: Option<f64>| {
                 jobs.push(finished(candidate, fold, 6, 0, outcome(hard * mse, bound, 100, 1.0)));
             };
             // The bound prefers 12, though 16 happens to predict better.
             for (ips, mse, bound) in [(8, 0.5, 1.0), (12, 0.3, 3.0), (16, 0.2, 2.0)] {
-                add(ModelSettings::Vcgpdm(variational(ips)), mse, Some(bound));
-                add(ModelSettings::Vgpdm(variational(ips)), 1.05 * mse, Some(bound + 5.0));
+                add(Settings::Vcgpdm(variational(ips)), mse, Some(bound));
+                add(Settings::Vgpdm(variational(ips)), 1.05 * mse, Some(bound + 5.0));
             }
-            add(ModelSettings::MapGpdm(map(false)), 0.4, None);
+            add(Settings::MapGpdm(map(false)), 0.4, None);
             // One wild fold in favour of the claim, as many a MAP rollout has.
-            add(ModelSettings::MapCgpdm(map(false)), if fold == 3 { 99.0 } else { 0.25 }, None);
-            add(ModelSettings::MapGpdm(map(true)), 0.25, None);
+            add(Settings::MapCgpdm(map(false)), if fold == 3 { 99.0 } else { 0.25 }, None);
+            add(Settings::MapGpdm(map(true)), 0.25, None);
         }
         let found = Comparison::of(&results(7, &jobs));
         // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
@@ -153,13 +153,13 @@ mod tests {
     #[test]
     fn models_are_compared_over_the_trials_that_both_have() {
         let mut jobs = Vec::new();
-        let mut add = |candidate: ModelSettings, fold: usize, mse: f64| {
+        let mut add = |candidate: Settings, fold: usize, mse: f64| {
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
         };
         for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
-            add(ModelSettings::Vcgpdm(variational(12)), fold, mse);
+            add(Settings::Vcgpdm(variational(12)), fold, mse);
         }
-        add(ModelSettings::Vgpdm(variational(12)), 1, 0.25);
+        add(Settings::Vgpdm(variational(12)), 1, 0.25);
         let found = Comparison::of(&results(3, &jobs));
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
         assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
@@ -188,8 +188,8 @@ mod tests {
                         outcome(mse, Some(1.0), 100, 1.0),
                     ));
                 };
-                add(ModelSettings::Vcgpdm(variational(12)), ratio * (k + 1) as f64);
-                add(ModelSettings::Vgpdm(variational(12)), (k + 1) as f64);
+                add(Settings::Vcgpdm(variational(12)), ratio * (k + 1) as f64);
+                add(Settings::Vgpdm(variational(12)), (k + 1) as f64);
             }
             results(ratios.len(), &jobs)
         };
@@ -211,7 +211,7 @@ mod tests {
             let mut jobs = Vec::new();
             for fold in 1..=6 {
                 for (bases, mse) in [5, 25, 100].into_iter().zip(errors) {
-                    let candidate = ModelSettings::DmpDiscrete(DmpSettings { bases });
+                    let candidate = Settings::DmpDiscrete(DmpSettings { bases });
                     jobs.push(finished(candidate, fold, 5, 0, outcome(mse * fold as f64, None, 100, 1.0)));
                 }
             }
@@ -226,7 +226,7 @@ mod tests {
     fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
         let mut jobs = Vec::new();
         let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
-            let candidate = ModelSettings::Vgpdm(variational(ips));
+            let candidate = Settings::Vgpdm(variational(ips));
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
         // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher,
@@ -258,7 +258,7 @@ mod tests {
     fn settings_besides_the_size_are_never_mixed() {
         let mut jobs = Vec::new();
         let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
-            let candidate = ModelSettings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
+            let candidate = Settings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
             jobs.push(finished(candidate, fold, 1, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
         // A few iterations find worse models; those of many iterations have more results.
@@ -280,7 +280,7 @@ mod tests {
         assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
         assert_eq!(
             found.models[5].candidate,
-            ModelSettings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
+            Settings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
         );
         let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
         assert!(said[0].contains("1.00 times") && said[1].contains("-1.00 over 3 settings"), "{said:?}");
@@ -293,20 +293,20 @@ mod tests {
             let frames = 100 * count;
             let cubic = (frames as f64).powi(3) * 1e-6;
             jobs.push(finished(
-                ModelSettings::MapCgpdm(map(false)),
+                Settings::MapCgpdm(map(false)),
                 1,
                 count,
                 0,
                 outcome(1.0, None, frames, cubic),
             ));
             let linear = frames as f64 * 1e-3;
-            let vcgpdm = || ModelSettings::Vcgpdm(variational(12));
+            let vcgpdm = || Settings::Vcgpdm(variational(12));
             jobs.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
         }
         // Another fold that has only the most trials, and another setting: neither tells how time grows.
         let odd = || outcome(1.0, Some(1.0), 400, 1e6);
-        jobs.push(finished(ModelSettings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
-        jobs.push(finished(ModelSettings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        jobs.push(finished(Settings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
+        jobs.push(finished(Settings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
         let found = Comparison::of(&results(5, &jobs));
         let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
         assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
@@ -347,7 +347,7 @@ mod tests {
                 let settings = VariationalSettings { dynamics_ips, pose_ips, ..variational(5) };
                 let mut outcome = outcome(0.5 + bound, Some(bound), 100, 1.0);
                 outcome.training_mse = Some(trained_on * (1.0 + 0.1 * fold as f64));
-                jobs.push(finished(ModelSettings::Vcgpdm(settings), fold, 6, 0, outcome));
+                jobs.push(finished(Settings::Vcgpdm(settings), fold, 6, 0, outcome));
             }
         }
         let found = Comparison::of(&results(7, &jobs));

@@ -26,18 +26,18 @@ impl Job {
 mod tests {
     use super::*;
     use crate::evaluation::testing::{map, variational};
-    use vcgpdm::models::ModelSettings;
+    use vcgpdm::models::Settings;
     use vcgpdm::motion::{parts, samples};
 
     #[test]
     fn a_job_costs_what_it_trains_on() {
         let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].map(|id| samples::clip(id).unwrap()).into();
         let parts = parts::presets(&clips[0].skeleton).remove(1).parts;
-        let cost = |candidate: &ModelSettings, training_trials| {
+        let cost = |candidate: &Settings, training_trials| {
             let job = Job { candidate: candidate.clone(), held_out: 1, training_trials, seed: 0 };
             job.cost(&clips, &parts, 30.0)
         };
-        let variational = ModelSettings::Vcgpdm(variational(12));
+        let variational = Settings::Vcgpdm(variational(12));
         let columns: Vec<usize> = parts.iter().map(|part| 3 * part.joints.len()).collect();
         let frames =
             |k: usize| (clips[k].values.nrows() as f64 * clips[k].frame_time * 30.0).round() as usize;
@@ -46,7 +46,7 @@ mod tests {
             variational.cost(frames(1), &columns),
             "the first that is not held out"
         );
-        let map = ModelSettings::MapGpdm(map(false));
+        let map = Settings::MapGpdm(map(false));
         for candidate in [&variational, &map] {
             assert!(cost(candidate, 2).seconds > 1.5 * cost(candidate, 1).seconds);
         }

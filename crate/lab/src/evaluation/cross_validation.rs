@@ -11,8 +11,8 @@ use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::dataset_error;
 use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::{
-    Body, Dataset, DatasetError, Learner, LearningProgress, Model, ModelSettings, Movements, RolloutError,
-    Sequence, Source,
+    Body, Dataset, DatasetError, FittedModel, Learner, Movements, Progress, RolloutError, Sequence, Settings,
+    Source,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::pose::PoseError;
@@ -151,12 +151,17 @@ impl Fold {
     ///
     /// # Errors
     /// The model cannot be rolled out for the length of the trial.
-    pub fn predict(&self, model: &Model) -> Result<DMatrix<f64>, RolloutError> {
+    pub fn predict(&self, model: &FittedModel) -> Result<DMatrix<f64>, RolloutError> {
         self.generate(model, self.movements.sequences.len() - 1, self.actual.nrows())
     }
 
     /// All columns [frames x D] that the model makes from the beginning of a sequence.
-    fn generate(&self, model: &Model, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+    fn generate(
+        &self,
+        model: &FittedModel,
+        sequence: usize,
+        frames: usize,
+    ) -> Result<DMatrix<f64>, RolloutError> {
         let rollout = model.rollout(sequence, frames)?;
         // A model of the whole body has one part with the columns of all parts side by side.
         if rollout.len() == self.movements.y.len() {
@@ -172,7 +177,7 @@ impl Fold {
 
     /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be
     /// scored.
-    fn training_mse(&self, model: &Model) -> Option<f64> {
+    fn training_mse(&self, model: &FittedModel) -> Option<f64> {
         let mut begin = 0;
         let mut errors = Vec::new();
         for (place, Sequence { frames, whole }) in self.movements.sequences.iter().enumerate() {
@@ -192,7 +197,7 @@ impl Fold {
     /// # Errors
     /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one
     /// of them.
-    pub fn learner(&self, candidate: &ModelSettings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
+    pub fn learner(&self, candidate: &Settings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let kind = candidate.kind();
         if kind.is_coupled() && self.movements.y.len() == 1 {
             return Err(EvaluationError::OnePart { model: kind.id() });
@@ -208,10 +213,10 @@ impl Fold {
     /// The candidate cannot be trained, or its prediction cannot be scored.
     pub fn evaluate(
         &self,
-        candidate: &ModelSettings,
+        candidate: &Settings,
         seed: u32,
         seconds: &dyn Fn() -> f64,
-        watch: &mut dyn FnMut(&LearningProgress) -> bool,
+        watch: &mut dyn FnMut(&Progress) -> bool,
     ) -> Result<Option<Outcome>, EvaluationError> {
         let begin = seconds();
         let mut learner = self.learner(candidate, seed)?;
@@ -233,8 +238,8 @@ impl Fold {
     /// The prediction cannot be made or scored, or a number of the outcome is not finite.
     pub fn outcome(
         &self,
-        model: &Model,
-        training: &LearningProgress,
+        model: &FittedModel,
+        training: &Progress,
         seconds: f64,
     ) -> Result<Outcome, EvaluationError> {
         if !(seconds.is_finite() && seconds >= 0.0) {
@@ -307,16 +312,16 @@ mod tests {
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
         let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
         for candidate in [
-            ModelSettings::Vcgpdm(gpdm.clone()),
-            ModelSettings::Vgpdm(gpdm),
-            ModelSettings::MapGpdm(point.clone()),
-            ModelSettings::MapCgpdm(point),
-            ModelSettings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
-            ModelSettings::DmpDiscrete(DmpSettings { bases: 20 }),
-            ModelSettings::DmpRhythmic(DmpSettings { bases: 20 }),
+            Settings::Vcgpdm(gpdm.clone()),
+            Settings::Vgpdm(gpdm),
+            Settings::MapGpdm(point.clone()),
+            Settings::MapCgpdm(point),
+            Settings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
+            Settings::DmpDiscrete(DmpSettings { bases: 20 }),
+            Settings::DmpRhythmic(DmpSettings { bases: 20 }),
         ] {
             let mut steps = 0;
-            let mut watch = |progress: &LearningProgress| {
+            let mut watch = |progress: &Progress| {
                 steps += 1;
                 progress.best.is_finite() || steps < 3
             };
@@ -341,7 +346,7 @@ mod tests {
                 _ => assert_eq!(outcome.converged(), Some(false), "{:?}", outcome.reason),
             }
             let text = serde_json::to_string(&candidate).unwrap();
-            assert_eq!(serde_json::from_str::<ModelSettings>(&text).unwrap(), candidate);
+            assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), candidate);
         }
     }
 
@@ -350,7 +355,7 @@ mod tests {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
-        let candidate = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
+        let candidate = Settings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
 
@@ -359,7 +364,7 @@ mod tests {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
-        let candidate = ModelSettings::Vcgpdm(VariationalSettings::default());
+        let candidate = Settings::Vcgpdm(VariationalSettings::default());
         let error = fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| true).unwrap_err().to_string();
         assert_eq!(error, "expected two parts or more for a vcgpdm model, found 1");
     }
@@ -380,9 +385,9 @@ mod tests {
     }
 
     /// Predicts that all columns stay where no body is.
-    fn astray(fold: &Fold, place: f64) -> Model {
-        let settings = ModelSettings::DmpRhythmic(DmpSettings { bases: 5 });
-        let Model::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
+    fn astray(fold: &Fold, place: f64) -> FittedModel {
+        let settings = Settings::DmpRhythmic(DmpSettings { bases: 5 });
+        let FittedModel::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
             panic!("another kind of model");
         };
         model.weights.fill(0.0);
@@ -391,7 +396,7 @@ mod tests {
             start.spring.position.fill(place);
             start.spring.velocity.fill(0.0);
         }
-        Model::DmpRhythmic(model)
+        FittedModel::DmpRhythmic(model)
     }
 
     #[test]
@@ -400,12 +405,13 @@ mod tests {
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
         let outcome = |to: f64, best: f64, seconds: f64| {
-            let training = LearningProgress {
+            let training = Progress {
                 iteration: 1,
                 max_iterations: 1,
                 evaluations: 0,
                 objective: best,
                 best,
+                terms: None,
                 phase: None,
                 done: true,
                 reason: None,

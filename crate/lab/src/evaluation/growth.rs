@@ -7,7 +7,7 @@ use crate::evaluation::results::Results;
 use crate::evaluation::stats::{exponent_interval, mean};
 use crate::evaluation::summary::{FramesAndTime, Growth};
 use std::collections::{BTreeMap, BTreeSet};
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
 type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
@@ -15,7 +15,7 @@ type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 /// For each kind the candidate that was trained on most numbers of trials; only folds that all of these
 /// numbers have are compared.
 pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
-    let mut courses: Vec<(&ModelSettings, Course)> = Vec::new();
+    let mut courses: Vec<(&Settings, Course)> = Vec::new();
     let mut before = 0;
     for results in several {
         for Finished { job, outcome, .. } in results.finished() {

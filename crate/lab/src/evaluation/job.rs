@@ -4,14 +4,14 @@ use crate::evaluation::candidate_words::every_setting;
 use crate::evaluation::outcome::Outcome;
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
-use vcgpdm::models::{ENGINE, ModelSettings};
+use vcgpdm::models::{ENGINE, Settings};
 
 /// One candidate in one fold with one seed. Written out, it is an id that tells it from every other job.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Job {
     /// The kind of model with its settings.
-    pub candidate: ModelSettings,
+    pub candidate: Settings,
     /// The trial held out, counted from 1.
     pub held_out: usize,
     /// How many of the other trials are trained on.
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn an_id_names_everything_that_sets_a_job_apart() {
-        use ModelSettings::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+        use Settings::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         let settings = variational(12);
         let candidates = [
             Vcgpdm(settings.clone()),
@@ -88,7 +88,7 @@ mod tests {
             DmpRhythmic(DmpSettings { bases: 20 }),
             DmpRhythmic(DmpSettings { bases: 21 }),
         ];
-        let job = |candidate: &ModelSettings| Job {
+        let job = |candidate: &Settings| Job {
             candidate: candidate.clone(),
             held_out: 2,
             training_trials: 3,

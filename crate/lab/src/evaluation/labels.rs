@@ -3,7 +3,7 @@
 use crate::evaluation::candidate_words::{Common, LINEAR, balance, common, size};
 use crate::evaluation::results::Results;
 use std::collections::HashMap;
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
 pub struct Labels {
@@ -32,7 +32,7 @@ impl Labels {
     }
 
     /// For these candidates.
-    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a ModelSettings>) -> Self {
+    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a Settings>) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
         for candidate in candidates {
@@ -48,7 +48,7 @@ impl Labels {
     }
 
     /// What a candidate is called.
-    pub fn label(&self, candidate: &ModelSettings) -> String {
+    pub fn label(&self, candidate: &Settings) -> String {
         let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
         match common(candidate) {
             Some(settings) if words.is_empty() => format!("Q = {}", settings.latent),
@@ -57,11 +57,11 @@ impl Labels {
     }
 
     /// The same without its size.
-    pub(super) fn besides_size(&self, candidate: &ModelSettings) -> String {
+    pub(super) fn besides_size(&self, candidate: &Settings) -> String {
         self.others(candidate).join(", ")
     }
 
-    fn others(&self, candidate: &ModelSettings) -> Vec<String> {
+    fn others(&self, candidate: &Settings) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
         // Balanced is not what the papers do: it is said even where all are.
@@ -94,7 +94,7 @@ mod tests {
         MapSettings { latent: 3, order, max_iterations: 100, balanced, linear: false }
     }
 
-    fn labels(candidates: &[ModelSettings]) -> Vec<String> {
+    fn labels(candidates: &[Settings]) -> Vec<String> {
         let mut results = Results::new(setting(2));
         for candidate in candidates {
             let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn labels_name_what_differs_within_a_kind() {
-        use ModelSettings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+        use Settings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         assert_eq!(
             labels(&[
                 Vcgpdm(gpdm(800, 3)),

@@ -30,7 +30,6 @@ pub struct LibraryFold {
     sequence: usize,
     /// All columns of the trial held out [T x D].
     actual: DMatrix<f64>,
-    frames_per_second: f64,
 }
 
 /// How well a movement of a library predicts the trial held out.
@@ -89,7 +88,7 @@ impl LibraryFold {
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let trial = movements[movement].trials[place].resample(1.0 / dataset.frame_time)?;
         let actual = dataset.mapping.encode(&trial)?.y;
-        Ok(Self { dataset, plan, movement, sequence, actual, frames_per_second })
+        Ok(Self { dataset, plan, movement, sequence, actual })
     }
 
     /// A training of the library, ready to begin.
@@ -111,7 +110,7 @@ impl LibraryFold {
     /// # Errors
     /// A covariance cannot be factorised.
     pub fn library(&self, trainer: &LibraryTrainer) -> Result<TrainedLibrary, EvaluationError> {
-        Ok(TrainedLibrary::trained(&self.dataset, trainer, self.frames_per_second)?)
+        Ok(TrainedLibrary::trained(&self.dataset, trainer)?)
     }
 
     /// How well the library predicts the trial held out.

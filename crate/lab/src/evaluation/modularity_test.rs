@@ -3,9 +3,9 @@
 
 use crate::evaluation::cross_validation::{EvaluationError, START_FRAMES};
 use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
+use vcgpdm::models::Progress;
 use vcgpdm::models::VariationalSettings;
 use vcgpdm::models::library::{LibraryTrainer, TrainedLibrary};
-use vcgpdm::models::variational::TrainingProgress;
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::samples;
 
@@ -146,7 +146,7 @@ impl FoldTraining {
     ///
     /// # Errors
     /// A model cannot be fitted, rolled out or scored, or the training with the next seed cannot begin.
-    pub fn step(&mut self) -> Result<TrainingProgress, EvaluationError> {
+    pub fn step(&mut self) -> Result<Progress, EvaluationError> {
         let count = self.seeds.len();
         if self.over == count {
             return Ok(self.progress(count - 1, self.trainer.progress()));
@@ -168,10 +168,10 @@ impl FoldTraining {
     }
 
     /// How far all seeds are when the one of this place is so far.
-    fn progress(&self, at: usize, progress: TrainingProgress) -> TrainingProgress {
+    fn progress(&self, at: usize, progress: Progress) -> Progress {
         let (count, most) = (self.seeds.len(), progress.max_iterations);
         let fraction = if progress.done { 1.0 } else { progress.fraction };
-        TrainingProgress {
+        Progress {
             iteration: at * most + progress.iteration,
             max_iterations: count * most,
             fraction: (at as f64 + fraction) / count as f64,
@@ -196,7 +196,7 @@ impl FoldTraining {
 mod tests {
     use super::*;
     use crate::evaluation::Fold;
-    use vcgpdm::models::ModelSettings;
+    use vcgpdm::models::Settings;
 
     fn test(iterations: usize) -> ModularityTest {
         let mut test = ModularityTest::on_samples();
@@ -243,7 +243,7 @@ mod tests {
         let (found, _) = training.best().unwrap();
         let fold = Fold::new(&test.movements[1].trials, 2, 1, &test.parts, 30.0, START_FRAMES).unwrap();
         let plain = test.seeds.iter().map(|seed| {
-            let candidate = ModelSettings::Vcgpdm(test.settings.clone());
+            let candidate = Settings::Vcgpdm(test.settings.clone());
             fold.evaluate(&candidate, *seed, &|| 0.0, &mut |_| true).unwrap().unwrap()
         });
         let plain = plain.reduce(|a, b| if b.is_better_seed(&a) { b } else { a }).unwrap();

@@ -4,7 +4,7 @@ use crate::evaluation::job::Job;
 use serde::Deserialize;
 use std::collections::HashSet;
 use thiserror::Error;
-use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, VariationalSettings};
 
 /// Which jobs a comparison asks for: every candidate in every fold with every seed.
 ///
@@ -114,13 +114,13 @@ impl Plan {
     }
 
     /// The models with all settings that are asked for.
-    pub fn candidates(&self) -> Vec<ModelSettings> {
+    pub fn candidates(&self) -> Vec<Settings> {
         self.models.iter().flat_map(|kind| self.candidates_of(*kind)).collect()
     }
 
-    fn candidates_of(&self, kind: ModelKind) -> Vec<ModelSettings> {
+    fn candidates_of(&self, kind: ModelKind) -> Vec<Settings> {
         let (latent, order, max_iterations) = (self.latent, self.order, self.max_iterations);
-        let variational = |candidate: fn(VariationalSettings) -> ModelSettings| {
+        let variational = |candidate: fn(VariationalSettings) -> Settings| {
             let settings = |(dynamics_ips, pose_ips)| VariationalSettings {
                 latent,
                 order,
@@ -136,24 +136,24 @@ impl Plan {
         };
         let (balanced, linear) = (self.balanced, self.linear);
         let map = || MapSettings { latent, order, max_iterations, balanced, linear };
-        let dmp = |candidate: fn(DmpSettings) -> ModelSettings| {
+        let dmp = |candidate: fn(DmpSettings) -> Settings| {
             self.bases.iter().map(|&bases| candidate(DmpSettings { bases })).collect()
         };
         match kind {
-            ModelKind::Vcgpdm => variational(ModelSettings::Vcgpdm),
-            ModelKind::Vgpdm => variational(ModelSettings::Vgpdm),
-            ModelKind::MapGpdm => vec![ModelSettings::MapGpdm(map())],
-            ModelKind::MapCgpdm => vec![ModelSettings::MapCgpdm(map())],
+            ModelKind::Vcgpdm => variational(Settings::Vcgpdm),
+            ModelKind::Vgpdm => variational(Settings::Vgpdm),
+            ModelKind::MapGpdm => vec![Settings::MapGpdm(map())],
+            ModelKind::MapCgpdm => vec![Settings::MapCgpdm(map())],
             ModelKind::Tmp => {
                 let primitives = self.primitives.iter();
                 primitives
                     .map(|&primitives| {
-                        ModelSettings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })
+                        Settings::Tmp(TmpSettings { primitives, normalised_time: self.normalised_time })
                     })
                     .collect()
             }
-            ModelKind::DmpDiscrete => dmp(ModelSettings::DmpDiscrete),
-            ModelKind::DmpRhythmic => dmp(ModelSettings::DmpRhythmic),
+            ModelKind::DmpDiscrete => dmp(Settings::DmpDiscrete),
+            ModelKind::DmpRhythmic => dmp(Settings::DmpRhythmic),
         }
     }
 
@@ -275,7 +275,7 @@ mod tests {
         let expected: Vec<_> = kinds.into_iter().flat_map(|kind| (1..4).map(move |n| (kind, n))).collect();
         assert_eq!(found, expected);
         assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (1, 3)));
-        assert!(matches!(&fewer[0].candidate, ModelSettings::Vcgpdm(s) if s.dynamics_ips == 12));
+        assert!(matches!(&fewer[0].candidate, Settings::Vcgpdm(s) if s.dynamics_ips == 12));
         // No job is asked for twice.
         let both = Plan { growth: true, training_trials: vec![1, 2, 3, 4], ..plan() };
         assert_eq!(both.jobs(5), Plan { growth: false, ..both }.jobs(5));
@@ -303,7 +303,7 @@ mod tests {
         let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm], ..plan() };
         let pairs: Vec<_> = (grid.candidates().iter())
             .map(|candidate| match candidate {
-                ModelSettings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
+                Settings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
                 other => panic!("{other:?}"),
             })
             .collect();

@@ -269,10 +269,10 @@ mod tests {
     use super::*;
     use crate::evaluation::outcome::Outcome;
     use crate::evaluation::testing::{outcome, setting, variational};
-    use vcgpdm::models::{DmpSettings, ModelSettings, TmpSettings};
+    use vcgpdm::models::{DmpSettings, Settings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
-        let candidate = ModelSettings::Tmp(TmpSettings::default());
+        let candidate = Settings::Tmp(TmpSettings::default());
         Job { candidate, held_out, training_trials, seed: 0 }
     }
 
@@ -348,8 +348,8 @@ mod tests {
     #[test]
     fn tables_go_by_model_then_size_then_seed() {
         let mut results = Results::new(setting(2));
-        let dmp = |bases: usize| ModelSettings::DmpRhythmic(DmpSettings { bases });
-        let vgpdm = |ips: usize| ModelSettings::Vgpdm(variational(ips));
+        let dmp = |bases: usize| Settings::DmpRhythmic(DmpSettings { bases });
+        let vgpdm = |ips: usize| Settings::Vgpdm(variational(ips));
         let jobs = [(dmp(20), 0), (dmp(10), 0), (vgpdm(12), 1), (vgpdm(12), 0), (vgpdm(8), 5)];
         for (candidate, seed) in jobs.clone() {
             let job = Job { candidate, seed, ..job(1, 1) };

@@ -8,11 +8,11 @@ use crate::evaluation::stats::{mean, median, standard_error};
 use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
 use std::collections::{BTreeMap, BTreeSet};
 use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// A candidate that was trained on all other trials, with at least one outcome.
 pub(super) struct Row<'a> {
-    pub candidate: &'a ModelSettings,
+    pub candidate: &'a Settings,
     /// By the trial held out; one outcome a seed.
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
@@ -37,7 +37,7 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
         before += trials;
     }
     // Of several jobs at a time, which was finished first is chance.
-    let groups: Vec<ModelSettings> = rows.iter().map(|row| without_size(row.candidate)).collect();
+    let groups: Vec<Settings> = rows.iter().map(|row| without_size(row.candidate)).collect();
     rows.sort_by_cached_key(|row| {
         let (kind, alike) = (row.candidate.kind(), without_size(row.candidate));
         (
@@ -56,7 +56,7 @@ pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
 
 /// Puts together the rows that differ in their size alone, in the order in which they come.
 pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
-    let mut groups: Vec<(ModelSettings, Vec<&Row>)> = Vec::new();
+    let mut groups: Vec<(Settings, Vec<&Row>)> = Vec::new();
     for row in rows {
         let key = without_size(row.candidate);
         match groups.iter_mut().find(|(other, _)| *other == key) {
@@ -72,7 +72,7 @@ pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec
 pub(super) fn settings<'a, 'r>(
     rows: &'a [Row<'r>],
     kind: ModelKind,
-    wanted: &dyn Fn(&ModelSettings) -> bool,
+    wanted: &dyn Fn(&Settings) -> bool,
 ) -> Vec<&'a Row<'r>> {
     let chosen = |row: &&Row| row.candidate.kind() == kind && wanted(row.candidate);
     let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
@@ -202,10 +202,9 @@ mod tests {
 
     #[test]
     fn rows_go_by_model_and_size_whichever_was_finished_first() {
-        let vgpdm = |ips| ModelSettings::Vgpdm(variational(ips));
-        let dmp = |bases| ModelSettings::DmpRhythmic(DmpSettings { bases });
-        let tmp =
-            |primitives, normalised_time| ModelSettings::Tmp(TmpSettings { primitives, normalised_time });
+        let vgpdm = |ips| Settings::Vgpdm(variational(ips));
+        let dmp = |bases| Settings::DmpRhythmic(DmpSettings { bases });
+        let tmp = |primitives, normalised_time| Settings::Tmp(TmpSettings { primitives, normalised_time });
         let order =
             [vgpdm(5), vgpdm(10), tmp(None, false), tmp(Some(4), false), tmp(None, true), dmp(25), dmp(100)];
         let job = |place: usize| finished(order[place].clone(), 1, 1, 0, outcome(1.0, None, 100, 1.0));

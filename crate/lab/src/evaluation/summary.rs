@@ -2,7 +2,7 @@
 
 use crate::evaluation::stats::Interval;
 use serde::Serialize;
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// A mean over folds; seeds of the same fold are averaged first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -21,7 +21,7 @@ pub struct ModelSummary {
     /// Its kind of model.
     pub model: ModelKind,
     /// The kind with its settings.
-    pub candidate: ModelSettings,
+    pub candidate: Settings,
     /// The settings that set it apart, in a few words.
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.

@@ -6,7 +6,7 @@ use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, Trial};
-use vcgpdm::models::{MapSettings, ModelSettings, VariationalSettings};
+use vcgpdm::models::{MapSettings, Settings, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 
 /// So many walks of a body with one named part.
@@ -49,7 +49,7 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
 
 /// A job that ended with this outcome.
 pub fn finished(
-    candidate: ModelSettings,
+    candidate: Settings,
     held_out: usize,
     training_trials: usize,
     seed: u32,

@@ -9,7 +9,7 @@ use crate::perception::results::{Confusion, MeanScores, Participant, SettingResu
 use crate::perception::stimulus::Generated;
 use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
-use vcgpdm::models::{ModelKind, ModelSettings};
+use vcgpdm::models::{ModelKind, Settings};
 
 /// The answers that count: those of participants who paid attention.
 pub(super) struct Counted<'a> {
@@ -41,7 +41,7 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
     let generated: Vec<&Generated> =
         study.stimuli.iter().filter_map(|stimulus| stimulus.generated()).collect();
     let labels = Labels::of_candidates(generated.iter().map(|generated| &generated.candidate));
-    let mut candidates: Vec<&ModelSettings> = Vec::new();
+    let mut candidates: Vec<&Settings> = Vec::new();
     for generated in &generated {
         if !candidates.contains(&&generated.candidate) {
             candidates.push(&generated.candidate);
@@ -52,7 +52,7 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
         let Size { dynamics_ips, pose_ips, primitives, bases } = size(candidate);
         (kind, dynamics_ips, pose_ips, primitives, bases)
     });
-    let result = |candidate: &&ModelSettings| {
+    let result = |candidate: &&Settings| {
         let own = |generated: &&&Generated| generated.candidate == **candidate;
         let good: Vec<&&Generated> =
             generated.iter().filter(own).filter(|generated| !generated.failed).collect();
@@ -76,14 +76,14 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
     candidates.iter().map(result).collect()
 }
 
-fn size(candidate: &ModelSettings) -> Size {
+fn size(candidate: &Settings) -> Size {
     match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => {
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => {
             Size { dynamics_ips: Some(s.dynamics_ips), pose_ips: Some(s.pose_ips), ..Size::default() }
         }
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => Size::default(),
-        ModelSettings::Tmp(s) => Size { primitives: s.primitives, ..Size::default() },
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => {
+        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => Size::default(),
+        Settings::Tmp(s) => Size { primitives: s.primitives, ..Size::default() },
+        Settings::DmpDiscrete(s) | Settings::DmpRhythmic(s) => {
             Size { bases: Some(s.bases), ..Size::default() }
         }
     }

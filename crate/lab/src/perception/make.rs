@@ -8,7 +8,7 @@ use crate::perception::staging::{StagingError, staged};
 use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use thiserror::Error;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 use vcgpdm::motion::Skeleton;
 use vcgpdm::motion::landmarks::Landmarks;
 use vcgpdm::motion::stage::STAGE_HEIGHT;
@@ -105,7 +105,7 @@ impl Maker {
     pub fn generated(
         &mut self,
         shown: &Shown,
-        candidate: &ModelSettings,
+        candidate: &Settings,
         seed: u32,
         outcome: &Outcome,
     ) -> Result<(), MakerError> {
@@ -192,12 +192,12 @@ impl Maker {
 }
 
 /// A candidate's kind and size, as part of an id.
-fn name(candidate: &ModelSettings) -> String {
+fn name(candidate: &Settings) -> String {
     let size = match candidate {
-        ModelSettings::Vcgpdm(s) | ModelSettings::Vgpdm(s) => format!("-{}-{}", s.dynamics_ips, s.pose_ips),
-        ModelSettings::MapGpdm(_) | ModelSettings::MapCgpdm(_) => String::new(),
-        ModelSettings::Tmp(s) => s.primitives.map_or("-bound".to_owned(), |count| format!("-{count}")),
-        ModelSettings::DmpDiscrete(s) | ModelSettings::DmpRhythmic(s) => format!("-{}", s.bases),
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => format!("-{}-{}", s.dynamics_ips, s.pose_ips),
+        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => String::new(),
+        Settings::Tmp(s) => s.primitives.map_or("-bound".to_owned(), |count| format!("-{count}")),
+        Settings::DmpDiscrete(s) | Settings::DmpRhythmic(s) => format!("-{}", s.bases),
     };
     format!("{}{size}", candidate.kind().id())
 }
@@ -225,8 +225,8 @@ mod tests {
         };
         maker.natural(&shown(0), true).unwrap();
         maker.natural(&shown(1), false).unwrap();
-        let tmp = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: false });
-        let time = ModelSettings::Tmp(TmpSettings { primitives: Some(4), normalised_time: true });
+        let tmp = Settings::Tmp(TmpSettings { primitives: Some(4), normalised_time: false });
+        let time = Settings::Tmp(TmpSettings { primitives: Some(4), normalised_time: true });
         // Of several seeds the one of the highest objective, wherever it comes.
         for (seed, objective) in [(3, 1.0), (4, 7.0), (5, 6.0)] {
             maker.generated(&shown(0), &tmp, seed, &outcome(objective)).unwrap();

@@ -3,7 +3,7 @@
 use crate::perception::beta::Rate;
 use serde::Serialize;
 use std::ops::RangeInclusive;
-use vcgpdm::models::{ENGINE, ModelKind, ModelSettings};
+use vcgpdm::models::{ENGINE, ModelKind, Settings};
 
 /// How answers are analysed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -124,7 +124,7 @@ pub struct SettingResult {
     /// The kind of model.
     pub model: ModelKind,
     /// The kind with its settings.
-    pub candidate: ModelSettings,
+    pub candidate: Settings,
     /// The settings that set it apart, in a few words.
     pub label: String,
     /// How large it is.

@@ -2,7 +2,7 @@
 
 use crate::evaluation::Outcome;
 use crate::perception::movement::Movement;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 use vcgpdm::models::variational::BoundTerms;
 
 /// A movement that is shown.
@@ -37,7 +37,7 @@ pub enum Source {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Generated {
     /// The model with its settings.
-    pub candidate: ModelSettings,
+    pub candidate: Settings,
     /// The seed of its training.
     pub seed: u32,
     /// Whether somebody has marked it as an obvious failure: it checks attention and counts for nothing else.

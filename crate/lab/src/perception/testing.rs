@@ -7,7 +7,7 @@ use crate::perception::study::{Figure, Look, Study, Texts};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{DmpSettings, ModelSettings, TmpSettings, VariationalSettings};
+use vcgpdm::models::{DmpSettings, Settings, TmpSettings, VariationalSettings};
 use vcgpdm::motion::landmarks::Landmarks;
 
 const FRAMES: usize = 36;
@@ -21,23 +21,23 @@ fn movement(width: f32) -> Movement {
 }
 
 /// Its candidates, each with movements of two trials held out.
-pub fn candidates() -> Vec<ModelSettings> {
+pub fn candidates() -> Vec<Settings> {
     let ips = |dynamics_ips, pose_ips| VariationalSettings {
         dynamics_ips,
         pose_ips,
         ..VariationalSettings::default()
     };
-    let tmp = |count| ModelSettings::Tmp(TmpSettings { primitives: Some(count), normalised_time: false });
+    let tmp = |count| Settings::Tmp(TmpSettings { primitives: Some(count), normalised_time: false });
     vec![
-        ModelSettings::Vgpdm(ips(4, 4)),
-        ModelSettings::Vgpdm(ips(8, 4)),
-        ModelSettings::Vgpdm(ips(4, 8)),
-        ModelSettings::Vcgpdm(ips(8, 8)),
+        Settings::Vgpdm(ips(4, 4)),
+        Settings::Vgpdm(ips(8, 4)),
+        Settings::Vgpdm(ips(4, 8)),
+        Settings::Vcgpdm(ips(8, 8)),
         tmp(3),
         tmp(5),
         tmp(7),
-        ModelSettings::DmpDiscrete(DmpSettings { bases: 10 }),
-        ModelSettings::DmpDiscrete(DmpSettings { bases: 25 }),
+        Settings::DmpDiscrete(DmpSettings { bases: 10 }),
+        Settings::DmpDiscrete(DmpSettings { bases: 25 }),
     ]
 }
 
@@ -51,8 +51,8 @@ pub fn study() -> Study {
         movement: movement(0.1 * k as f32),
     };
     let mut stimuli: Vec<Stimulus> = (1..=4).map(natural).collect();
-    let mut add = |name: &str, candidate: &ModelSettings, trial: usize, failed: bool, mse: f64| {
-        let variational = matches!(candidate, ModelSettings::Vcgpdm(_) | ModelSettings::Vgpdm(_));
+    let mut add = |name: &str, candidate: &Settings, trial: usize, failed: bool, mse: f64| {
+        let variational = matches!(candidate, Settings::Vcgpdm(_) | Settings::Vgpdm(_));
         let terms = BoundTerms {
             kinematics: vec![500.0 - 10.0 * mse],
             dynamics: vec![-20.0 * mse],
@@ -60,7 +60,7 @@ pub fn study() -> Study {
             entropy: 40.25,
         };
         let bound = match candidate {
-            ModelSettings::Tmp(_) => Some(400.0 - 30.0 * mse),
+            Settings::Tmp(_) => Some(400.0 - 30.0 * mse),
             _ => variational.then(|| terms.total()),
         };
         let terms = variational.then_some(terms);

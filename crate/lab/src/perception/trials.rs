@@ -2,7 +2,7 @@
 
 use crate::perception::draw::Draw;
 use crate::perception::study::Study;
-use vcgpdm::models::ModelSettings;
+use vcgpdm::models::Settings;
 
 /// What a trial is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,7 +123,7 @@ impl Study {
     /// The generated movements that are compared: settings are shown equally often, as far as the number of
     /// trials allows, and so are the movements of a setting.
     fn comparisons(&self, draw: &mut Draw) -> Vec<usize> {
-        let mut settings: Vec<(&ModelSettings, Vec<usize>)> = Vec::new();
+        let mut settings: Vec<(&Settings, Vec<usize>)> = Vec::new();
         for (k, stimulus) in self.stimuli.iter().enumerate() {
             let Some(generated) = stimulus.generated().filter(|generated| !generated.failed) else {
                 continue;

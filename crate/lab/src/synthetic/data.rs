@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use thiserror::Error;
 use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::Elementary;
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
+use vcgpdm::models::variational::{VariationalTrainer, Vcgpdm};
 use vcgpdm::models::{RolloutError, TrainingError, VariationalSettings};
 
 /// The number of frames, T in the paper.
@@ -108,9 +108,13 @@ impl Synthetic {
     ///
     /// # Errors
     ///
-    /// As [`Trainer::new`].
-    pub fn trainer(&self, settings: &VariationalSettings, seed: u32) -> Result<Trainer, TrainingError> {
-        Trainer::new(self.y.clone(), vec![FRAMES], settings, seed)
+    /// As [`VariationalTrainer::new`].
+    pub fn trainer(
+        &self,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<VariationalTrainer, TrainingError> {
+        VariationalTrainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
     /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part

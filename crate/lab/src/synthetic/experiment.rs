@@ -6,8 +6,8 @@ use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
 use serde::Serialize;
 use vcgpdm::gp::NumericsError;
-use vcgpdm::models::variational::{Params, Trainer, TrainingProgress};
-use vcgpdm::models::{VariationalSettings, coupling_weight_matrix};
+use vcgpdm::models::variational::{Params, VariationalTrainer};
+use vcgpdm::models::{Progress, VariationalSettings, coupling_weight_matrix};
 
 /// How well a model explains the data.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -36,7 +36,7 @@ pub struct Findings {
 /// A training on synthetic data, one step at a time, beside the truth.
 pub struct Experiment {
     data: Synthetic,
-    trainer: Trainer,
+    trainer: VariationalTrainer,
     start: Fit,
 }
 
@@ -63,12 +63,12 @@ impl Experiment {
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Progress {
         self.trainer.step()
     }
 
     /// How far training is.
-    pub fn progress(&self) -> TrainingProgress {
+    pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 

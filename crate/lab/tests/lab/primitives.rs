@@ -5,7 +5,7 @@
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
-use vcgpdm::models::{Dataset, DmpSettings, Model, ModelSettings, Movements, Sequence, Source, TmpSettings};
+use vcgpdm::models::{Dataset, DmpSettings, FittedModel, Movements, Sequence, Settings, Source, TmpSettings};
 use vcgpdm::motion::{bvh, parts};
 use vcgpdm_lab::evaluation::{Score, dtw_mse};
 
@@ -40,7 +40,7 @@ fn walks(held_out: usize, trials: usize) -> Option<(Movements, DMatrix<f64>)> {
     Some((Movements { y: data.y, sequences: sequences.collect() }, all))
 }
 
-fn score(model: &Model, sequence: usize, actual: &DMatrix<f64>) -> Score {
+fn score(model: &FittedModel, sequence: usize, actual: &DMatrix<f64>) -> Score {
     let y = model.rollout(sequence, actual.nrows()).unwrap();
     let y = Movements { y, sequences: Vec::new() }.as_one_part().y.swap_remove(0);
     dtw_mse(&y, actual).unwrap()
@@ -50,8 +50,8 @@ fn score(model: &Model, sequence: usize, actual: &DMatrix<f64>) -> Score {
 fn a_held_out_walk_is_predicted_from_its_first_five_frames() {
     let Some((movements, actual)) = walks(6, 6) else { return };
     for settings in [
-        ModelSettings::Tmp(TmpSettings { primitives: Some(6), ..TmpSettings::default() }),
-        ModelSettings::DmpRhythmic(DmpSettings::default()),
+        Settings::Tmp(TmpSettings { primitives: Some(6), ..TmpSettings::default() }),
+        Settings::DmpRhythmic(DmpSettings::default()),
     ] {
         let mut learner = settings.learner(&movements, 0).unwrap();
         while !learner.step().done {}

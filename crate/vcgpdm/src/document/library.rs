@@ -34,7 +34,6 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
         movement(learned, &own)
     });
     let movements = Value::List(movements.collect());
-    let settings = variational_settings(&provenance.settings, provenance.seed);
     Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(VERSION)),
@@ -47,7 +46,7 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
         ("parts", parts),
         ("primitives", primitives),
         ("movements", movements),
-        ("provenance", variational_provenance(provenance, settings, &library.terms)),
+        ("provenance", variational_provenance(provenance, &library.terms)),
     ])
 }
 
@@ -146,8 +145,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
 mod tests {
     use super::*;
     use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
-    use crate::models::variational::Vcgpdm;
-    use crate::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+    use crate::models::{Dataset, Model, RolloutRequest, Source, VariationalSettings};
     use crate::motion::{parts, samples};
     use serde_json::json;
     use std::sync::OnceLock;
@@ -170,7 +168,7 @@ mod tests {
             let lengths = dataset.lengths();
             let mut trainer = LibraryTrainer::new(dataset.y.clone(), lengths, plan, &settings, 0).unwrap();
             while !trainer.step().done {}
-            let mut library = TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap();
+            let mut library = TrainedLibrary::trained(&dataset, &trainer).unwrap();
             let uses = library.uses("lower=walk,upper=wave").unwrap();
             let fitted = library.observed(&clips[0]).unwrap();
             let mut fit = library.coupling_trainer(&uses, std::slice::from_ref(&fitted), 4).unwrap();
@@ -198,7 +196,8 @@ mod tests {
             let model = trained().movement(index).unwrap();
             let text = model.to_json().unwrap();
             assert!(text.contains("\"version\":3"));
-            let again = TrainedModel::<Vcgpdm>::from_json(&text).unwrap();
+            let again = Model::coupled_from_json(&text).unwrap();
+            let (again, model) = (again.coupled().unwrap(), model.coupled().unwrap());
             assert_eq!(again.model, model.model);
             let request = RolloutRequest { frames: 30, ..Default::default() };
             assert_eq!(again.rollout(&request).unwrap().y, model.rollout(&request).unwrap().y);
@@ -206,9 +205,8 @@ mod tests {
         let mut value: serde_json::Value =
             serde_json::from_str(&trained().movement(0).unwrap().to_json().unwrap()).unwrap();
         value["dynamics"][1].as_object_mut().unwrap().remove("other_precision");
-        let refused = |value: &serde_json::Value| {
-            TrainedModel::<Vcgpdm>::from_json(&value.to_string()).unwrap_err().to_string()
-        };
+        let refused =
+            |value: &serde_json::Value| Model::coupled_from_json(&value.to_string()).unwrap_err().to_string();
         assert!(refused(&value).contains("other_b"), "{}", refused(&value));
         value["dynamics"][1].as_object_mut().unwrap().remove("other_b");
         assert!(refused(&value).contains("of all parts or of none"), "{}", refused(&value));
@@ -274,9 +272,9 @@ mod tests {
         assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));
         let path = |library: &TrainedLibrary, uses: &[usize]| {
             let model = library.combination(uses, &whole.library.movements[0].alpha).unwrap();
-            let dynamics = model
-                .model
-                .dynamics(&model.model.alpha, crate::models::rollout::couplings::Reading::AsLearned);
+            let model = model.coupled().unwrap().model;
+            let dynamics =
+                model.dynamics(&model.alpha, crate::models::rollout::couplings::Reading::AsLearned);
             let start: Vec<_> =
                 whole.library.movements[0].starts[0].iter().map(|x| x.rows(0, 2).into_owned()).collect();
             dynamics.unwrap().path(&start, 30).unwrap()
@@ -371,7 +369,7 @@ mod tests {
     #[test]
     fn models_and_libraries_are_told_apart() {
         let library = trained().to_json().unwrap();
-        let words = TrainedModel::<Vcgpdm>::from_json(&library).unwrap_err().to_string();
+        let words = Model::coupled_from_json(&library).unwrap_err().to_string();
         assert!(words.starts_with("expected a model, found a library of primitives"), "{words}");
         let model = trained().movement(0).unwrap().to_json().unwrap();
         let words = TrainedLibrary::from_json(&model).unwrap_err().to_string();

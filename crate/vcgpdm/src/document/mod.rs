@@ -17,36 +17,26 @@ pub use error::DocumentError;
 
 use crate::json::{Field, FieldError, NotFinite, Value};
 use crate::models::library::TrainedLibrary;
-use crate::models::variational::Vcgpdm;
-use crate::models::{ModelKind, ModelSettings, SeriesModel, TrainedModel};
+use crate::models::{Coupled, Model, ModelKind, SeriesModel, Settings};
 use error::MOST_BYTES;
 
-impl TrainedModel<Vcgpdm> {
+impl Coupled<'_> {
     /// The model as a JSON document.
     ///
     /// # Errors
     ///
     /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
-        text(&write::vcgpdm_document(self))
+        text(&write::variational(*self))
     }
 
-    /// SHA-256 of that document, in lower-case hexadecimal: what a link or a saved motion names the model by.
+    /// SHA-256 of that document, in lower-case hexadecimal: links and saved motions name a model by it.
     ///
     /// # Errors
     ///
     /// When it holds a number that is not finite.
     pub fn sha256(&self) -> Result<String, DocumentError> {
         Ok(crate::motion::sha256(self.to_json()?.as_bytes()))
-    }
-
-    /// Reads the document of a variational model; nothing but a whole and consistent one is accepted.
-    ///
-    /// # Errors
-    ///
-    /// When the text is not such a document, with the path of the field that is wrong.
-    pub fn from_json(text: &str) -> Result<Self, DocumentError> {
-        read::vcgpdm_document(&parsed(text)?)
     }
 }
 
@@ -65,7 +55,7 @@ impl SeriesModel {
 #[derive(Clone, Debug)]
 pub enum Document {
     /// A model of a body.
-    Body(Box<TrainedModel>),
+    Body(Box<Model>),
     /// A model of tables.
     Series(Box<SeriesModel>),
 }
@@ -85,7 +75,7 @@ impl Document {
     }
 }
 
-impl TrainedModel {
+impl Model {
     /// The model as a JSON document.
     ///
     /// # Errors
@@ -93,6 +83,15 @@ impl TrainedModel {
     /// When it holds a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
         text(&write::document(self))
+    }
+
+    /// Reads the document of a vCGPDM or vGPDM. A program that reads no other kind need not hold their code.
+    ///
+    /// # Errors
+    ///
+    /// When the text is not such a document, with the path of the field that is wrong.
+    pub fn coupled_from_json(text: &str) -> Result<Self, DocumentError> {
+        read::vcgpdm_document(&parsed(text)?)
     }
 
     /// Reads a document of any kind of model of a body; nothing but a whole and consistent model is accepted.
@@ -126,12 +125,12 @@ impl TrainedLibrary {
 }
 
 /// Names and values of what a training was asked for, as documents hold them.
-pub fn settings_value(settings: &ModelSettings, seed: u32) -> Value {
+pub fn settings_value(settings: &Settings, seed: u32) -> Value {
     write::settings(settings, seed)
 }
 
 /// The same, read again: settings of that kind of model, and the seed.
-pub fn settings_of(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+pub fn settings_of(field: Field, kind: ModelKind) -> Result<(Settings, u32), FieldError> {
     read::settings(field, kind)
 }
 

@@ -1,24 +1,23 @@
 use super::*;
-use crate::models::variational::Trainer;
 use crate::models::{
-    Dataset, DmpSettings, MapSettings, Model, ModelKind, ModelSettings, Movements, RolloutRequest, Sequence,
-    Source, TmpSettings, VariationalSettings,
+    Dataset, DmpSettings, MapSettings, ModelKind, RolloutRequest, Settings, TmpSettings, Trainer,
+    VariationalSettings,
 };
 use crate::motion::{parts, samples};
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
-fn trained() -> &'static TrainedModel<Vcgpdm> {
-    static MODEL: OnceLock<TrainedModel<Vcgpdm>> = OnceLock::new();
+fn trained() -> &'static Model {
+    static MODEL: OnceLock<Model> = OnceLock::new();
     MODEL.get_or_init(|| {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
-        let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+        let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
         let settings =
             VariationalSettings { max_iterations: 20, dynamics_ips: 5, pose_ips: 4, ..Default::default() };
-        let mut trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 0).unwrap();
-        while !trainer.step().done {}
-        TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap()
+        let mut trainer = Trainer::new(&dataset, &settings.into(), 0).unwrap();
+        trainer.run();
+        trainer.finish().unwrap()
     })
 }
 
@@ -29,31 +28,33 @@ fn document() -> Value {
 fn refused(change: impl FnOnce(&mut Value)) -> String {
     let mut value = document();
     change(&mut value);
-    TrainedModel::<Vcgpdm>::from_json(&value.to_string()).unwrap_err().to_string()
+    Model::coupled_from_json(&value.to_string()).unwrap_err().to_string()
 }
 
 #[test]
 fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
     let model = trained();
-    let again = TrainedModel::<Vcgpdm>::from_json(&model.to_json().unwrap()).unwrap();
-    assert_eq!(again.model, model.model);
+    let again = Model::coupled_from_json(&model.to_json().unwrap()).unwrap();
+    let (coupled, coupled_again) = (model.coupled().unwrap(), again.coupled().unwrap());
+    assert_eq!(coupled_again.model, coupled.model);
     assert_eq!(again.provenance, model.provenance);
     assert_eq!(again.body.sequences, model.body.sequences);
     let request = RolloutRequest { frames: 50, ..Default::default() };
-    assert_eq!(model.rollout(&request).unwrap().y, again.rollout(&request).unwrap().y);
+    assert_eq!(coupled.rollout(&request).unwrap().y, coupled_again.rollout(&request).unwrap().y);
     assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
 }
 
 #[test]
 fn its_hash_is_that_of_the_document_and_comes_back_with_it() {
-    let hash = trained().sha256().unwrap();
+    let hash = trained().coupled().unwrap().sha256().unwrap();
     let text = trained().to_json().unwrap();
     assert_eq!(hash, crate::motion::sha256(text.as_bytes()));
-    assert_eq!(TrainedModel::<Vcgpdm>::from_json(&text).unwrap().sha256().unwrap(), hash);
+    let sha256 = |model: Model| model.coupled().unwrap().sha256().unwrap();
+    assert_eq!(sha256(Model::coupled_from_json(&text).unwrap()), hash);
     let mut other = document();
     other["provenance"]["note"] = json!("another");
-    let other = TrainedModel::<Vcgpdm>::from_json(&other.to_string()).unwrap();
-    assert_ne!(other.sha256().unwrap(), hash);
+    let other = Model::coupled_from_json(&other.to_string()).unwrap();
+    assert_ne!(sha256(other), hash);
 }
 
 #[test]
@@ -77,7 +78,7 @@ fn it_holds_no_training_clip() {
 
 #[test]
 fn other_files_are_refused_with_the_reason() {
-    let error = |text: &str| TrainedModel::<Vcgpdm>::from_json(text).unwrap_err().to_string();
+    let error = |text: &str| Model::coupled_from_json(text).unwrap_err().to_string();
     assert!(error("HIERARCHY").starts_with("expected a model as JSON: "));
     assert_eq!(error("{}"), "expected a model with \"format\": \"vcgpdm model\", found no format");
     assert_eq!(
@@ -136,7 +137,7 @@ fn wrong_fields_are_refused_with_their_path() {
     );
     // JSON itself has no numbers that do not fit.
     let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
-    assert!(TrainedModel::<Vcgpdm>::from_json(&huge).unwrap_err().to_string().contains("out of range"));
+    assert!(Model::coupled_from_json(&huge).unwrap_err().to_string().contains("out of range"));
 }
 
 /// What a person reads about a model must be something that it could have been asked for.
@@ -148,12 +149,12 @@ fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
     let mut documents = [
         document(),
         serde_json::from_str(&baseline().to_json().unwrap()).unwrap(),
-        written(ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }), 60),
-        written(ModelSettings::DmpRhythmic(DmpSettings::default()), 60),
+        written(Settings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }), 60),
+        written(Settings::DmpRhythmic(DmpSettings::default()), 60),
     ];
     let set = |document: &mut Value, name: &str, value: Value| {
         document["provenance"]["settings"][name] = value;
-        TrainedModel::<Model>::from_json(&document.to_string()).err().map(|error| error.to_string())
+        Model::from_json(&document.to_string()).err().map(|error| error.to_string())
     };
     for (name, good, bad, expected) in [
         ("latent", json!(100), json!(0), "expected from 1 to 100, found 0"),
@@ -183,7 +184,7 @@ fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
         let error = set(&mut unknown, "colour", json!(1)).unwrap();
         assert_eq!(error, "at provenance.settings: expected no field \"colour\", or only one");
         document["provenance"]["frames_per_second"] = json!(0);
-        let error = TrainedModel::<Model>::from_json(&document.to_string()).err().unwrap().to_string();
+        let error = Model::from_json(&document.to_string()).err().unwrap().to_string();
         let expected = "at provenance.frames_per_second: expected frames a second from 0.1 to 10000, found 0";
         assert_eq!(error, expected);
     }
@@ -226,7 +227,7 @@ fn unknown_and_doubled_fields_are_refused() {
             .starts_with("at parts[1]: expected no field \"gamma\"")
     );
     let twice = trained().to_json().unwrap().replacen("\"order\":2", "\"order\":2,\"order\":2", 1);
-    let message = TrainedModel::<Vcgpdm>::from_json(&twice).unwrap_err().to_string();
+    let message = Model::coupled_from_json(&twice).unwrap_err().to_string();
     assert_eq!(message, "at the top of the document: expected no field \"order\", or only one");
 }
 
@@ -238,52 +239,51 @@ fn what_is_not_finite_is_not_written() {
 }
 
 /// A model of the sample walk in two parts, of which the first `frames` are learned in at most `steps` steps.
-fn learned(settings: ModelSettings, frames: usize, steps: usize) -> TrainedModel {
+fn learned(settings: Settings, frames: usize, steps: usize) -> Model {
     let clip = samples::clip("walk-1").unwrap().cut(0, frames).unwrap();
     let parts = &parts::presets(&clip.skeleton)[1].parts;
-    let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
-    let sequences = vec![Sequence { frames: dataset.lengths()[0], whole: true }];
-    let movements = Movements { y: dataset.y.clone(), sequences };
-    let mut learner = settings.learner(&movements, 3).unwrap();
+    let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
+    let mut trainer = Trainer::new(&dataset, &settings, 3).unwrap();
     for _ in 0..steps {
-        learner.step();
+        trainer.step();
     }
-    TrainedModel::<Model>::trained(&dataset, &*learner, settings, 3, 30.0).unwrap()
+    trainer.finish().unwrap()
 }
 
 /// A MAP CGPDM, hardly trained.
-fn baseline() -> TrainedModel {
+fn baseline() -> Model {
     let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
-    learned(ModelSettings::MapCgpdm(settings), 40, 11)
+    learned(Settings::MapCgpdm(settings), 40, 11)
 }
 
 #[test]
 fn a_baseline_rolls_out_to_the_bit_as_it_was_written() {
     let model = baseline();
     let text = model.to_json().unwrap();
-    let again = TrainedModel::<Model>::from_json(&text).unwrap();
+    let again = Model::from_json(&text).unwrap();
     assert_eq!(again.kind(), ModelKind::MapCgpdm);
     assert_eq!(again.to_json().unwrap(), text);
     let y = model.rollout(0, 60).unwrap();
     assert_eq!(again.rollout(0, 60).unwrap(), y);
     assert!(y.iter().all(|v| v.is_finite()));
     assert_eq!(again.provenance, model.provenance);
-    assert_eq!(again.model.stored_numbers(), model.model.stored_numbers());
+    assert_eq!(again.fitted.stored_numbers(), model.fitted.stored_numbers());
     assert_eq!(again.body.clip(&y, "walk.bvh").unwrap().frames(), 60);
     assert_eq!(
-        TrainedModel::<Vcgpdm>::from_json(&text).unwrap_err().to_string(),
+        Model::coupled_from_json(&text).unwrap_err().to_string(),
         "expected a vcgpdm or vgpdm model, found a map-cgpdm model"
     );
 }
 
 #[test]
 fn documents_without_a_kind_are_variational() {
-    let any = TrainedModel::<Model>::from_json(&trained().to_json().unwrap()).unwrap();
+    let any = Model::from_json(&trained().to_json().unwrap()).unwrap();
     assert_eq!(any.to_json().unwrap(), trained().to_json().unwrap());
     let request = RolloutRequest { frames: 20, ..Default::default() };
-    assert_eq!(any.rollout(0, 20).unwrap(), trained().rollout(&request).unwrap().y);
-    assert_eq!(any.into_vcgpdm().unwrap().model, trained().model);
-    assert_eq!(baseline().into_vcgpdm().unwrap_err().kind(), ModelKind::MapCgpdm);
+    let coupled = trained().coupled().unwrap();
+    assert_eq!(any.rollout(0, 20).unwrap(), coupled.rollout(&request).unwrap().y);
+    assert_eq!(any.coupled().unwrap().model, coupled.model);
+    assert!(baseline().coupled().is_none());
     let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
     let known = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
     assert_eq!(named("gplvm"), format!("at kind: expected one of {known}, found \"gplvm\""));
@@ -315,7 +315,7 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
     for (expected, change) in cases {
         let mut value = document.clone();
         change(&mut value);
-        let error = TrainedModel::<Model>::from_json(&value.to_string()).err().unwrap().to_string();
+        let error = Model::from_json(&value.to_string()).err().unwrap().to_string();
         assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
     }
 }
@@ -323,15 +323,15 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
 #[test]
 fn movement_primitives_come_back_as_they_were_written() {
     for settings in [
-        ModelSettings::Tmp(TmpSettings::default()),
-        ModelSettings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
-        ModelSettings::DmpDiscrete(DmpSettings::default()),
-        ModelSettings::DmpRhythmic(DmpSettings::default()),
+        Settings::Tmp(TmpSettings::default()),
+        Settings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
+        Settings::DmpDiscrete(DmpSettings::default()),
+        Settings::DmpRhythmic(DmpSettings::default()),
     ] {
         let kind = settings.kind();
         let model = learned(settings, 120, 3);
         let text = model.to_json().unwrap();
-        let again = TrainedModel::<Model>::from_json(&text).unwrap();
+        let again = Model::from_json(&text).unwrap();
         assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
         assert_eq!(again.provenance, model.provenance);
         assert_eq!(again.rollout(0, 50).unwrap(), model.rollout(0, 50).unwrap());
@@ -340,10 +340,10 @@ fn movement_primitives_come_back_as_they_were_written() {
         for name in value["model"].as_object().unwrap().keys() {
             let mut broken = value.clone();
             broken["model"].as_object_mut().unwrap().remove(name);
-            let error = TrainedModel::<Model>::from_json(&broken.to_string()).err().unwrap().to_string();
+            let error = Model::from_json(&broken.to_string()).err().unwrap().to_string();
             assert_eq!(error, format!("at model: expected a field \"{name}\", found none"));
             broken["model"][name] = json!([["x"]]);
-            let error = TrainedModel::<Model>::from_json(&broken.to_string()).err().unwrap().to_string();
+            let error = Model::from_json(&broken.to_string()).err().unwrap().to_string();
             assert!(error.starts_with(&format!("at model.{name}")), "{error}");
         }
     }

@@ -3,23 +3,27 @@
 use crate::document::error::{FORMAT, VERSION};
 use crate::document::subject::Subject;
 use crate::json::Value;
-use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
+use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap};
 use crate::models::{
-    Body, DmpSettings, MapSettings, Model, ModelSettings, Provenance, SequenceInfo, TmpSettings,
-    TrainedModel, VariationalSettings,
+    Coupled, DmpSettings, FittedModel, MapSettings, Model, Provenance, SequenceInfo, Settings, TmpSettings,
+    VariationalSettings,
 };
 use crate::motion::parts::PartSpec;
 
 /// A model of any kind.
-pub(super) fn document<S: Subject>(trained: &TrainedModel<Model, S>) -> Value {
-    let TrainedModel { model, body, provenance } = trained;
+pub(super) fn document<S: Subject>(trained: &Model<S>) -> Value {
+    if let Some(coupled) = trained.coupled() {
+        return variational(coupled);
+    }
+    let Model { fitted, body, provenance } = trained;
     let settings = settings(&provenance.settings, provenance.seed);
-    let fields = match model {
-        Model::Vcgpdm(model) => return variational(model, body, provenance, settings),
-        Model::Map(model) => model.to_value(),
-        Model::Tmp(model) => model.to_value(),
-        Model::DmpDiscrete(model) => model.to_value(),
-        Model::DmpRhythmic(model) => model.to_value(),
+    let fields = match fitted {
+        // Written above.
+        FittedModel::Vcgpdm(_) => Value::Null,
+        FittedModel::Map(model) => model.to_value(),
+        FittedModel::Tmp(model) => model.to_value(),
+        FittedModel::DmpDiscrete(model) => model.to_value(),
+        FittedModel::DmpRhythmic(model) => model.to_value(),
     };
     let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields::<S>(spec)));
     let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));
@@ -34,7 +38,7 @@ pub(super) fn document<S: Subject>(trained: &TrainedModel<Model, S>) -> Value {
     Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(S::VERSIONS[1])),
-        ("kind", Value::text(model.kind().id())),
+        ("kind", Value::text(fitted.kind().id())),
         (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
@@ -69,18 +73,8 @@ pub(super) fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
 }
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
-pub(super) fn vcgpdm_document(trained: &TrainedModel<Vcgpdm>) -> Value {
-    let TrainedModel { model, body, provenance } = trained;
-    let settings = variational_settings(&provenance.settings, provenance.seed);
-    variational(model, body, provenance, settings)
-}
-
-fn variational<S: Subject, P>(
-    model: &Vcgpdm,
-    body: &Body<S>,
-    provenance: &Provenance<P>,
-    settings: Value,
-) -> Value {
+pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
+    let Coupled { model, body, provenance } = coupled;
     let parts = model.parts.iter().zip(body.layout.parts());
     let parts = Value::list(parts, |(map, spec)| Value::object(pose_map::<S>(map, spec)));
     // The dynamics into each part; matrices over its sources stack them in order.
@@ -102,7 +96,7 @@ fn variational<S: Subject, P>(
         fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
         Value::Object(fields)
     });
-    let provenance = variational_provenance(provenance, settings, &model.terms);
+    let provenance = variational_provenance(provenance, &model.terms);
     Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(version)),
@@ -121,11 +115,8 @@ fn variational<S: Subject, P>(
 }
 
 /// How a variational model or a library was made, and the terms of its bound.
-pub(super) fn variational_provenance<P>(
-    provenance: &Provenance<P>,
-    settings: Value,
-    bound: &BoundTerms,
-) -> Value {
+pub(super) fn variational_provenance(provenance: &Provenance, bound: &BoundTerms) -> Value {
+    let settings = variational_settings(&provenance.settings, provenance.seed);
     Value::object([
         ("engine", Value::text(&provenance.engine)),
         ("settings", settings),
@@ -179,12 +170,10 @@ fn expert(expert: &FittedExpert) -> Value {
 }
 
 /// Names and values of what training was asked for: yes is 1, and what was left to the training is left out.
-pub(super) fn settings(settings: &ModelSettings, seed: u32) -> Value {
+pub(super) fn settings(settings: &Settings, seed: u32) -> Value {
     match settings {
-        ModelSettings::Vcgpdm(settings) | ModelSettings::Vgpdm(settings) => {
-            variational_settings(settings, seed)
-        }
-        ModelSettings::MapGpdm(settings) | ModelSettings::MapCgpdm(settings) => {
+        Settings::Vcgpdm(settings) | Settings::Vgpdm(settings) => variational_fields(settings, seed),
+        Settings::MapGpdm(settings) | Settings::MapCgpdm(settings) => {
             let MapSettings { latent, order, max_iterations, balanced, linear } = settings;
             let fields = [
                 ("balanced", Value::whole(usize::from(*balanced))),
@@ -198,20 +187,26 @@ pub(super) fn settings(settings: &ModelSettings, seed: u32) -> Value {
             let linear = linear.then(|| ("linear".to_owned(), Value::whole(1)));
             Value::Object(fields.chain(linear).collect())
         }
-        ModelSettings::Tmp(TmpSettings { primitives, normalised_time }) => {
+        Settings::Tmp(TmpSettings { primitives, normalised_time }) => {
             // Absent: chosen by the bound; phases learned, as in documents before there was a choice.
             let count = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
             let time = normalised_time.then(|| ("normalised_time".to_owned(), Value::whole(1)));
             Value::Object(time.into_iter().chain(count).collect())
         }
-        ModelSettings::DmpDiscrete(settings) | ModelSettings::DmpRhythmic(settings) => {
+        Settings::DmpDiscrete(settings) | Settings::DmpRhythmic(settings) => {
             let DmpSettings { bases } = settings;
             Value::object([("bases", Value::whole(*bases))])
         }
     }
 }
 
-pub(super) fn variational_settings(settings: &VariationalSettings, seed: u32) -> Value {
+/// The settings of a variational model or library. A program that writes no other kind need not hold the code of
+/// the others.
+pub(super) fn variational_settings(settings: &Settings, seed: u32) -> Value {
+    settings.variational().map_or(Value::Null, |settings| variational_fields(settings, seed))
+}
+
+fn variational_fields(settings: &VariationalSettings, seed: u32) -> Value {
     let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
     Value::object([
         ("latent", Value::whole(*latent)),

@@ -5,8 +5,8 @@
 //! is compared with: [`map`] the GPDM and CGPDM with point latents, [`tmp`] temporal and [`dmp`] dynamic
 //! movement primitives.
 //!
-//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`ModelSettings`] give a [`Learner`]
-//! of these, and that a [`Model`]; a [`TrainedModel`] has with it the [`Body`] that turns its columns into
+//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`Settings`] give a [`Learner`]
+//! of these, and that a [`FittedModel`]; a [`Model`] has with it the [`Body`] that turns its columns into
 //! poses, and its [`Provenance`]. Tables of numbers that are no poses go the same way: `Dataset::of_tables`,
 //! and a [`SeriesModel`] at the end.
 
@@ -27,9 +27,10 @@ pub use data::observed::Observed;
 pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
 pub use fitted::body::Body;
-pub use fitted::model::Model;
+pub use fitted::coupled::Coupled;
+pub use fitted::fitted_model::FittedModel;
+pub use fitted::model::{Model, SeriesModel};
 pub use fitted::provenance::{ENGINE, Provenance};
-pub use fitted::trained::{Fitted, SeriesModel, TrainedModel};
 pub use rollout::couplings::{
     CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,
 };
@@ -43,8 +44,9 @@ pub use training::error::TrainingError;
 pub use training::kind::ModelKind;
 pub use training::learner::Learner;
 pub use training::parameters::{Group, Kind, Parameters};
-pub use training::progress::{EndReason, LearningProgress, Setbacks, TrainingPhase};
+pub use training::progress::{EndReason, Progress, Setbacks, TrainingPhase};
 pub use training::settings::{
-    DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelSettings,
+    DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, Settings,
     TmpSettings, VariationalSettings,
 };
+pub use training::trainer::Trainer;

@@ -22,7 +22,7 @@ fn trained(max_iterations: usize) -> TrainedLibrary {
     let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
     let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, 1).unwrap();
     while !trainer.step().done {}
-    TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap()
+    TrainedLibrary::trained(&dataset, &trainer).unwrap()
 }
 
 fn range(x: &DMatrix<f64>, q: usize) -> (f64, f64) {
@@ -36,6 +36,7 @@ fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
     let uses = trained.uses("lower=walk,upper=wave").unwrap();
     assert_eq!(library.recorded(&uses), None);
     let model = trained.combination(&uses, &library.nearest_couplings(&uses)).unwrap();
+    let model = model.coupled().unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
     let path = dynamics.path(&model.model.start(0, 0).unwrap(), FRAMES).unwrap();
     for (part, x) in path.iter().enumerate() {

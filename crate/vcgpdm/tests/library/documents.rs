@@ -1,9 +1,8 @@
 //! Documents that an earlier program wrote are read, and written again to the letter: tests/documents/*.json.
 
 use vcgpdm::document::Document;
-use vcgpdm::models::TrainedModel;
+use vcgpdm::models::Model;
 use vcgpdm::models::library::TrainedLibrary;
-use vcgpdm::models::variational::Vcgpdm;
 
 /// Of each kind, with what tells them apart.
 pub const DOCUMENTS: [(&str, &str); 9] = [
@@ -35,5 +34,5 @@ fn earlier_documents_are_written_again_to_the_letter() {
         assert!(rolled.unwrap().iter().all(|value| value.is_finite()), "{name}");
     }
     let (_, text) = DOCUMENTS[0];
-    assert_eq!(TrainedModel::<Vcgpdm>::from_json(text).unwrap().to_json().unwrap(), text);
+    assert_eq!(Model::coupled_from_json(text).unwrap().to_json().unwrap(), text);
 }

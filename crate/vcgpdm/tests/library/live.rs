@@ -9,22 +9,23 @@ use vcgpdm::models::{LiveRollout, Push, Reading, RolloutRequest};
 #[test]
 fn undisturbed_it_goes_on_as_the_rollout_does() {
     let model = start_model();
+    let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let rollout = model.rollout(&request).unwrap();
     let expected = model.positions(&rollout).unwrap();
-    let mut live = LiveRollout::behind(&model, &rollout, 19, 0).unwrap();
+    let mut live = LiveRollout::behind(model, &rollout, 19, 0).unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
     let mut positions = Vec::new();
     let mut last = DMatrix::zeros(0, 0);
     for frames in [1, 4, 20, 15] {
-        let next = live.advance(&model, &dynamics, frames).unwrap();
+        let next = live.advance(model, &dynamics, frames).unwrap();
         positions.extend(next.positions);
         last = next.latents[0].clone();
     }
     let begin = 20 * expected.len() / 60;
     assert_eq!(positions.len(), expected.len() - begin);
     // More than memory holds are refused before anything is made of them.
-    let error = live.clone().advance(&model, &dynamics, 1_000_000_000).unwrap_err().to_string();
+    let error = live.clone().advance(model, &dynamics, 1_000_000_000).unwrap_err().to_string();
     assert!(error.starts_with("expected from 1 to ") && error.ends_with("found 1000000000"), "{error}");
     for (a, b) in positions.iter().zip(&expected[begin..]) {
         assert!((a - b).abs() < 1e-4, "{a} {b}");
@@ -35,38 +36,39 @@ fn undisturbed_it_goes_on_as_the_rollout_does() {
 #[test]
 fn a_pulled_node_moves_the_way_it_is_pulled() {
     let model = start_model();
+    let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 40, ..RolloutRequest::default() }).unwrap();
-    let live = LiveRollout::behind(&model, &rollout, 30, 0).unwrap();
+    let live = LiveRollout::behind(model, &rollout, 30, 0).unwrap();
     let figure = model.body.mapping.skeleton().figure();
     let joints = &model.body.mapping.skeleton().joints;
     let hand = figure.iter().position(|node| joints[node.joint].name.contains("Hand")).unwrap();
-    let push = live.pull(&model, hand, [0.0, 0.0, 0.05]).unwrap();
+    let push = live.pull(model, hand, [0.0, 0.0, 0.05]).unwrap();
     let part = &model.body.layout.parts()[push.part];
     assert!(part.joints.contains(&figure[hand].joint));
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let place = |mut live: LiveRollout| live.advance(&model, &dynamics, 1).unwrap().positions[3 * hand + 2];
+    let place = |mut live: LiveRollout| live.advance(model, &dynamics, 1).unwrap().positions[3 * hand + 2];
     let (free, mut pulled) = (place(live.clone()), live);
     pulled.push(&push).unwrap();
     let moved = place(pulled) - free;
     assert!(moved > 0.005 && moved < 0.1, "{moved}");
-    let error =
-        LiveRollout::behind(&model, &rollout, 30, 0).unwrap().pull(&model, 999, [0.0; 3]).unwrap_err();
+    let error = LiveRollout::behind(model, &rollout, 30, 0).unwrap().pull(model, 999, [0.0; 3]).unwrap_err();
     assert!(error.to_string().starts_with("expected a node of the figure from 0 to "));
 }
 
 #[test]
 fn on_its_cycle_all_parts_are_in_step_and_a_push_leaves_it() {
     let model = start_model();
+    let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();
-    let mut live = LiveRollout::behind(&model, &rollout, 240, 0).unwrap();
+    let mut live = LiveRollout::behind(model, &rollout, 240, 0).unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let settled = live.advance(&model, &dynamics, 10).unwrap().places;
+    let settled = live.advance(model, &dynamics, 10).unwrap().places;
     assert_eq!(settled.len(), 10 * 2);
     for both in settled.chunks_exact(2) {
         let apart = (both[0].phase - both[1].phase + 0.5).rem_euclid(1.0) - 0.5;
         assert!(apart.abs() < 0.05 && both[0].distance < 0.2 && both[1].distance < 0.2, "{both:?}");
     }
     live.push(&Push { part: 1, by: vec![1.0, 1.0, 0.0], ..Push::default() }).unwrap();
-    let pushed = live.advance(&model, &dynamics, 1).unwrap().places;
+    let pushed = live.advance(model, &dynamics, 1).unwrap().places;
     assert!(pushed[1].distance > 0.3, "{pushed:?}");
 }

@@ -7,8 +7,7 @@ use serde_json::{Map, Value, json};
 use vcgpdm::document::Document;
 use vcgpdm::models::library::TrainedLibrary;
 use vcgpdm::models::{
-    Dataset, DmpSettings, MapSettings, Model, ModelSettings, Movements, Source, TmpSettings, TrainedModel,
-    VariationalSettings,
+    Dataset, DmpSettings, MapSettings, Settings, Source, TmpSettings, Trainer, VariationalSettings,
 };
 use vcgpdm::motion::{parts, samples};
 
@@ -141,18 +140,18 @@ fn what_is_written_now_is_valid() {
     let point =
         MapSettings { latent: 2, max_iterations: 3, balanced: true, linear: true, ..Default::default() };
     for (k, settings) in [
-        (0, ModelSettings::Vgpdm(variational.clone())),
-        (1, ModelSettings::Vcgpdm(variational)),
-        (1, ModelSettings::MapCgpdm(point.clone())),
-        (0, ModelSettings::MapGpdm(point)),
-        (1, ModelSettings::Tmp(TmpSettings { primitives: Some(2), normalised_time: true })),
-        (1, ModelSettings::DmpDiscrete(DmpSettings { bases: 4 })),
-        (1, ModelSettings::DmpRhythmic(DmpSettings { bases: 4 })),
+        (0, Settings::Vgpdm(variational.clone())),
+        (1, Settings::Vcgpdm(variational)),
+        (1, Settings::MapCgpdm(point.clone())),
+        (0, Settings::MapGpdm(point)),
+        (1, Settings::Tmp(TmpSettings { primitives: Some(2), normalised_time: true })),
+        (1, Settings::DmpDiscrete(DmpSettings { bases: 4 })),
+        (1, Settings::DmpRhythmic(DmpSettings { bases: 4 })),
     ] {
         let dataset = Dataset::new(&sources, &preset(k), 30.0).unwrap();
-        let mut learner = settings.learner(&Movements::of(&dataset), 0).unwrap();
-        while !learner.step().done {}
-        let mut trained = TrainedModel::<Model>::trained(&dataset, &*learner, settings, 0, 30.0).unwrap();
+        let mut trainer = Trainer::new(&dataset, &settings, 0).unwrap();
+        trainer.run();
+        let mut trained = trainer.finish().unwrap();
         trained.provenance.note = Some("a note".to_owned());
         trained.body.sequences[1].rests_from = Some(0.5);
         let document = serde_json::from_str(&trained.to_json().unwrap()).unwrap();

@@ -2,10 +2,9 @@
 
 use nalgebra::DMatrix;
 use vcgpdm::document::Document;
-use vcgpdm::models::variational::Vcgpdm;
 use vcgpdm::models::{
-    Dataset, DmpSettings, MapSettings, Model, ModelSettings, Movements, SeriesModel, TmpSettings,
-    TrainedModel, VariationalSettings,
+    Dataset, DmpSettings, MapSettings, Model, SeriesModel, Settings, TmpSettings, Trainer,
+    VariationalSettings,
 };
 use vcgpdm::series::{Table, parts_from_words, read, write};
 
@@ -27,13 +26,13 @@ fn tables(size: f64) -> Vec<Table> {
         .collect()
 }
 
-fn trained(size: f64, settings: ModelSettings, words: &str) -> SeriesModel {
+fn trained(size: f64, settings: Settings, words: &str) -> SeriesModel {
     let tables = tables(size);
     let parts = parts_from_words(words, &tables[0].columns).unwrap();
     let dataset = Dataset::of_tables(&tables, &parts, 30.0).unwrap();
-    let mut learner = settings.learner(&Movements::of(&dataset), 1).unwrap();
-    while !learner.step().done {}
-    TrainedModel::<Model, _>::trained(&dataset, &*learner, settings, 1, 50.0).unwrap()
+    let mut trainer = Trainer::new(&dataset, &settings, 1).unwrap();
+    trainer.run();
+    trainer.finish().unwrap()
 }
 
 const SMALL: VariationalSettings =
@@ -44,12 +43,12 @@ const TWO: &str = "machine=x,y;follower=follower";
 fn models_of_tables_are_saved_and_opened_like_others() {
     let point = MapSettings { latent: 2, order: 2, max_iterations: 5, balanced: false, linear: false };
     let kinds = [
-        (ModelSettings::Vcgpdm(SMALL), TWO),
-        (ModelSettings::Vgpdm(SMALL), "all=*"),
-        (ModelSettings::MapCgpdm(point), TWO),
-        (ModelSettings::Tmp(TmpSettings { primitives: Some(3), normalised_time: false }), TWO),
-        (ModelSettings::DmpDiscrete(DmpSettings { bases: 5 }), TWO),
-        (ModelSettings::DmpRhythmic(DmpSettings { bases: 5 }), TWO),
+        (Settings::Vcgpdm(SMALL), TWO),
+        (Settings::Vgpdm(SMALL), "all=*"),
+        (Settings::MapCgpdm(point), TWO),
+        (Settings::Tmp(TmpSettings { primitives: Some(3), normalised_time: false }), TWO),
+        (Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO),
+        (Settings::DmpRhythmic(DmpSettings { bases: 5 }), TWO),
     ];
     for (settings, words) in kinds {
         let id = settings.kind().id();
@@ -65,7 +64,7 @@ fn models_of_tables_are_saved_and_opened_like_others() {
             "{id}: {}",
             one.row(0)
         );
-        let refused = TrainedModel::<Model>::from_json(&text).unwrap_err().to_string();
+        let refused = Model::from_json(&text).unwrap_err().to_string();
         assert_eq!(refused, "expected a model of a body, found a model of tables", "{id}");
     }
 }
@@ -73,7 +72,7 @@ fn models_of_tables_are_saved_and_opened_like_others() {
 /// A power of two is exact: nothing is rounded otherwise on the way.
 #[test]
 fn a_column_counts_by_its_spread_and_not_by_its_unit() {
-    let rolled = |size: f64| trained(size, ModelSettings::Vcgpdm(SMALL), TWO).rollout(0, 40).unwrap();
+    let rolled = |size: f64| trained(size, Settings::Vcgpdm(SMALL), TWO).rollout(0, 40).unwrap();
     let (large, small) = (rolled(1.0), rolled(1024.0));
     for row in 0..40 {
         assert!((1024.0 * large[(row, 1)] - small[(row, 1)]).abs() < 1e-9, "row {row}");
@@ -83,7 +82,8 @@ fn a_column_counts_by_its_spread_and_not_by_its_unit() {
 
 #[test]
 fn couplings_of_tables_can_be_changed() {
-    let model = trained(1.0, ModelSettings::Vcgpdm(SMALL), TWO).into_vcgpdm().unwrap();
+    let model = trained(1.0, Settings::Vcgpdm(SMALL), TWO);
+    let model = model.coupled().unwrap();
     let request = |alpha| vcgpdm::models::RolloutRequest { frames: 30, alpha, ..Default::default() };
     let learned = model.rollout(&request(None)).unwrap();
     assert_eq!((learned.latents.len(), learned.y.shape()), (2, (30, 3)));
@@ -94,7 +94,7 @@ fn couplings_of_tables_can_be_changed() {
 
 #[test]
 fn documents_of_tables_that_are_odd_are_refused() {
-    let text = trained(1.0, ModelSettings::DmpDiscrete(DmpSettings { bases: 5 }), TWO).to_json().unwrap();
+    let text = trained(1.0, Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO).to_json().unwrap();
     let refusal = |from: &str, to: &str| {
         assert!(text.contains(from), "{from} in {text}");
         Document::from_json(&text.replacen(from, to, 1)).err().unwrap().to_string()
@@ -107,5 +107,5 @@ fn documents_of_tables_that_are_odd_are_refused() {
     assert!(refusal("\"version\":3", "\"version\":4").contains("version 3 or earlier"));
     let body = include_str!("documents/vcgpdm.json");
     assert!(matches!(Document::from_json(body), Ok(Document::Body(_))));
-    assert!(TrainedModel::<Vcgpdm>::from_json(body).is_ok());
+    assert!(Model::coupled_from_json(body).is_ok());
 }

@@ -9,6 +9,7 @@ use vcgpdm::models::RolloutRequest;
 #[test]
 fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
     let model = start_model();
+    let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let dynamics = model.predictive_dynamics(&request).unwrap();
     let start = &model.model.start(0, 0).unwrap();

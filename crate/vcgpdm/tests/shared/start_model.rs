@@ -1,9 +1,8 @@
 //! The model that walks first on the page.
 
-use vcgpdm::models::TrainedModel;
-use vcgpdm::models::variational::Vcgpdm;
+use vcgpdm::models::Model;
 
-pub fn start_model() -> TrainedModel<Vcgpdm> {
+pub fn start_model() -> Model {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/first/model.json");
-    TrainedModel::<Vcgpdm>::from_json(&std::fs::read_to_string(path).unwrap()).unwrap()
+    Model::coupled_from_json(&std::fs::read_to_string(path).unwrap()).unwrap()
 }

@@ -1,8 +1,7 @@
 //! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model
 //! that can be shared.
 
-use vcgpdm::models::variational::{Trainer, Vcgpdm};
-use vcgpdm::models::{Dataset, RolloutRequest, Source, TrainedModel, VariationalSettings};
+use vcgpdm::models::{Dataset, Model, RolloutRequest, Source, Trainer, VariationalSettings};
 use vcgpdm::motion::{bvh, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -16,7 +15,7 @@ fn dataset() -> Dataset {
 
 fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
     let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
-    Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 3).unwrap()
+    Trainer::new(dataset, &settings.into(), 3).unwrap()
 }
 
 /// Standard deviation of the latents over some frames, all dimensions together.
@@ -46,19 +45,21 @@ const AFTER_FIFTY: f64 = 58046.4319108062;
 pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 300);
-    while !trainer.step().done {}
-    let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, FRAMES_PER_SECOND).unwrap();
+    trainer.run();
+    let model = trainer.finish().unwrap();
     let request = RolloutRequest { frames: 300, ..RolloutRequest::default() };
-    let rollout = model.rollout(&request).unwrap();
-    for (path, part) in rollout.latents.iter().zip(&trainer.best().parts) {
-        let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));
+    let coupled = model.coupled().unwrap();
+    let rollout = coupled.rollout(&request).unwrap();
+    for (part, path) in rollout.latents.iter().enumerate() {
+        let learned = trainer.latents(part).unwrap();
+        let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&learned));
         assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
     }
 
-    let again = TrainedModel::<Vcgpdm>::from_json(&model.to_json().unwrap()).unwrap();
-    assert_eq!(again.rollout(&request).unwrap().y, rollout.y);
+    let again = Model::coupled_from_json(&model.to_json().unwrap()).unwrap();
+    assert_eq!(again.coupled().unwrap().rollout(&request).unwrap().y, rollout.y);
 
-    let clip = model.clip(&rollout, "rollout.bvh").unwrap();
+    let clip = coupled.clip(&rollout, "rollout.bvh").unwrap();
     let read = bvh::read("rollout.bvh", bvh::write(&clip).as_bytes()).unwrap().into_clip();
     assert_eq!(read.frames(), 300);
     let hips = |frame: usize| read.world_pose(frame).positions[0];

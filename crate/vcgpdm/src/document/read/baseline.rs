@@ -10,10 +10,10 @@ use crate::json::checks::count;
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
-use crate::models::{Model, ModelKind, Provenance, TrainedModel};
+use crate::models::{FittedModel, Model, ModelKind, Provenance};
 
 /// What is left of a baseline's document after the body.
-pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Model, S>, DocumentError> {
+pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, DocumentError> {
     let parts = head.document.get("parts")?;
     let specs = parts.list(|part| {
         let mut object = part.object()?;
@@ -37,14 +37,14 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Mod
     let count = lengths.len();
     let model = match head.kind {
         ModelKind::MapGpdm | ModelKind::MapCgpdm => {
-            Model::Map(Box::new(MapModel::from_field(field, &columns, lengths)?))
+            FittedModel::Map(Box::new(MapModel::from_field(field, &columns, lengths)?))
         }
-        ModelKind::Tmp => Model::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
+        ModelKind::Tmp => FittedModel::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
         ModelKind::DmpDiscrete => {
-            Model::DmpDiscrete(Box::new(DmpDiscrete::from_field(field, &columns, count)?))
+            FittedModel::DmpDiscrete(Box::new(DmpDiscrete::from_field(field, &columns, count)?))
         }
         ModelKind::DmpRhythmic => {
-            Model::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
+            FittedModel::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
         }
         // They have a document of their own.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
@@ -64,5 +64,5 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Mod
     };
     object.end()?;
     let body = head.body(model.kind(), layout, sequences)?;
-    Ok(TrainedModel { model, body, provenance })
+    Ok(Model { fitted: model, body, provenance })
 }

@@ -11,8 +11,7 @@ use crate::document::read::head::Wanted;
 use crate::document::subject::Subject;
 use crate::json::{Field, FieldError, Value};
 use crate::models::library::TrainedLibrary;
-use crate::models::variational::Vcgpdm;
-use crate::models::{Model, ModelKind, ModelSettings, TrainedModel};
+use crate::models::{Model, ModelKind, Settings};
 
 /// Whether the document is about tables.
 pub(super) fn is_of_columns(value: &Value) -> bool {
@@ -20,10 +19,10 @@ pub(super) fn is_of_columns(value: &Value) -> bool {
 }
 
 /// A model of any kind.
-pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, S>, DocumentError> {
+pub(super) fn document<S: Subject>(value: &Value) -> Result<Model<S>, DocumentError> {
     let head = head::head::<S>(value, Wanted::Model)?;
     match head.kind {
-        ModelKind::Vcgpdm | ModelKind::Vgpdm => Ok(vcgpdm::vcgpdm(head)?.into()),
+        ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
         ModelKind::MapGpdm
         | ModelKind::MapCgpdm
         | ModelKind::Tmp
@@ -33,7 +32,7 @@ pub(super) fn document<S: Subject>(value: &Value) -> Result<TrainedModel<Model, 
 }
 
 /// A variational model. A program that asks for no other need not hold the code of the others.
-pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, DocumentError> {
+pub(super) fn vcgpdm_document(value: &Value) -> Result<Model, DocumentError> {
     let head = head::head(value, Wanted::Model)?;
     match head.kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm => vcgpdm::vcgpdm(head),
@@ -42,12 +41,14 @@ pub(super) fn vcgpdm_document(value: &Value) -> Result<TrainedModel<Vcgpdm>, Doc
 }
 
 /// What a training of a model of any kind was asked for, and the seed.
-pub(super) fn settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+pub(super) fn settings(field: Field, kind: ModelKind) -> Result<(Settings, u32), FieldError> {
     match kind {
-        ModelKind::Vcgpdm => settings::variational_settings(field)
-            .map(|(settings, seed)| (ModelSettings::Vcgpdm(settings), seed)),
-        ModelKind::Vgpdm => settings::variational_settings(field)
-            .map(|(settings, seed)| (ModelSettings::Vgpdm(settings), seed)),
+        ModelKind::Vcgpdm => {
+            settings::variational_settings(field).map(|(settings, seed)| (Settings::Vcgpdm(settings), seed))
+        }
+        ModelKind::Vgpdm => {
+            settings::variational_settings(field).map(|(settings, seed)| (Settings::Vgpdm(settings), seed))
+        }
         _ => settings::baseline_settings(field, kind),
     }
 }

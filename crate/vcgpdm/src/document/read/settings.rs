@@ -2,7 +2,7 @@
 
 use crate::json::checks::count;
 use crate::json::{Field, FieldError, Object};
-use crate::models::{DmpSettings, MapSettings, ModelKind, ModelSettings, TmpSettings, VariationalSettings};
+use crate::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, VariationalSettings};
 use std::ops::RangeInclusive;
 
 // Training refuses what is larger.
@@ -26,20 +26,20 @@ pub(super) fn variational_settings(field: Field) -> Result<(VariationalSettings,
 }
 
 /// The same for a model that is not variational.
-pub(super) fn baseline_settings(field: Field, kind: ModelKind) -> Result<(ModelSettings, u32), FieldError> {
+pub(super) fn baseline_settings(field: Field, kind: ModelKind) -> Result<(Settings, u32), FieldError> {
     let mut object = field.clone().object()?;
     let (settings, seed) = match kind {
-        ModelKind::MapGpdm => (ModelSettings::MapGpdm(map_settings(&mut object)?), seed(&mut object)?),
-        ModelKind::MapCgpdm => (ModelSettings::MapCgpdm(map_settings(&mut object)?), seed(&mut object)?),
+        ModelKind::MapGpdm => (Settings::MapGpdm(map_settings(&mut object)?), seed(&mut object)?),
+        ModelKind::MapCgpdm => (Settings::MapCgpdm(map_settings(&mut object)?), seed(&mut object)?),
         ModelKind::Tmp => {
             let primitives = object.optional("primitives").map(|field| in_range(&field, 1..=MOST_IPS));
             let time = object.optional("normalised_time").map(|field| in_range(&field, 0..=1)).transpose()?;
             let normalised_time = time == Some(1);
             let primitives = primitives.transpose()?;
-            (ModelSettings::Tmp(TmpSettings { primitives, normalised_time }), 0)
+            (Settings::Tmp(TmpSettings { primitives, normalised_time }), 0)
         }
-        ModelKind::DmpDiscrete => (ModelSettings::DmpDiscrete(dmp_settings(&mut object)?), 0),
-        ModelKind::DmpRhythmic => (ModelSettings::DmpRhythmic(dmp_settings(&mut object)?), 0),
+        ModelKind::DmpDiscrete => (Settings::DmpDiscrete(dmp_settings(&mut object)?), 0),
+        ModelKind::DmpRhythmic => (Settings::DmpRhythmic(dmp_settings(&mut object)?), 0),
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected settings of a baseline")),
     };
     object.end()?;

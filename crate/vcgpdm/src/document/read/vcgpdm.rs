@@ -10,13 +10,13 @@ use crate::gp::{Kernel, NumericsError};
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix, within};
 use crate::json::{Field, FieldError, Object};
 use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
-use crate::models::{ModelKind, Provenance, SequenceInfo, TrainedModel, VariationalSettings};
+use crate::models::{FittedModel, Model, ModelKind, Provenance, SequenceInfo, Settings};
 use crate::motion::parts::PartSpec;
 use nalgebra::{DMatrix, DVector};
 use std::ops::RangeInclusive;
 
 /// What is left of a variational model's document after the body.
-pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpdm, S>, DocumentError> {
+pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<Model<S>, DocumentError> {
     let order = head.document.get("order")?;
     let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
@@ -52,6 +52,10 @@ pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpd
     count(&field, sequences.len(), 1..=MOST_SEQUENCES)?;
     let (provenance, terms) = provenance(head.document.get("provenance")?, m)?;
     let found = if m == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm };
+    let provenance = match m {
+        1 => provenance.of_one_part(),
+        _ => provenance,
+    };
     let body = head.body(found, layout, sequences)?;
 
     let mut parts = Vec::with_capacity(m);
@@ -71,7 +75,7 @@ pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<TrainedModel<Vcgpd
     }
     let model =
         Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, elsewhere, alpha, starts, terms };
-    Ok(TrainedModel { model, body, provenance })
+    Ok(Model { fitted: FittedModel::Vcgpdm(Box::new(model)), body, provenance })
 }
 
 /// Reads an object that holds nothing else.
@@ -231,10 +235,7 @@ pub(super) fn start(
 }
 
 /// How a variational model of `m` parts was made, and the terms of its bound.
-pub(super) fn provenance(
-    field: Field,
-    m: usize,
-) -> Result<(Provenance<VariationalSettings>, BoundTerms), FieldError> {
+pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTerms), FieldError> {
     let mut object = field.object()?;
     let provenance = training(&mut object)?;
     let terms = terms(object.get("terms")?, m)?;
@@ -243,12 +244,12 @@ pub(super) fn provenance(
 }
 
 /// How a training was done, as far as documents say it of every one.
-pub(super) fn training(object: &mut Object) -> Result<Provenance<VariationalSettings>, FieldError> {
+pub(super) fn training(object: &mut Object) -> Result<Provenance, FieldError> {
     let engine = object.get("engine")?.text()?.to_owned();
     let (settings, seed) = variational_settings(object.get("settings")?)?;
     Ok(Provenance {
         engine,
-        settings,
+        settings: Settings::Vcgpdm(settings),
         seed,
         frames_per_second: frames_per_second(object)?,
         objective: object.get("bound")?.number()?,

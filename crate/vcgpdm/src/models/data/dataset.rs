@@ -20,6 +20,12 @@ pub struct Source<'a> {
     pub first_frames: Option<usize>,
 }
 
+impl<'a> From<&'a Clip> for Source<'a> {
+    fn from(clip: &'a Clip) -> Self {
+        Source { clip, first_frames: None }
+    }
+}
+
 /// Where a sequence came from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SequenceInfo {
@@ -130,6 +136,8 @@ pub struct Dataset<S = PoseMapping> {
     pub sequences: Vec<SequenceInfo>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
+    /// The frame rate that the data set was asked for, in frames a second; `frame_time` is near its inverse.
+    pub frames_per_second: f64,
     /// What was odd about the clips, such as a T-pose that was left out; each names its clip.
     pub warnings: Vec<String>,
 }
@@ -223,7 +231,7 @@ impl Dataset {
             }
         };
         let sequences = clips.iter().zip(&rows).zip(sources).map(info).collect();
-        Ok(Self { mapping, layout, y, column_means, sequences, frame_time, warnings })
+        Ok(Self { mapping, layout, y, column_means, sequences, frame_time, frames_per_second, warnings })
     }
 }
 

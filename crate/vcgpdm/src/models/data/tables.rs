@@ -38,13 +38,15 @@ impl Dataset<Columns> {
             bones_of: None,
             whole: true,
         };
+        let frame_time = first.frame_time.unwrap_or(1.0 / rate);
         Ok(Self {
             y: layout.split(&all),
             layout,
             mapping: Columns::new(first.columns.clone(), units),
             column_means,
             sequences: tables.iter().map(info).collect(),
-            frame_time: first.frame_time.unwrap_or(1.0 / rate),
+            frame_time,
+            frames_per_second: 1.0 / frame_time,
             warnings: Vec::new(),
         })
     }

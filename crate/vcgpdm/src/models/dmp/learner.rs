@@ -7,10 +7,10 @@ use crate::models::data::trials::split_trials;
 use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::fitted::model::Model;
+use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::learner::Learner;
-use crate::models::training::progress::{EndReason, LearningProgress, Setbacks};
+use crate::models::training::progress::{EndReason, Progress, Setbacks};
 use crate::models::training::settings::{DmpSettings, MOST_BASES};
 use nalgebra::DMatrix;
 
@@ -20,7 +20,7 @@ pub struct DmpLearner {
     columns: Vec<usize>,
     canonical: Canonical,
     bases: usize,
-    fitted: Option<Model>,
+    fitted: Option<FittedModel>,
     error: f64,
     reason: Option<EndReason>,
 }
@@ -42,16 +42,20 @@ impl DmpLearner {
         Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
     }
 
-    fn fit(&self) -> Result<Model, NumericsError> {
+    fn fit(&self) -> Result<FittedModel, NumericsError> {
         let (trials, columns, bases) = (&self.trials, &self.columns, self.bases);
         Ok(match self.canonical {
-            Canonical::Discrete => Model::DmpDiscrete(Box::new(DmpDiscrete::fit(trials, columns, bases)?)),
-            Canonical::Rhythmic => Model::DmpRhythmic(Box::new(DmpRhythmic::fit(trials, columns, bases)?)),
+            Canonical::Discrete => {
+                FittedModel::DmpDiscrete(Box::new(DmpDiscrete::fit(trials, columns, bases)?))
+            }
+            Canonical::Rhythmic => {
+                FittedModel::DmpRhythmic(Box::new(DmpRhythmic::fit(trials, columns, bases)?))
+            }
         })
     }
 
     /// Mean squared difference of the whole training trials from what the model makes of their starts.
-    fn training_error(&self, model: &Model) -> f64 {
+    fn training_error(&self, model: &FittedModel) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
             let Ok(parts) = model.rollout(s, trial.y.nrows()) else { return f64::INFINITY };
@@ -68,7 +72,7 @@ impl DmpLearner {
 }
 
 impl Learner for DmpLearner {
-    fn step(&mut self) -> LearningProgress {
+    fn step(&mut self) -> Progress {
         if self.reason.is_none() {
             match self.fit() {
                 Ok(fitted) => {
@@ -83,15 +87,16 @@ impl Learner for DmpLearner {
     }
 
     /// The objective is minus the mean squared error of the training trials.
-    fn progress(&self) -> LearningProgress {
+    fn progress(&self) -> Progress {
         let done = self.reason.is_some();
-        LearningProgress {
+        Progress {
             iteration: usize::from(done),
             max_iterations: 1,
             evaluations: 0,
             setbacks: Setbacks::default(),
             objective: -self.error,
             best: -self.error,
+            terms: None,
             phase: None,
             done,
             reason: self.reason.clone(),
@@ -99,7 +104,7 @@ impl Learner for DmpLearner {
         }
     }
 
-    fn model(&self) -> Result<Model, NumericsError> {
+    fn model(&self) -> Result<FittedModel, NumericsError> {
         // Before the first step, or after one that failed: learned now, to say why it fails.
         self.fitted.clone().map_or_else(|| self.fit(), Ok)
     }

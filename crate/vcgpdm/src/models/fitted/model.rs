@@ -1,82 +1,61 @@
-//! A fitted model of any kind.
+//! A trained model: its fitted numbers with the body or table that it predicts, and how it was made.
 
-use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
-use crate::models::map::MapModel;
+use crate::models::data::observed::Observed;
+use crate::models::fitted::body::Body;
+use crate::models::fitted::coupled::Coupled;
+use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::fitted::provenance::Provenance;
 use crate::models::rollout::request::RolloutError;
-use crate::models::tmp::Tmp;
 use crate::models::training::kind::ModelKind;
-use crate::models::variational::{BoundTerms, Vcgpdm};
+use crate::motion::pose::PoseMapping;
+use crate::series::Columns;
 use nalgebra::DMatrix;
 
-/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over
-/// all training frames).
+/// A trained model of any kind, ready to roll out. It holds no training clip.
+///
+/// `S` says what its columns are: the poses of a body, or the columns of tables ([`SeriesModel`]).
 #[derive(Clone, Debug)]
-pub enum Model {
-    /// A vCGPDM or, of one part, a vGPDM.
-    Vcgpdm(Box<Vcgpdm>),
-    /// A CGPDM with point estimates of its latents or, of one part, a GPDM.
-    Map(Box<MapModel>),
-    /// Temporal movement primitives.
-    Tmp(Box<Tmp>),
-    /// Dynamic movement primitives towards a goal.
-    DmpDiscrete(Box<DmpDiscrete>),
-    /// Dynamic movement primitives around a centre.
-    DmpRhythmic(Box<DmpRhythmic>),
+pub struct Model<S = PoseMapping> {
+    /// The fitted numbers.
+    pub fitted: FittedModel,
+    /// From columns to poses, and the sequences that the model was trained on.
+    pub body: Body<S>,
+    /// How the model was made.
+    pub provenance: Provenance,
 }
 
-impl Model {
+/// A trained model of tables.
+pub type SeriesModel = Model<Columns>;
+
+impl<S: Observed> Model<S> {
     /// The kind of model.
     pub fn kind(&self) -> ModelKind {
-        match self {
-            Model::Vcgpdm(model) => model.kind(),
-            Model::Map(model) => model.kind(),
-            Model::Tmp(_) => ModelKind::Tmp,
-            Model::DmpDiscrete(_) => ModelKind::DmpDiscrete,
-            Model::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+        self.fitted.kind()
+    }
+
+    /// The model with its couplings and latents; `None` for a kind that has neither (all but vCGPDM and
+    /// vGPDM).
+    pub fn coupled(&self) -> Option<Coupled<'_, S>> {
+        match &self.fitted {
+            FittedModel::Vcgpdm(model) => Some(Coupled::new(model, &self.body, &self.provenance)),
+            FittedModel::Map(_)
+            | FittedModel::Tmp(_)
+            | FittedModel::DmpDiscrete(_)
+            | FittedModel::DmpRhythmic(_) => None,
         }
     }
 
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    /// All columns, means included [frames x D], starting as the training sequence `sequence` starts, counted
+    /// from 0.
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        match self {
-            Model::Vcgpdm(model) => model.rollout(sequence, frames),
-            Model::Map(model) => model.rollout(sequence, frames),
-            Model::Tmp(model) => model.rollout(sequence, frames),
-            Model::DmpDiscrete(model) => model.rollout(sequence, frames),
-            Model::DmpRhythmic(model) => model.rollout(sequence, frames),
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        match self.coupled() {
+            Some(coupled) => coupled.check_frames(frames)?,
+            None => self.body.check_frames(frames, 0)?,
         }
-    }
-
-    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the
-    /// same for all models and do not count.
-    pub fn stored_numbers(&self) -> usize {
-        match self {
-            Model::Vcgpdm(model) => model.stored_numbers(),
-            Model::Map(model) => model.stored_numbers(),
-            Model::Tmp(model) => model.stored_numbers(),
-            Model::DmpDiscrete(model) => model.stored_numbers(),
-            Model::DmpRhythmic(model) => model.stored_numbers(),
-        }
-    }
-
-    /// The terms of the bound, where the model has a bound of such terms.
-    pub fn terms(&self) -> Option<&BoundTerms> {
-        match self {
-            Model::Vcgpdm(model) => Some(&model.terms),
-            Model::Map(_) | Model::Tmp(_) | Model::DmpDiscrete(_) | Model::DmpRhythmic(_) => None,
-        }
-    }
-
-    /// The bound on the log evidence, in nats, where the model has one.
-    pub fn bound(&self) -> Option<f64> {
-        match self {
-            Model::Vcgpdm(model) => Some(model.bound()),
-            Model::Tmp(model) => Some(model.bound),
-            Model::Map(_) | Model::DmpDiscrete(_) | Model::DmpRhythmic(_) => None,
-        }
+        Ok(self.body.columns(&self.fitted.rollout(sequence, frames)?))
     }
 }

@@ -5,7 +5,8 @@ use crate::models::search::ascent::Phase;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::check_training;
 use crate::models::training::parameters::Group;
-use crate::models::variational::{Objective, Params, Trainer, TrainingProgress};
+use crate::models::training::progress::Progress;
+use crate::models::variational::{Objective, Params, VariationalTrainer};
 use nalgebra::DMatrix;
 
 /// More iterations than any fit of couplings needs, or learning primitives again.
@@ -17,7 +18,7 @@ const LATENTS_FIRST: usize = 4;
 /// A fit of couplings under way: of a combination of stored primitives, to new frames. Latents of these
 /// frames and couplings are learned; pose maps, primitives and their inducing outputs stay.
 pub struct CouplingTrainer {
-    trainer: Trainer,
+    trainer: VariationalTrainer,
     uses: Vec<usize>,
 }
 
@@ -58,17 +59,17 @@ impl CouplingTrainer {
         let settings = library.settings_of(&start.experts, max_iterations);
         let stored = library.stored(uses)?;
         let objective = Objective::new(y, sequences, library.jitter).under(stored);
-        let trainer = Trainer::from_start(objective, start, phases(max_iterations), &settings, 0)?;
+        let trainer = VariationalTrainer::from_start(objective, start, phases(max_iterations), &settings, 0)?;
         Ok(Self { trainer, uses: uses.to_vec() })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Progress {
         self.trainer.step()
     }
 
     /// How far the fit is. The bound is that of the new frames under the stored primitives.
-    pub fn progress(&self) -> TrainingProgress {
+    pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 

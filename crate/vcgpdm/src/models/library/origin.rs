@@ -2,14 +2,13 @@
 
 use crate::models::data::dataset::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::training::settings::VariationalSettings;
 use nalgebra::DMatrix;
 
 /// Where a primitive comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origin {
     /// The training that it was learned in; of one that was learned again, that training.
-    pub training: Provenance<VariationalSettings>,
+    pub training: Provenance,
     /// The sequences that it learned from.
     pub clips: Vec<SequenceInfo>,
     /// The primitive of another library that it was learned again from; `None`: it was learned from clips

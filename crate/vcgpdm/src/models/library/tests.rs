@@ -92,7 +92,8 @@ fn a_library_of_one_movement_is_the_plain_model() {
     let movement = PlannedMovement { name: "walk".to_owned(), sequences: 2 };
     let plan = LibraryPlan::new(vec![movement], vec![false, true]).unwrap();
     let mut library = LibraryTrainer::new(y.clone(), vec![40, 35], plan, &settings(), 1).unwrap();
-    let mut plain = crate::models::variational::Trainer::new(y, vec![40, 35], &settings(), 1).unwrap();
+    let mut plain =
+        crate::models::variational::VariationalTrainer::new(y, vec![40, 35], &settings(), 1).unwrap();
     for _ in 0..10 {
         assert_eq!(library.step(), plain.step());
     }
@@ -142,7 +143,7 @@ fn couplings_are_learned_for_new_frames_while_primitives_stay() {
     let all = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
     let y: Vec<_> = all.iter().map(|y| y.rows(5, 30).into_owned()).collect();
     let mut fit = CouplingTrainer::new(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
-    let begin = fit.progress().bound;
+    let begin = fit.progress().objective;
     while !fit.step().done {}
     assert!(fit.progress().best > begin);
     let mut extended = library.clone();

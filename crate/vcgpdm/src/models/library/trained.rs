@@ -4,12 +4,12 @@ use crate::gp::NumericsError;
 use crate::gp::linalg::stacked;
 use crate::models::data::dataset::{Dataset, DatasetError, SequenceInfo};
 use crate::models::fitted::body::Body;
+use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::fitted::trained::TrainedModel;
 use crate::models::library::{
     CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library, LibraryTrainer,
 };
-use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};
@@ -24,7 +24,7 @@ pub struct TrainedLibrary {
     /// What turns columns into poses; its sequences are those of the movements, one movement after the other.
     pub body: Body,
     /// How the library was trained.
-    pub provenance: Provenance<VariationalSettings>,
+    pub provenance: Provenance,
 }
 
 /// Why a clip cannot be looked at by a library, or a choice of primitives is not understood.
@@ -86,18 +86,13 @@ pub struct ObservedClip {
 }
 
 impl TrainedLibrary {
-    /// The best library of a training so far; `frames_per_second` is the rate that the data set was asked
-    /// for.
+    /// The best library of a training so far.
     ///
     /// # Errors
     ///
     /// When a covariance of the library cannot be factorised.
-    pub fn trained(
-        dataset: &Dataset,
-        trainer: &LibraryTrainer,
-        frames_per_second: f64,
-    ) -> Result<Self, NumericsError> {
-        let provenance = trainer.provenance(frames_per_second);
+    pub fn trained(dataset: &Dataset, trainer: &LibraryTrainer) -> Result<Self, NumericsError> {
+        let provenance = trainer.provenance(dataset.frames_per_second);
         Ok(Self { library: trainer.library()?, body: Body::new(dataset), provenance })
     }
 
@@ -106,7 +101,7 @@ impl TrainedLibrary {
     /// # Errors
     ///
     /// When there is no such movement, or a covariance cannot be factorised.
-    pub fn movement(&self, index: usize) -> Result<TrainedModel<Vcgpdm>, CombinationError> {
+    pub fn movement(&self, index: usize) -> Result<Model, CombinationError> {
         let model = self.library.movement(index)?;
         let sequences = (0..model.starts.len()).map(|s| (index, s)).collect();
         Ok(self.with_sequences(model, sequences))
@@ -117,11 +112,7 @@ impl TrainedLibrary {
     /// # Errors
     ///
     /// As [`Library::combination`].
-    pub fn combination(
-        &self,
-        uses: &[usize],
-        alpha: &DMatrix<f64>,
-    ) -> Result<TrainedModel<Vcgpdm>, CombinationError> {
+    pub fn combination(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Model, CombinationError> {
         let model = self.library.combination(uses, alpha)?;
         Ok(self.with_sequences(model, self.library.start_sequences(uses)))
     }
@@ -145,9 +136,9 @@ impl TrainedLibrary {
         self.body.sequences.get(first..end).unwrap_or_default()
     }
 
-    fn with_sequences(&self, model: Vcgpdm, chosen: Vec<(usize, usize)>) -> TrainedModel<Vcgpdm> {
+    fn with_sequences(&self, model: Vcgpdm, chosen: Vec<(usize, usize)>) -> Model {
         let body = Body { sequences: self.infos(chosen), ..self.body.clone() };
-        TrainedModel { model, body, provenance: self.provenance.clone() }
+        Model { fitted: FittedModel::Vcgpdm(Box::new(model)), body, provenance: self.provenance.clone() }
     }
 
     /// The primitives that a text such as `lower=walk,upper=wave` names: of each part the primitive of that

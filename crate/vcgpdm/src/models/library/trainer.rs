@@ -5,13 +5,14 @@ use crate::models::fitted::provenance::Provenance;
 use crate::models::library::Library;
 use crate::models::library::plan::LibraryPlan;
 use crate::models::training::error::TrainingError;
+use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
-use crate::models::variational::{Trainer, TrainingProgress};
+use crate::models::variational::VariationalTrainer;
 use nalgebra::DMatrix;
 
 /// A training of a library under way: all movements together, with the primitives that they share.
 pub struct LibraryTrainer {
-    trainer: Trainer,
+    trainer: VariationalTrainer,
     plan: LibraryPlan,
 }
 
@@ -33,7 +34,7 @@ impl LibraryTrainer {
     ) -> Result<Self, TrainingError> {
         plan.check(y.len())?;
         let primitives = plan.primitives().into_iter().map(|primitive| primitive.part).collect();
-        let trainer = Trainer::of_movements(y, lengths, primitives, plan.uses(), settings, seed)?;
+        let trainer = VariationalTrainer::of_movements(y, lengths, primitives, plan.uses(), settings, seed)?;
         Ok(Self { trainer, plan })
     }
 
@@ -44,12 +45,12 @@ impl LibraryTrainer {
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Progress {
         self.trainer.step()
     }
 
     /// How far training is.
-    pub fn progress(&self) -> TrainingProgress {
+    pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 
@@ -74,7 +75,7 @@ impl LibraryTrainer {
     }
 
     /// How the best library so far was made; `frames_per_second` is the rate that the data set was asked for.
-    pub fn provenance(&self, frames_per_second: f64) -> Provenance<VariationalSettings> {
+    pub fn provenance(&self, frames_per_second: f64) -> Provenance {
         self.trainer.provenance(frames_per_second)
     }
 
@@ -89,7 +90,7 @@ impl LibraryTrainer {
     ///
     /// When a covariance of it cannot be factorised.
     pub fn library(&self) -> Result<Library, NumericsError> {
-        let terms = self.trainer.progress().terms;
+        let terms = self.trainer.best_terms();
         Library::fit(&self.trainer.objective(), &self.trainer.best(), terms, &self.plan)
     }
 }

@@ -1,9 +1,8 @@
 //! Whether a rollout is still a motion: what a page may show as a success, and what it must say otherwise.
 
 use crate::gp::NumericsError;
-use crate::models::fitted::trained::TrainedModel;
+use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutRequest};
-use crate::models::variational::Vcgpdm;
 use crate::motion::measures::still_from;
 use std::cmp::Ordering;
 
@@ -64,9 +63,9 @@ pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize
     models.into_iter().enumerate().reduce(first).map(|(place, _)| place)
 }
 
-impl TrainedModel<Vcgpdm> {
+impl Coupled<'_> {
     /// How the rollout that this model makes of `request` ends, where `positions` are those that
-    /// [`TrainedModel::positions`] gives for it. A rollout that both stands still and is far from its
+    /// [`Coupled::positions`] gives for it. A rollout that both stands still and is far from its
     /// training is said to stand still, for this can be seen.
     ///
     /// # Errors
@@ -106,23 +105,24 @@ impl TrainedModel<Vcgpdm> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::data::dataset::{Dataset, Source};
+    use crate::models::data::dataset::Dataset;
+    use crate::models::fitted::model::Model;
     use crate::models::training::settings::VariationalSettings;
-    use crate::models::variational::Trainer;
+    use crate::models::training::trainer::Trainer;
     use crate::motion::{parts, samples};
     use nalgebra::DMatrix;
 
     /// A model, and a rollout in which the body walks as recorded, its latents at the inducing points.
-    fn walk() -> (TrainedModel<Vcgpdm>, Rollout) {
+    fn walk() -> (Model, Rollout) {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
-        let dataset = Dataset::new(&[Source { clip: &clip, first_frames: None }], parts, 30.0).unwrap();
+        let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
         let settings =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 4, pose_ips: 4, max_iterations: 1 };
-        let trainer = Trainer::new(dataset.y.clone(), dataset.lengths(), &settings, 1).unwrap();
-        let model = TrainedModel::<Vcgpdm>::trained(&dataset, &trainer, 30.0).unwrap();
+        let trainer = Trainer::new(&dataset, &settings.into(), 1).unwrap();
+        let model = trainer.finish().unwrap();
         let y = model.body.columns(&dataset.y);
-        let latents = model.model.parts.iter().map(|part| {
+        let latents = model.coupled().unwrap().model.parts.iter().map(|part| {
             let r = part.r();
             DMatrix::from_fn(y.nrows(), r.ncols(), |t, q| r[(t % r.nrows(), q)])
         });
@@ -130,7 +130,8 @@ mod tests {
         (model, rollout)
     }
 
-    fn health(model: &TrainedModel<Vcgpdm>, rollout: &Rollout) -> Health {
+    fn health(model: &Model, rollout: &Rollout) -> Health {
+        let model = model.coupled().unwrap();
         model.health(rollout, &RolloutRequest::default(), &model.positions(rollout).unwrap()).unwrap()
     }
 
@@ -161,6 +162,7 @@ mod tests {
         }
         // The same motion, begun a second after the recording of the last.
         let request = RolloutRequest { frame: 30, ..RolloutRequest::default() };
+        let model = model.coupled().unwrap();
         let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
         assert!(matches!(found, Health::RestsAsRecorded { .. }), "{found:?}");
     }
@@ -191,10 +193,10 @@ mod tests {
     #[test]
     fn numbers_that_are_not_finite_are_told() {
         let (model, mut rollout) = walk();
-        let positions = model.positions(&rollout).unwrap();
+        let positions = model.coupled().unwrap().positions(&rollout).unwrap();
         rollout.latents[0][(7, 0)] = f64::NAN;
         assert_eq!(
-            model.health(&rollout, &RolloutRequest::default(), &positions).unwrap(),
+            model.coupled().unwrap().health(&rollout, &RolloutRequest::default(), &positions).unwrap(),
             Health::NotFinite
         );
     }

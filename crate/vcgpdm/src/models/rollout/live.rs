@@ -1,11 +1,11 @@
 //! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on
 //! the way.
 
-use crate::models::fitted::trained::TrainedModel;
+use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::latent_dynamics::LatentDynamics;
 use crate::models::rollout::latent_paths::LatentPaths;
 use crate::models::rollout::request::{Push, Rollout, RolloutError};
-use crate::models::variational::{Cycle, CyclePlace, Vcgpdm};
+use crate::models::variational::{Cycle, CyclePlace};
 use crate::motion::pose::{RootStart, RootTrack};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -42,7 +42,7 @@ impl LiveRollout {
     ///
     /// When the rollout is another model's, or has no such frame.
     pub fn behind(
-        model: &TrainedModel<Vcgpdm>,
+        model: Coupled,
         rollout: &Rollout,
         frame: usize,
         sequence: usize,
@@ -67,7 +67,7 @@ impl LiveRollout {
     /// When there is no such number of frames, or the poses are no longer finite.
     pub fn advance(
         &mut self,
-        model: &TrainedModel<Vcgpdm>,
+        model: Coupled,
         dynamics: &LatentDynamics,
         frames: usize,
     ) -> Result<LiveFrames, RolloutError> {
@@ -104,12 +104,7 @@ impl LiveRollout {
     /// # Errors
     ///
     /// When there is no such node, or the poses are no longer finite.
-    pub fn pull(
-        &self,
-        model: &TrainedModel<Vcgpdm>,
-        node: usize,
-        by: [f64; 3],
-    ) -> Result<Push, RolloutError> {
+    pub fn pull(&self, model: Coupled, node: usize, by: [f64; 3]) -> Result<Push, RolloutError> {
         let figure = model.body.mapping.skeleton().figure();
         let found = figure.get(node).and_then(|node| {
             model.body.layout.parts().iter().position(|part| part.joints.contains(&node.joint))

@@ -5,13 +5,13 @@ use crate::gp::linalg::counting_jittered;
 use crate::models::data::movements::Movements;
 use crate::models::data::phase::{Alignment, PhaseMap, Trial};
 use crate::models::data::trials::split_trials;
-use crate::models::fitted::model::Model;
+use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::beginning::Beginning;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::learner::Learner;
-use crate::models::training::progress::{EndReason, LearningProgress, Setbacks};
+use crate::models::training::progress::{EndReason, Progress, Setbacks};
 use crate::models::training::settings::{MOST_PRIMITIVES, TmpSettings};
 
 /// So many sweeps pass between two looks at lengthscale and phases.
@@ -237,7 +237,7 @@ impl TmpLearner {
 }
 
 impl Learner for TmpLearner {
-    fn step(&mut self) -> LearningProgress {
+    fn step(&mut self) -> Progress {
         if self.reason.is_none() {
             self.iteration += 1;
             let (advanced, jittered) = counting_jittered(|| self.advance());
@@ -249,7 +249,7 @@ impl Learner for TmpLearner {
         self.progress()
     }
 
-    fn progress(&self) -> LearningProgress {
+    fn progress(&self) -> Progress {
         let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
         let most = most + self.limits.max_sweeps;
         let best = match &self.best {
@@ -258,13 +258,14 @@ impl Learner for TmpLearner {
         };
         let share = self.iteration as f64 / most as f64;
         let done = self.reason.is_some();
-        LearningProgress {
+        Progress {
             iteration: self.iteration,
             max_iterations: most,
             evaluations: 0,
             setbacks: self.setbacks,
             objective: self.bound,
             best,
+            terms: None,
             phase: None,
             done,
             reason: self.reason.clone(),
@@ -272,8 +273,8 @@ impl Learner for TmpLearner {
         }
     }
 
-    fn model(&self) -> Result<Model, NumericsError> {
-        Ok(Model::Tmp(Box::new(self.fitted()?)))
+    fn model(&self) -> Result<FittedModel, NumericsError> {
+        Ok(FittedModel::Tmp(Box::new(self.fitted()?)))
     }
 }
 

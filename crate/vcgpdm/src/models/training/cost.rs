@@ -1,7 +1,7 @@
 //! What a training will cost, before it begins: so that one that would take a day, or more memory than there
 //! is, is not begun unawares.
 
-use crate::models::training::settings::{MapSettings, ModelSettings, VariationalSettings};
+use crate::models::training::settings::{MapSettings, Settings, VariationalSettings};
 use std::iter::Sum;
 
 /// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on
@@ -67,7 +67,7 @@ impl MapSettings {
     }
 }
 
-impl ModelSettings {
+impl Settings {
     /// As for variational models; one that does not couple parts takes all columns as one. Nothing for TMP
     /// and DMP: beside the others they cost little.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
@@ -119,14 +119,14 @@ mod tests {
 
     #[test]
     fn exact_models_grow_with_the_cube_and_the_others_hardly_cost() {
-        let map = ModelSettings::MapCgpdm(MapSettings::default());
+        let map = Settings::MapCgpdm(MapSettings::default());
         let [short, long] = [2000, 4000].map(|frames| map.cost(frames, &[30, 30]));
         assert!((7.0..8.0).contains(&(long.seconds / short.seconds)));
         assert!((3.9..4.0).contains(&(long.bytes / short.bytes)));
-        let one = ModelSettings::MapGpdm(MapSettings::default());
+        let one = Settings::MapGpdm(MapSettings::default());
         assert_eq!(one.cost(2000, &[30, 30]), one.cost(2000, &[60]));
         assert!(one.cost(2000, &[60]).seconds < short.seconds);
-        let tmp = ModelSettings::Tmp(crate::models::TmpSettings::default());
+        let tmp = Settings::Tmp(crate::models::TmpSettings::default());
         assert_eq!(tmp.cost(2000, &[60]), TrainingCost::default());
         let both: TrainingCost = [short, long].into_iter().sum();
         assert_eq!((both.seconds, both.bytes), (short.seconds + long.seconds, long.bytes));

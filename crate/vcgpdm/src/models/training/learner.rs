@@ -1,46 +1,65 @@
-//! A training under way, whatever the model.
+//! What the trainings of all kinds of models have in common.
 
 use crate::gp::NumericsError;
-use crate::models::fitted::model::Model;
-use crate::models::training::progress::LearningProgress;
+use crate::models::data::movements::Movements;
+use crate::models::dmp::{Canonical, DmpLearner};
+use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::map::MapLearner;
+use crate::models::tmp::TmpLearner;
+use crate::models::training::error::TrainingError;
+use crate::models::training::progress::Progress;
+use crate::models::training::settings::Settings;
+use crate::models::variational::VariationalLearner;
+use nalgebra::DMatrix;
 
-/// A training under way. Whoever calls it loops, shows progress and may stop at any time: the best so far is
-/// kept.
-///
-/// ```
-/// use vcgpdm::models::{DmpSettings, ModelSettings, Movements, Sequence};
-/// use nalgebra::DMatrix;
-///
-/// let y = vec![DMatrix::from_fn(60, 2, |t, d| (0.3 * t as f64 + d as f64).sin())];
-/// let movements = Movements { y, sequences: vec![Sequence { frames: 60, whole: true }] };
-/// let settings = ModelSettings::DmpRhythmic(DmpSettings::default());
-/// let mut learner = settings.learner(&movements, 0)?;
-/// while !learner.step().done {}
-/// let rolled_out = learner.model()?.rollout(0, 100)?;
-/// assert_eq!(rolled_out[0].shape(), (100, 2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// A training of one kind of model. Its caller loops and may stop at any iteration: the best so far is kept.
 pub trait Learner {
     /// One iteration. After the end it does nothing.
-    fn step(&mut self) -> LearningProgress;
+    fn step(&mut self) -> Progress;
 
-    /// Computes in so many threads from now on, where the model knows how to; the outcome is the same to the
-    /// bit.
+    /// Uses `threads` threads from now on, where the kind of model can. The result is the same to the last bit.
     #[cfg(feature = "threads")]
     fn use_threads(&mut self, _threads: usize) {}
 
-    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    /// Settings that are more than the data allow and were reduced, as sentences without a full stop.
     fn notices(&self) -> &[String] {
         &[]
     }
 
+    /// Allows `iterations` more, where the kind of model can.
+    fn extend(&mut self, _iterations: usize) {}
+
+    /// Latent means of a part at the best so far [N x Q_i], where the kind of model has any.
+    fn latents(&self, _part: usize) -> Option<DMatrix<f64>> {
+        None
+    }
+
     /// How far training is.
-    fn progress(&self) -> LearningProgress;
+    fn progress(&self) -> Progress;
 
     /// The best model so far.
     ///
     /// # Errors
     ///
     /// When a covariance of the model cannot be factorised.
-    fn model(&self) -> Result<Model, NumericsError>;
+    fn model(&self) -> Result<FittedModel, NumericsError>;
+}
+
+impl Settings {
+    /// A training, ready to begin. Models of the whole body see the columns of all parts as one part.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, or these movements cannot be learned from.
+    pub fn learner(&self, movements: &Movements, seed: u32) -> Result<Box<dyn Learner>, TrainingError> {
+        Ok(match self {
+            Settings::Vcgpdm(s) => Box::new(VariationalLearner::new(movements.clone(), s, seed)?),
+            Settings::Vgpdm(s) => Box::new(VariationalLearner::new(movements.as_one_part(), s, seed)?),
+            Settings::MapGpdm(s) => Box::new(MapLearner::new(movements.as_one_part(), s, seed)?),
+            Settings::MapCgpdm(s) => Box::new(MapLearner::new(movements.clone(), s, seed)?),
+            Settings::Tmp(s) => Box::new(TmpLearner::new(movements, s)?),
+            Settings::DmpDiscrete(s) => Box::new(DmpLearner::new(movements, Canonical::Discrete, s)?),
+            Settings::DmpRhythmic(s) => Box::new(DmpLearner::new(movements, Canonical::Rhythmic, s)?),
+        })
+    }
 }

@@ -8,4 +8,4 @@ pub(crate) mod learner;
 pub(crate) mod parameters;
 pub(crate) mod progress;
 pub(crate) mod settings;
-mod start_training;
+pub(crate) mod trainer;

@@ -1,6 +1,7 @@
 //! How far a training is, whatever the model, and why it ended.
 
 use crate::gp::NumericsError;
+use crate::models::variational::BoundTerms;
 use crate::words::counted;
 use serde::Serialize;
 use std::fmt;
@@ -35,7 +36,7 @@ impl fmt::Display for Setbacks {
 
 /// How far a training is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LearningProgress {
+pub struct Progress {
     /// Iterations so far.
     pub iteration: usize,
     /// Most iterations there can be.
@@ -48,6 +49,8 @@ pub struct LearningProgress {
     pub objective: f64,
     /// The best so far.
     pub best: f64,
+    /// The terms of the best bound; absent for models without such terms.
+    pub terms: Option<BoundTerms>,
     /// What is being optimised; absent for models that are not trained in phases.
     pub phase: Option<TrainingPhase>,
     /// Whether training has ended.

@@ -91,16 +91,16 @@ impl Default for DmpSettings {
 /// it.
 ///
 /// ```
-/// use vcgpdm::models::{DmpSettings, ModelKind, ModelSettings};
+/// use vcgpdm::models::{DmpSettings, ModelKind, Settings};
 ///
-/// let settings = ModelSettings::DmpRhythmic(DmpSettings { bases: 25 });
+/// let settings = Settings::DmpRhythmic(DmpSettings { bases: 25 });
 /// assert_eq!(settings.kind(), ModelKind::DmpRhythmic);
 /// assert_eq!(serde_json::to_string(&settings)?, r#"{"model":"dmp-rhythmic","bases":25}"#);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum ModelSettings {
+pub enum Settings {
     /// The variational coupled GPDM.
     Vcgpdm(VariationalSettings),
     /// The variational GPDM: all columns are one part.
@@ -117,17 +117,42 @@ pub enum ModelSettings {
     DmpRhythmic(DmpSettings),
 }
 
-impl ModelSettings {
+impl From<VariationalSettings> for Settings {
+    fn from(settings: VariationalSettings) -> Self {
+        Settings::Vcgpdm(settings)
+    }
+}
+
+impl Default for Settings {
+    /// A vCGPDM.
+    fn default() -> Self {
+        Settings::Vcgpdm(VariationalSettings::default())
+    }
+}
+
+impl Settings {
     /// The kind of model.
     pub fn kind(&self) -> ModelKind {
         match self {
-            ModelSettings::Vcgpdm(_) => ModelKind::Vcgpdm,
-            ModelSettings::Vgpdm(_) => ModelKind::Vgpdm,
-            ModelSettings::MapGpdm(_) => ModelKind::MapGpdm,
-            ModelSettings::MapCgpdm(_) => ModelKind::MapCgpdm,
-            ModelSettings::Tmp(_) => ModelKind::Tmp,
-            ModelSettings::DmpDiscrete(_) => ModelKind::DmpDiscrete,
-            ModelSettings::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+            Settings::Vcgpdm(_) => ModelKind::Vcgpdm,
+            Settings::Vgpdm(_) => ModelKind::Vgpdm,
+            Settings::MapGpdm(_) => ModelKind::MapGpdm,
+            Settings::MapCgpdm(_) => ModelKind::MapCgpdm,
+            Settings::Tmp(_) => ModelKind::Tmp,
+            Settings::DmpDiscrete(_) => ModelKind::DmpDiscrete,
+            Settings::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+        }
+    }
+
+    /// The settings of a vCGPDM or vGPDM; `None` for other kinds.
+    pub fn variational(&self) -> Option<&VariationalSettings> {
+        match self {
+            Settings::Vcgpdm(settings) | Settings::Vgpdm(settings) => Some(settings),
+            Settings::MapGpdm(_)
+            | Settings::MapCgpdm(_)
+            | Settings::Tmp(_)
+            | Settings::DmpDiscrete(_)
+            | Settings::DmpRhythmic(_) => None,
         }
     }
 
@@ -145,27 +170,27 @@ mod tests {
     fn settings_read_back_and_name_their_kind() {
         for (settings, text) in [
             (
-                ModelSettings::Vcgpdm(VariationalSettings::default()),
+                Settings::Vcgpdm(VariationalSettings::default()),
                 r#"{"model":"vcgpdm","latent":3,"order":2,"dynamics_ips":12,"pose_ips":12,"max_iterations":250}"#,
             ),
             (
-                ModelSettings::MapGpdm(MapSettings::default()),
+                Settings::MapGpdm(MapSettings::default()),
                 r#"{"model":"map-gpdm","latent":3,"order":2,"max_iterations":800,"balanced":false}"#,
             ),
-            (ModelSettings::Tmp(TmpSettings::default()), r#"{"model":"tmp","primitives":null}"#),
-            (ModelSettings::DmpDiscrete(DmpSettings::default()), r#"{"model":"dmp-discrete","bases":20}"#),
+            (Settings::Tmp(TmpSettings::default()), r#"{"model":"tmp","primitives":null}"#),
+            (Settings::DmpDiscrete(DmpSettings::default()), r#"{"model":"dmp-discrete","bases":20}"#),
         ] {
             assert_eq!(serde_json::to_string(&settings).unwrap(), text);
-            assert_eq!(serde_json::from_str::<ModelSettings>(text).unwrap(), settings);
+            assert_eq!(serde_json::from_str::<Settings>(text).unwrap(), settings);
             assert!(text.contains(settings.kind().id()));
         }
-        let absent = serde_json::from_str::<ModelSettings>(r#"{"model":"tmp"}"#).unwrap();
-        assert_eq!(absent, ModelSettings::Tmp(TmpSettings::default()));
+        let absent = serde_json::from_str::<Settings>(r#"{"model":"tmp"}"#).unwrap();
+        assert_eq!(absent, Settings::Tmp(TmpSettings::default()));
     }
 
     #[test]
     fn unknown_settings_are_refused() {
-        let error = |text| serde_json::from_str::<ModelSettings>(text).unwrap_err().to_string();
+        let error = |text| serde_json::from_str::<Settings>(text).unwrap_err().to_string();
         let unknown = error(r#"{"model":"dmp-rhythmic","bases":5,"primitives":2}"#);
         assert_eq!(unknown, "unknown field `primitives`, expected `bases`");
         assert!(error(r#"{"model":"gplvm"}"#).starts_with("unknown variant `gplvm`"));

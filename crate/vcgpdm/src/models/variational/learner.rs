@@ -2,17 +2,17 @@
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
-use crate::models::fitted::model::Model;
-use crate::models::search::ascent::SearchEnd;
+use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::training::error::TrainingError;
 use crate::models::training::learner::Learner;
-use crate::models::training::progress::{EndReason, LearningProgress};
+use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
-use crate::models::variational::trainer::{Trainer, TrainingProgress};
+use crate::models::variational::trainer::VariationalTrainer;
+use nalgebra::DMatrix;
 
 /// A training of the variational model. The parts are those of the movements: one for the vGPDM.
 pub struct VariationalLearner {
-    trainer: Trainer,
+    trainer: VariationalTrainer,
 }
 
 impl VariationalLearner {
@@ -27,13 +27,13 @@ impl VariationalLearner {
         seed: u32,
     ) -> Result<Self, TrainingError> {
         let lengths = movements.lengths();
-        Ok(Self { trainer: Trainer::new(movements.y, lengths, settings, seed)? })
+        Ok(Self { trainer: VariationalTrainer::new(movements.y, lengths, settings, seed)? })
     }
 }
 
 impl Learner for VariationalLearner {
-    fn step(&mut self) -> LearningProgress {
-        self.trainer.step().into()
+    fn step(&mut self) -> Progress {
+        self.trainer.step()
     }
 
     #[cfg(feature = "threads")]
@@ -41,37 +41,24 @@ impl Learner for VariationalLearner {
         self.trainer.use_threads(threads);
     }
 
-    fn progress(&self) -> LearningProgress {
-        self.trainer.progress().into()
+    fn progress(&self) -> Progress {
+        self.trainer.progress()
+    }
+
+    fn extend(&mut self, iterations: usize) {
+        self.trainer.extend(iterations);
+    }
+
+    fn latents(&self, part: usize) -> Option<DMatrix<f64>> {
+        self.trainer.best().parts.get(part).map(|part| part.latents.mean.clone())
     }
 
     fn notices(&self) -> &[String] {
         self.trainer.notices()
     }
 
-    fn model(&self) -> Result<Model, NumericsError> {
-        Ok(Model::Vcgpdm(Box::new(self.trainer.model()?)))
-    }
-}
-
-impl From<TrainingProgress> for LearningProgress {
-    fn from(progress: TrainingProgress) -> Self {
-        let reason = progress.reason.map(|end| match end {
-            SearchEnd::Settled => EndReason::BoundSettled,
-            SearchEnd::Iterations => EndReason::Iterations,
-        });
-        Self {
-            iteration: progress.iteration,
-            max_iterations: progress.max_iterations,
-            evaluations: progress.evaluations,
-            setbacks: progress.setbacks,
-            objective: progress.bound,
-            best: progress.best,
-            phase: Some(progress.phase),
-            done: progress.done,
-            reason,
-            fraction: progress.fraction,
-        }
+    fn model(&self) -> Result<FittedModel, NumericsError> {
+        Ok(FittedModel::Vcgpdm(Box::new(self.trainer.model()?)))
     }
 }
 
@@ -80,7 +67,6 @@ mod tests {
     use super::*;
     use crate::models::data::movements::Sequence;
     use crate::models::training::kind::ModelKind;
-    use nalgebra::DMatrix;
 
     fn movements() -> Movements {
         let wave = |lag: f64| {
@@ -92,7 +78,7 @@ mod tests {
         Movements { y: vec![wave(0.0), wave(1.0)], sequences }
     }
 
-    fn learned(movements: Movements) -> Model {
+    fn learned(movements: Movements) -> FittedModel {
         let settings =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 5, max_iterations: 60 };
         let mut learner = VariationalLearner::new(movements, &settings, 1).unwrap();

@@ -36,4 +36,4 @@ pub use predictive::{PartPredictions, Prediction, PredictiveDynamics};
 pub use repertoire::{Movement, Repertoire, RepertoireError};
 pub use start::starting_point;
 pub(crate) use start::{first_variance, starting_experts};
-pub use trainer::{Trainer, TrainingProgress, schedule};
+pub use trainer::{VariationalTrainer, schedule};

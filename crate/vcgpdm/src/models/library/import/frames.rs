@@ -56,7 +56,7 @@ pub(super) fn shown(
             for (s, info) in donor.sequences_of(m).iter().enumerate() {
                 // As long as what it was learned from.
                 let frames = info.frames.clamp(donor.library.order + 1, MOST_GENERATED);
-                let y = donor.body.columns(&model.model.rollout(s, frames)?);
+                let y = donor.body.columns(&model.fitted.rollout(s, frames)?);
                 clips.push(host.observed(&donor.body.clip(&y, &info.name)?)?);
             }
         } else {

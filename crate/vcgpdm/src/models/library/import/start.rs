@@ -4,7 +4,9 @@ use crate::models::library::TrainedLibrary;
 use crate::models::library::import::request::{ImportError, ImportRequest, Planned};
 use crate::models::training::error::TrainingError;
 use crate::models::training::latents::{check_training, starting_couplings};
-use crate::models::variational::{Objective, Params, Repertoire, Trainer, schedule, starting_experts};
+use crate::models::variational::{
+    Objective, Params, Repertoire, VariationalTrainer, schedule, starting_experts,
+};
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -19,7 +21,7 @@ pub(super) fn trainer(
     y: Vec<DMatrix<f64>>,
     lengths: Vec<usize>,
     request: &ImportRequest,
-) -> Result<Trainer, ImportError> {
+) -> Result<VariationalTrainer, ImportError> {
     let library = &host.library;
     let sequences = check_training(&y, lengths, library.largest_latent(), library.order)?;
     let parts_of = |a: &usize| library.primitives[*a].part;
@@ -52,7 +54,7 @@ pub(super) fn trainer(
     let stored = library.stored(companions)?;
     let objective = Objective::of_movements(y, repertoire, library.jitter).under(stored);
     let phases = schedule(request.max_iterations);
-    let mut trainer = Trainer::from_start(objective, start, phases, &settings, request.seed)?;
+    let mut trainer = VariationalTrainer::from_start(objective, start, phases, &settings, request.seed)?;
     trainer.hold(&held);
     Ok(trainer)
 }

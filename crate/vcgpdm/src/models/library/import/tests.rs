@@ -27,7 +27,7 @@ fn library(name: &str, ids: &[&str], latent: usize, seed: u32) -> TrainedLibrary
     let mut trainer =
         LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed).unwrap();
     while !trainer.step().done {}
-    TrainedLibrary::trained(&dataset, &trainer, 30.0).unwrap()
+    TrainedLibrary::trained(&dataset, &trainer).unwrap()
 }
 
 fn host() -> &'static TrainedLibrary {
@@ -55,7 +55,7 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
     let observed = [host().observed(&clip("walk-1")).unwrap()];
     for frames in [ImportFrames::Remembered, ImportFrames::Clips(&observed)] {
         let mut trainer = ImportTrainer::new(host(), &legs, frames, &request(host(), &legs)).unwrap();
-        let begin = trainer.progress().bound;
+        let begin = trainer.progress().objective;
         while !trainer.step().done {}
         assert!(trainer.progress().best > begin + 100.0);
         let lost = trainer.lost();
@@ -84,7 +84,7 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
         }
         let again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
         assert_eq!(again.library, library.library);
-        assert!(library.movement(1).unwrap().model.rollout(0, 60).is_ok());
+        assert!(library.movement(1).unwrap().fitted.rollout(0, 60).is_ok());
     }
 }
 
@@ -99,7 +99,8 @@ fn a_whole_movement_comes_with_its_rows() {
     assert!(movement.sums.is_some());
     assert!(library.library.primitives[2].experts.iter().all(|expert| expert.elsewhere.is_none()));
     // Inferred again from its rows it is as learned.
-    let model = library.movement(1).unwrap().model;
+    let model = library.movement(1).unwrap();
+    let model = model.coupled().unwrap().model;
     use crate::models::rollout::couplings::Reading;
     let step = |reading| {
         let dynamics = model.dynamics(&model.alpha, reading).unwrap();

@@ -14,7 +14,8 @@ use crate::models::library::{
     Relearned, TrainedLibrary,
 };
 use crate::models::training::error::in_range;
-use crate::models::variational::{FittedExpert, Trainer, TrainingProgress, expert_offsets, stack_offsets};
+use crate::models::training::progress::Progress;
+use crate::models::variational::{FittedExpert, VariationalTrainer, expert_offsets, stack_offsets};
 use nalgebra::DMatrix;
 
 /// A primitive that is learned again.
@@ -26,7 +27,7 @@ struct Arriving {
 
 /// An import under way.
 pub struct ImportTrainer {
-    trainer: Trainer,
+    trainer: VariationalTrainer,
     host: TrainedLibrary,
     /// The primitives of this library that take part: the first of the training.
     companions: Vec<usize>,
@@ -112,12 +113,12 @@ impl ImportTrainer {
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Progress {
         self.trainer.step()
     }
 
     /// How far the import is. The bound is that of the frames under what stays.
-    pub fn progress(&self) -> TrainingProgress {
+    pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 

@@ -3,7 +3,7 @@
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
 use crate::models::data::sequences::Sequences;
-use crate::models::fitted::model::Model;
+use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::map::density::{LogDensity, MapTerms};
 use crate::models::map::model::MapModel;
 use crate::models::map::params::{MapParams, MapPart};
@@ -14,7 +14,7 @@ use crate::models::training::latents::{
 };
 use crate::models::training::learner::Learner;
 use crate::models::training::parameters::Group;
-use crate::models::training::progress::{EndReason, LearningProgress};
+use crate::models::training::progress::{EndReason, Progress};
 use crate::models::training::settings::MapSettings;
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
@@ -144,20 +144,21 @@ fn starting_point(
 }
 
 impl Learner for MapLearner {
-    fn step(&mut self) -> LearningProgress {
+    fn step(&mut self) -> Progress {
         self.ascent.step();
         self.progress()
     }
 
-    fn progress(&self) -> LearningProgress {
+    fn progress(&self) -> Progress {
         let (ascent, search) = (&self.ascent, self.ascent.search());
-        LearningProgress {
+        Progress {
             iteration: ascent.iteration(),
             max_iterations: ascent.max_iterations(),
             evaluations: 0,
             setbacks: search.setbacks,
             objective: ascent.value(),
             best: search.best,
+            terms: None,
             phase: None,
             done: ascent.reason().is_some(),
             reason: ascent.reason().map(|end| match end {
@@ -168,8 +169,8 @@ impl Learner for MapLearner {
         }
     }
 
-    fn model(&self) -> Result<Model, NumericsError> {
-        Ok(Model::Map(Box::new(self.fitted()?)))
+    fn model(&self) -> Result<FittedModel, NumericsError> {
+        Ok(FittedModel::Map(Box::new(self.fitted()?)))
     }
 }
 

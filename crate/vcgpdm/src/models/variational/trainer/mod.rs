@@ -4,13 +4,18 @@
 mod reduced;
 
 use crate::gp::NumericsError;
+use crate::models::data::dataset::Dataset;
+use crate::models::data::observed::Observed;
+use crate::models::fitted::body::Body;
+use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::{ENGINE, Provenance};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::{check_dimensions, check_training};
 use crate::models::training::parameters::{Group, Parameters};
-use crate::models::training::progress::{Setbacks, TrainingPhase};
-use crate::models::training::settings::{MOST_INDUCING, VariationalSettings};
+use crate::models::training::progress::{EndReason, Progress, TrainingPhase};
+use crate::models::training::settings::{MOST_INDUCING, Settings, VariationalSettings};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
@@ -18,39 +23,11 @@ use crate::models::variational::repertoire::Repertoire;
 use crate::models::variational::start::starting_point_of;
 use crate::models::variational::trainer::reduced::reduced;
 use nalgebra::DMatrix;
-use serde::Serialize;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
 const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 25;
-
-/// How far training is.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TrainingProgress {
-    /// Optimiser iterations so far.
-    pub iteration: usize,
-    /// Most iterations there can be.
-    pub max_iterations: usize,
-    /// Evaluations of the bound with its gradient so far.
-    pub evaluations: usize,
-    /// What went wrong so far and was survived.
-    pub setbacks: Setbacks,
-    /// The bound at the point reached, in nats.
-    pub bound: f64,
-    /// The best bound so far.
-    pub best: f64,
-    /// The terms of the best bound.
-    pub terms: BoundTerms,
-    /// What is being optimised.
-    pub phase: TrainingPhase,
-    /// Whether training has ended.
-    pub done: bool,
-    /// Why it ended.
-    pub reason: Option<SearchEnd>,
-    /// Share of the iterations used, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
-    pub fraction: f64,
-}
 
 /// The bound and the room in which it is computed.
 struct Bound {
@@ -77,14 +54,14 @@ impl Target for Bound {
 }
 
 /// A training under way.
-pub struct Trainer {
+pub struct VariationalTrainer {
     ascent: Ascent<Bound>,
     settings: VariationalSettings,
     seed: u32,
     notices: Vec<String>,
 }
 
-impl Trainer {
+impl VariationalTrainer {
     /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the
     /// sequences say. The `seed` is that of everything random.
     ///
@@ -183,7 +160,7 @@ impl Trainer {
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
-    pub fn step(&mut self) -> TrainingProgress {
+    pub fn step(&mut self) -> Progress {
         self.ascent.step();
         self.progress()
     }
@@ -198,19 +175,22 @@ impl Trainer {
     }
 
     /// How far training is.
-    pub fn progress(&self) -> TrainingProgress {
+    pub fn progress(&self) -> Progress {
         let (ascent, search) = (&self.ascent, self.ascent.search());
-        TrainingProgress {
+        Progress {
             iteration: ascent.iteration(),
             max_iterations: ascent.max_iterations(),
             evaluations: search.evaluations,
             setbacks: search.setbacks,
-            bound: ascent.value(),
+            objective: ascent.value(),
             best: search.best,
-            terms: search.best_terms.clone(),
-            phase: training_phase(ascent.phase()),
+            terms: Some(search.best_terms.clone()),
+            phase: Some(training_phase(ascent.phase())),
             done: ascent.reason().is_some(),
-            reason: ascent.reason(),
+            reason: ascent.reason().map(|end| match end {
+                SearchEnd::Settled => EndReason::BoundSettled,
+                SearchEnd::Iterations => EndReason::Iterations,
+            }),
             fraction: ascent.fraction(),
         }
     }
@@ -231,11 +211,11 @@ impl Trainer {
     }
 
     /// How the best so far was made; `frames_per_second` is the rate that the data set was asked for.
-    pub fn provenance(&self, frames_per_second: f64) -> Provenance<VariationalSettings> {
+    pub fn provenance(&self, frames_per_second: f64) -> Provenance {
         let progress = self.progress();
         Provenance {
             engine: ENGINE.to_owned(),
-            settings: self.settings.clone(),
+            settings: Settings::Vcgpdm(self.settings.clone()),
             seed: self.seed,
             frames_per_second,
             objective: progress.best,
@@ -243,6 +223,11 @@ impl Trainer {
             evaluations: progress.evaluations,
             note: None,
         }
+    }
+
+    /// The terms of the best bound so far.
+    pub(in crate::models) fn best_terms(&self) -> BoundTerms {
+        self.ascent.search().best_terms.clone()
     }
 
     /// The parameters of the best bound so far; before the first step, the starting point.
@@ -253,6 +238,20 @@ impl Trainer {
     /// What the bound is computed on.
     pub fn objective(&self) -> Objective {
         self.ascent.search().target.objective.clone()
+    }
+
+    /// The trained model of the best bound so far, on the data set that this training began with.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn finish<S: Observed>(&self, dataset: &Dataset<S>) -> Result<Model<S>, NumericsError> {
+        let provenance = match dataset.y.len() {
+            1 => self.provenance(dataset.frames_per_second).of_one_part(),
+            _ => self.provenance(dataset.frames_per_second),
+        };
+        let fitted = FittedModel::Vcgpdm(Box::new(self.model()?));
+        Ok(Model { fitted, body: Body::new(dataset), provenance })
     }
 
     /// The model of the best bound so far.

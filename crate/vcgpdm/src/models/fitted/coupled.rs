@@ -1,0 +1,154 @@
+//! A trained vCGPDM or vGPDM: rollouts under other couplings, sampled rollouts, latents as poses.
+
+use crate::models::data::observed::Observed;
+use crate::models::fitted::body::Body;
+use crate::models::fitted::provenance::Provenance;
+use crate::models::rollout::couplings::coupling_weight_matrix;
+use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
+use crate::models::variational::{LatentMoments, PredictiveDynamics, Vcgpdm};
+use crate::motion::Clip;
+use crate::motion::pose::{PoseError, PoseMapping};
+use nalgebra::DMatrix;
+
+/// A trained model whose couplings can be changed: a view of a [`Model`](crate::models::Model).
+#[derive(Debug)]
+pub struct Coupled<'a, S = PoseMapping> {
+    /// Pose maps, experts and couplings.
+    pub model: &'a Vcgpdm,
+    /// From columns to poses, and the sequences that the model was trained on.
+    pub body: &'a Body<S>,
+    /// How the model was made.
+    pub provenance: &'a Provenance,
+}
+
+// Derived, they would ask `S` to be `Clone` and `Copy`, which a reference does not need.
+impl<S> Clone for Coupled<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for Coupled<'_, S> {}
+
+impl<'a, S: Observed> Coupled<'a, S> {
+    pub(crate) fn new(model: &'a Vcgpdm, body: &'a Body<S>, provenance: &'a Provenance) -> Self {
+        Self { model, body, provenance }
+    }
+
+    /// Checks that `frames` frames can be rolled out.
+    ///
+    /// # Errors
+    ///
+    /// When the number of frames is 0 or too large.
+    pub fn check_frames(&self, frames: usize) -> Result<(), RolloutError> {
+        self.body.check_frames(frames, self.model.latent_dimensions().iter().sum())
+    }
+
+    /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or
+    /// too large.
+    pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
+        self.check_frames(request.frames)?;
+        Ok(self.rollout_along(self.model.path(request)?, request))
+    }
+
+    /// Sampled rollouts, one for each of `seeds`, made one after the other: every frame is drawn from what
+    /// the experts predict, with their variances. The poses are the mean poses at the sampled latents. Cuts
+    /// and pushes are for mean rollouts alone.
+    ///
+    /// # Errors
+    ///
+    /// As [`Coupled::rollout`].
+    pub fn sampled_rollouts<'r>(
+        self,
+        request: &'r RolloutRequest,
+        seeds: impl IntoIterator<Item = u64> + 'r,
+    ) -> Result<impl Iterator<Item = Result<Rollout, RolloutError>> + 'r, RolloutError>
+    where
+        'a: 'r,
+    {
+        self.check_frames(request.frames)?;
+        let dynamics = self.predictive_dynamics(request)?;
+        let start = self.model.start(request.sequence, request.frame)?;
+        Ok(seeds
+            .into_iter()
+            .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
+    }
+
+    /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes
+    /// are for mean rollouts alone.
+    ///
+    /// # Errors
+    ///
+    /// As [`Coupled::rollout`], and when a covariance cannot be factorised.
+    pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
+        self.check_frames(request.frames)?;
+        self.predictive_dynamics(request)?
+            .moments(&self.model.start(request.sequence, request.frame)?, request.frames)
+    }
+
+    /// The dynamics with their variances under the couplings of a request.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, the request has cuts or pushes, or a covariance cannot be
+    /// factorised.
+    pub fn predictive_dynamics(&self, request: &RolloutRequest) -> Result<PredictiveDynamics, RolloutError> {
+        if !request.cuts.is_empty() || !request.pushes.is_empty() {
+            return Err(RolloutError::Disturbed);
+        }
+        self.model.predictive_dynamics(request.alpha_or(&self.model.alpha), request.reading)
+    }
+
+    fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
+        let y = self.body.columns(&self.model.observations(&latents));
+        Rollout { latents, y, weights: coupling_weight_matrix(request.alpha_or(&self.model.alpha)) }
+    }
+}
+
+impl Coupled<'_> {
+    /// The rollout as a clip, starting at the origin.
+    ///
+    /// # Errors
+    ///
+    /// When its columns cannot be turned into poses.
+    pub fn clip(&self, rollout: &Rollout, name: &str) -> Result<Clip, PoseError> {
+        self.body.clip(&rollout.y, name)
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, for a body 1.7 m tall.
+    ///
+    /// # Errors
+    ///
+    /// When its columns cannot be turned into poses.
+    pub fn positions(&self, rollout: &Rollout) -> Result<Vec<f32>, PoseError> {
+        self.body.positions(&rollout.y)
+    }
+
+    /// World positions of the figure's nodes [nodes x 3] with one part at a latent point `[Q_i]` and the
+    /// others at their mean pose.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, or the point does not have its latent dimensions.
+    pub fn pose(&self, part: usize, latent: &[f64]) -> Result<Vec<f32>, RolloutError> {
+        let parts = &self.model.parts;
+        let columns = parts.get(part).map_or(0, |p| p.r().ncols());
+        if latent.len() != columns || columns == 0 {
+            return Err(RolloutError::Start {
+                part,
+                rows: 1,
+                columns,
+                found_rows: 1,
+                found_columns: latent.len(),
+            });
+        }
+        let mut latents: Vec<DMatrix<f64>> = parts.iter().map(|p| DMatrix::zeros(0, p.r().ncols())).collect();
+        latents[part] = DMatrix::from_row_slice(1, columns, latent);
+        let y = self.body.columns(&self.model.observations(&latents));
+        Ok(self.body.positions(&y)?)
+    }
+}

@@ -1,0 +1,85 @@
+//! A fitted model of any kind.
+
+use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
+use crate::models::map::MapModel;
+use crate::models::rollout::request::RolloutError;
+use crate::models::tmp::Tmp;
+use crate::models::training::kind::ModelKind;
+use crate::models::variational::{BoundTerms, Vcgpdm};
+use nalgebra::DMatrix;
+
+/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over
+/// all training frames).
+#[derive(Clone, Debug)]
+pub enum FittedModel {
+    /// A vCGPDM or, of one part, a vGPDM.
+    Vcgpdm(Box<Vcgpdm>),
+    /// A CGPDM with point estimates of its latents or, of one part, a GPDM.
+    Map(Box<MapModel>),
+    /// Temporal movement primitives.
+    Tmp(Box<Tmp>),
+    /// Dynamic movement primitives towards a goal.
+    DmpDiscrete(Box<DmpDiscrete>),
+    /// Dynamic movement primitives around a centre.
+    DmpRhythmic(Box<DmpRhythmic>),
+}
+
+impl FittedModel {
+    /// The kind of model.
+    pub fn kind(&self) -> ModelKind {
+        match self {
+            FittedModel::Vcgpdm(model) => model.kind(),
+            FittedModel::Map(model) => model.kind(),
+            FittedModel::Tmp(_) => ModelKind::Tmp,
+            FittedModel::DmpDiscrete(_) => ModelKind::DmpDiscrete,
+            FittedModel::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+        }
+    }
+
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is 0 or too large.
+    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        match self {
+            FittedModel::Vcgpdm(model) => model.rollout(sequence, frames),
+            FittedModel::Map(model) => model.rollout(sequence, frames),
+            FittedModel::Tmp(model) => model.rollout(sequence, frames),
+            FittedModel::DmpDiscrete(model) => model.rollout(sequence, frames),
+            FittedModel::DmpRhythmic(model) => model.rollout(sequence, frames),
+        }
+    }
+
+    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the
+    /// same for all models and do not count.
+    pub fn stored_numbers(&self) -> usize {
+        match self {
+            FittedModel::Vcgpdm(model) => model.stored_numbers(),
+            FittedModel::Map(model) => model.stored_numbers(),
+            FittedModel::Tmp(model) => model.stored_numbers(),
+            FittedModel::DmpDiscrete(model) => model.stored_numbers(),
+            FittedModel::DmpRhythmic(model) => model.stored_numbers(),
+        }
+    }
+
+    /// The terms of the bound, where the model has a bound of such terms.
+    pub fn terms(&self) -> Option<&BoundTerms> {
+        match self {
+            FittedModel::Vcgpdm(model) => Some(&model.terms),
+            FittedModel::Map(_)
+            | FittedModel::Tmp(_)
+            | FittedModel::DmpDiscrete(_)
+            | FittedModel::DmpRhythmic(_) => None,
+        }
+    }
+
+    /// The bound on the log evidence, in nats, where the model has one.
+    pub fn bound(&self) -> Option<f64> {
+        match self {
+            FittedModel::Vcgpdm(model) => Some(model.bound()),
+            FittedModel::Tmp(model) => Some(model.bound),
+            FittedModel::Map(_) | FittedModel::DmpDiscrete(_) | FittedModel::DmpRhythmic(_) => None,
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! A training of any kind of model on a data set.
+
+use crate::gp::NumericsError;
+use crate::models::data::dataset::{Dataset, DatasetError};
+use crate::models::data::movements::Movements;
+use crate::models::data::observed::Observed;
+use crate::models::fitted::body::Body;
+use crate::models::fitted::model::Model;
+use crate::models::fitted::provenance::{ENGINE, Provenance};
+use crate::models::training::error::TrainingError;
+use crate::models::training::learner::Learner;
+use crate::models::training::progress::Progress;
+use crate::models::training::settings::Settings;
+use crate::motion::pose::PoseMapping;
+use nalgebra::DMatrix;
+use std::ops::ControlFlow;
+
+/// A training under way. It can be stopped at any iteration: the best model so far is kept.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use vcgpdm::{Dataset, Settings, Trainer, motion::{parts, samples}};
+///
+/// let clip = samples::clip("walk-1").ok_or("no such sample")?;
+/// let whole = &parts::presets(&clip.skeleton)[0].parts;
+/// let dataset = Dataset::new(&[(&clip).into()], whole, 30.0)?;
+/// let mut trainer = Trainer::new(&dataset, &Settings::Vgpdm(Default::default()), 0)?;
+/// trainer.run_with(|progress| match progress.iteration {
+///     0..20 => ControlFlow::Continue(()),
+///     _ => ControlFlow::Break(()),
+/// });
+/// let model = trainer.finish()?;
+/// assert_eq!(model.rollout(0, 100)?.nrows(), 100);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Trainer<S = PoseMapping> {
+    learner: Box<dyn Learner>,
+    body: Body<S>,
+    settings: Settings,
+    seed: u32,
+    frames_per_second: f64,
+}
+
+impl<S: Observed> Trainer<S> {
+    /// A training that has done no iteration yet. `seed` decides everything random.
+    ///
+    /// # Errors
+    ///
+    /// When a setting is out of its range, or the data set cannot be learned from; the error names the clip
+    /// where the reason is in one of them.
+    pub fn new(dataset: &Dataset<S>, settings: &Settings, seed: u32) -> Result<Self, DatasetError> {
+        let parts = dataset.layout.parts().len();
+        if parts > 1 && matches!(settings, Settings::Vgpdm(_) | Settings::MapGpdm(_)) {
+            return Err(DatasetError::Training(TrainingError::Parts { expected: 1, found: parts }));
+        }
+        let learner = settings.learner(&Movements::of(dataset), seed);
+        Ok(Self {
+            learner: learner.map_err(|reason| dataset.refusal(reason))?,
+            body: Body::new(dataset),
+            settings: settings.clone(),
+            seed,
+            frames_per_second: dataset.frames_per_second,
+        })
+    }
+
+    /// One iteration. After the end it does nothing.
+    pub fn step(&mut self) -> Progress {
+        self.learner.step()
+    }
+
+    /// Trains to the end.
+    pub fn run(&mut self) -> Progress {
+        self.run_with(|_| ControlFlow::Continue(()))
+    }
+
+    /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
+    pub fn run_with(&mut self, mut watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
+        loop {
+            let progress = self.learner.step();
+            if watch(&progress).is_break() || progress.done {
+                return progress;
+            }
+        }
+    }
+
+    /// The best model so far.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn finish(&self) -> Result<Model<S>, NumericsError> {
+        let progress = self.learner.progress();
+        let mut settings = self.settings.clone();
+        if let Settings::Vcgpdm(s) | Settings::Vgpdm(s) = &mut settings {
+            // `extend` may have allowed more.
+            s.max_iterations = progress.max_iterations;
+        }
+        if let (Settings::Vcgpdm(s), 1) = (&settings, self.body.layout.parts().len()) {
+            settings = Settings::Vgpdm(s.clone());
+        }
+        let provenance = Provenance {
+            engine: ENGINE.to_owned(),
+            seed: if settings.is_random() { self.seed } else { 0 },
+            settings,
+            frames_per_second: self.frames_per_second,
+            objective: progress.best,
+            iterations: progress.iteration,
+            evaluations: progress.evaluations,
+            note: None,
+        };
+        Ok(Model { fitted: self.learner.model()?, body: self.body.clone(), provenance })
+    }
+
+    /// How far the training is.
+    pub fn progress(&self) -> Progress {
+        self.learner.progress()
+    }
+
+    /// Settings that are more than the data allow and were reduced, as sentences without a full stop.
+    pub fn notices(&self) -> &[String] {
+        self.learner.notices()
+    }
+
+    /// Allows `iterations` more, during training or at its end, where the training goes on from. A bound that
+    /// no longer rises stays. Only the training of a vCGPDM or vGPDM can be extended; of others, nothing
+    /// changes.
+    pub fn extend(&mut self, iterations: usize) {
+        self.learner.extend(iterations);
+    }
+
+    /// The number of parts M.
+    pub fn part_count(&self) -> usize {
+        self.body.layout.parts().len()
+    }
+
+    /// Latent means of a part in all training frames at the best so far [N x Q_i], sequences one after the
+    /// other; `None` where there is no such part, or the kind of model has no latents to show.
+    pub fn latents(&self, part: usize) -> Option<DMatrix<f64>> {
+        self.learner.latents(part)
+    }
+
+    /// Uses `threads` threads from now on, where the kind of model can. The result is the same to the last
+    /// bit.
+    #[cfg(feature = "threads")]
+    pub fn use_threads(&mut self, threads: usize) {
+        self.learner.use_threads(threads);
+    }
+}
