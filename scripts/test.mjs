@@ -1,4 +1,6 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { compileTests, NATIVE } from "./cargo.mjs";
@@ -6,6 +8,8 @@ import { checkGolden } from "./golden.mjs";
 import { weigh } from "./site.mjs";
 import { installTools, oldestRust } from "./tools.mjs";
 
+/** In rustdoc's list of all items of the library. */
+const MOST_PUBLIC_ITEMS = 120;
 const deny = ["--", "-D", "warnings"];
 const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 
@@ -74,11 +78,29 @@ async function features() {
     await clippy(...WASM, "--no-default-features", "--features", feature);
 }
 
-/** With the examples, because the packages then are those of clippy, compiled already. */
+/** With the examples, because the packages then are those of clippy, compiled already. Then the public library
+ * alone, whose items are few and have names that nothing else here has. */
 async function docs() {
-  const what = ["doc", "--no-deps", "--all-features", "--config", 'build.rustdocflags = ["-D", "warnings"]'];
-  await run("cargo", ...what, ...NATIVE, "--lib", "--examples");
-  await run("cargo", ...what, ...WASM);
+  const doc = (/** @type {string[]} */ ...what) =>
+    run("cargo", "doc", "--no-deps", "--config", 'build.rustdocflags = ["-D", "warnings"]', ...what);
+  await doc("--all-features", ...NATIVE, "--lib", "--examples");
+  await doc("--all-features", ...WASM);
+  await doc("--package", "vcgpdm", "--lib");
+  const items = ["vcgpdm", "vcgpdm_lab"].map(documentedItems);
+  const [library = []] = items;
+  if (library.length > MOST_PUBLIC_ITEMS)
+    throw new Failure(`vcgpdm: expected at most ${MOST_PUBLIC_ITEMS} public items, found ${library.length}`);
+  const names = items.flat().map((path) => path.split("::").at(-1));
+  const twice = names.filter((name, i) => names.indexOf(name) < i);
+  if (twice.length > 0) throw new Failure(`public names that stand for two items: ${twice.join(", ")}`);
+  return `vcgpdm has ${library.length} public items`;
+}
+
+/** The paths in rustdoc's list of all items. */
+function documentedItems(/** @type {string} */ crate) {
+  const target = env.CARGO_TARGET_DIR ?? at("target");
+  const list = readFileSync(join(target, "doc", crate, "all.html"), "utf8");
+  return [...list.matchAll(/<li><a href="[^"]+">([^<]+)<\/a>/g)].map(([, path = ""]) => path);
 }
 
 /** Tests and examples may ask for more: the promise is for those who use the library or the program. */

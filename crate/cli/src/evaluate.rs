@@ -17,7 +17,9 @@ use vcgpdm::models::{
     MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, VariationalSettings,
 };
 use vcgpdm::motion::Clip;
-use vcgpdm_lab::evaluation::{Finished, Fold, Job, Plan, PlanError, START_FRAMES, Setting, whole_cycles};
+use vcgpdm_lab::evaluation::{
+    ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
+};
 
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how
 /// well it went.
@@ -271,7 +273,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
     };
     let plan = if parts > 1 { plan } else { of_one_part(plan, &arguments.parts)? };
     plan.jobs(trials).map_err(|error| match error {
-        PlanError::TrainingTrials { most, found } => {
+        ComparisonPlanError::TrainingTrials { most, found } => {
             usage(format!("--training-trials {found}: expected from 1 to {most} trials"))
         }
         error => error.into(),

@@ -14,7 +14,7 @@ use std::sync::{Mutex, PoisonError};
 use vcgpdm::models::{Body, with_bones_of};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
-use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, Trial};
+use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, TrialClip};
 use vcgpdm_lab::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
 
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
@@ -200,7 +200,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
 }
 
 /// The clip of a trial, cut as it was.
-fn clip_of(trial: &Trial, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
+fn clip_of(trial: &TrialClip, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
     let clip = given.iter().find(|clip| clip.sha256 == trial.sha256).ok_or_else(|| {
         let start: String = trial.sha256.chars().take(8).collect();
         format!("expected the clip {} (SHA-256 {start}...) among those given, found none", trial.name)

@@ -10,8 +10,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::Reading;
-use vcgpdm::{Coupled, Model, RolloutRequest};
+use vcgpdm::{Coupled, Model, Reading, RolloutRequest};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -28,7 +27,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
     println!("factor  weight lower to upper  weight upper to upper  swing of the left hand, cm");
     for factor in [0.1, 1.0, 10.0, 100.0] {
-        let mut alpha = trained.model.alpha.clone();
+        let mut alpha = trained.alpha().clone();
         alpha[(lower, upper)] *= factor;
         let request = RolloutRequest {
             frames: 120,

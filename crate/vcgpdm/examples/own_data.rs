@@ -7,18 +7,17 @@
 //!
 //! What the model needs: rows that follow each other in equal steps of time, and columns that are divided
 //! into parts. Here two made-up machines are measured; the second follows the first a little later. With
-//! files: `series::read("trial.csv", &bytes)`, or from a terminal `vcgpdm train trial-1.csv trial-2.csv
+//! files: `read_csv("trial.csv", &bytes)`, or from a terminal `vcgpdm train trial-1.csv trial-2.csv
 //! --columns --parts "leader=a,b,c;follower=d,e" --out model.json`.
 
 #![allow(clippy::disallowed_methods)]
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::document::Document;
-use vcgpdm::models::coupling_weight_matrix;
 use vcgpdm::nalgebra::DMatrix;
-use vcgpdm::series::{Table, parts_from_words, write};
-use vcgpdm::{Dataset, Trainer, VariationalSettings};
+use vcgpdm::{
+    Dataset, Document, Table, Trainer, VariationalSettings, column_parts, coupling_weight_matrix, write_csv,
+};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -35,7 +34,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let recordings = [recording(0), recording(1)];
 
     // Which columns belong together; each then counts without its mean, in its standard deviation.
-    let parts = parts_from_words("leader=a,b,c;follower=d,e", &names)?;
+    let parts = column_parts("leader=a,b,c;follower=d,e", &names)?;
     let dataset = Dataset::of_tables(&recordings, &parts, 50.0)?;
 
     // Two latent dimensions for each part; the last two states predict the next one (order 2).
@@ -47,7 +46,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     // Two parts in step can explain each other equally well, so such weights say what the model uses, not
     // what the cause is.
     let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
-    let weights = coupling_weight_matrix(&coupled.model.alpha);
+    let weights = coupling_weight_matrix(coupled.alpha());
     for (i, part) in parts.iter().enumerate() {
         let (own, other) = (weights[(i, i)], weights[(i, 1 - i)]);
         println!(
@@ -72,7 +71,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let spread: f64 = actual.row_iter().map(|row| (row - &means).norm_squared()).sum();
     println!("error of the rollout, as a share of the variance of the recording: {:.3}", error / spread);
     let path = folder.join("predicted.csv");
-    std::fs::write(&path, write(&names, &predicted, model.body.frame_time))?;
+    std::fs::write(&path, write_csv(&names, &predicted, model.body.frame_time))?;
     println!("the model is in {}, the rollout in {}", saved.display(), path.display());
     Ok(())
 }

@@ -7,8 +7,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::bvh;
-use vcgpdm::{Model, RolloutRequest};
+use vcgpdm::{Model, RolloutRequest, write_bvh};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -35,7 +34,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     }
     let clip = trained.clip(&rollout, "new-walk.bvh")?;
     let path = folder.join("new-walk.bvh");
-    std::fs::write(&path, bvh::write(&clip))?;
+    std::fs::write(&path, write_bvh(&clip))?;
     println!("{} frames of {:.4} s are in {}", clip.frames(), clip.frame_time, path.display());
     Ok(())
 }

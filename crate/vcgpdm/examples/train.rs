@@ -9,9 +9,9 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::coupling_weight_matrix;
-use vcgpdm::motion::{parts, samples};
-use vcgpdm::{Clip, Dataset, Source, Trainer, VariationalSettings};
+use vcgpdm::{
+    Clip, Dataset, Source, Trainer, VariationalSettings, coupling_weight_matrix, part_presets, sample_clip,
+};
 
 fn main() -> Result<(), Box<dyn Error>> {
     run(&std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from))
@@ -19,11 +19,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Trains and writes FOLDER/model.json.
 pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
-    // Clips of your own come from BVH files: bvh::read("walk.bvh", &std::fs::read(path)?)?.into_clip().
-    let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].into_iter().filter_map(samples::clip).collect();
+    // Clips of your own come from BVH files: read_bvh("walk.bvh", &std::fs::read(path)?)?.into_clip().
+    let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].into_iter().filter_map(sample_clip).collect();
 
     // The body is split into two parts, which get latents of their own.
-    let presets = parts::presets(&clips[0].skeleton);
+    let presets = part_presets(&clips[0].skeleton);
     let split = presets.into_iter().find(|preset| preset.id == "lower-upper").ok_or("no legs were found")?;
 
     // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns
@@ -40,7 +40,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
 
     let model = trainer.finish()?;
     let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
-    let weights = coupling_weight_matrix(&coupled.model.alpha);
+    let weights = coupling_weight_matrix(coupled.alpha());
     for (target, into) in split.parts.iter().enumerate() {
         for (source, from) in split.parts.iter().enumerate() {
             println!(

@@ -7,11 +7,12 @@
 //! From a clip to a new motion:
 //!
 //! ```
-//! use vcgpdm::motion::{bvh, parts, samples};
-//! use vcgpdm::{Dataset, RolloutRequest, Settings, Trainer, VariationalSettings};
+//! use vcgpdm::{
+//!     Dataset, RolloutRequest, Settings, Trainer, VariationalSettings, part_presets, sample_clip, write_bvh,
+//! };
 //!
-//! let clip = samples::clip("walk-1").ok_or("no such sample")?;
-//! let parts = &parts::presets(&clip.skeleton)[1].parts; // lower and upper body
+//! let clip = sample_clip("walk-1").ok_or("no such sample")?;
+//! let parts = &part_presets(&clip.skeleton)[1].parts; // lower and upper body
 //! let dataset = Dataset::new(&[(&clip).into()], parts, 30.0)?;
 //!
 //! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
@@ -21,53 +22,101 @@
 //!
 //! let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
 //! let rollout = coupled.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
-//! let motion = bvh::write(&coupled.clip(&rollout, "walk.bvh")?);
+//! let motion = write_bvh(&coupled.clip(&rollout, "walk.bvh")?);
 //! assert!(motion.starts_with("HIERARCHY"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The rooms
+//! # From data to a model
 //!
-//! A module uses only modules that stand before it in this list.
+//! | step | of a body | of tables of numbers |
+//! |---|---|---|
+//! | data | [`read_bvh`] or [`read_asf`], then [`Clip`] | [`read_csv`], [`Table`] |
+//! | parts | [`part_presets`] or own [`PartSpec`]s | [`column_parts`] |
+//! | data set | [`Dataset::new`] | [`Dataset::of_tables`] |
+//! | training | [`Settings`], [`Trainer`], [`Progress`] | the same |
+//! | model | [`Model`], [`Coupled`], [`Rollout`] | [`SeriesModel`], the same |
+//! | file | [`Document`], [`write_bvh`] | [`Document`], [`write_csv`] |
 //!
-//! - [`motion`]: skeletons, clips, BVH files, sample walks; poses as rows of numbers; the parts of a body.
-//! - [`series`]: tables of numbers that are no body's, from CSV; their columns and parts.
-//! - [`gp`]: the kernel, the psi statistics and the collapsed bound of a Gaussian process with inducing
-//!   points.
-//! - [`models`]: the vCGPDM ([`models::variational`]) and the models that it is compared with
-//!   ([`models::map`], [`models::tmp`], [`models::dmp`]); data sets, trainings, rollouts, couplings.
-//! - [`document`]: trained models as versioned JSON documents.
+//! [`LibraryTrainer`] learns primitives that several movements share, and [`TrainedLibrary`] combines them.
 //!
 //! The library reads and writes no files. Matrices are nalgebra's; their shapes stand in brackets, as [frames
-//! x columns]. ([`nalgebra`] is exported, so that a program need not name it and cannot name another
-//! version.) Training without optimisation takes a hundred times as long: build with `--release`, or give the
-//! development profile of your program `opt-level = 1` and its packages `[profile.dev.package."*"] opt-level
-//! = 3`. Everything random follows from a seed. The symbols are those of the papers; `docs/glossary.md` in
-//! the repository sets them beside the names in the code, and gives the meaning of every word that the
-//! project uses in a sense of its own.
+//! x columns]. [`nalgebra`] is exported, so that a program need not depend on it; a new minor version of it
+//! makes a new major version of this crate. Training without optimisation takes a hundred times as long:
+//! build with `--release`, or give the development profile of your program `opt-level = 1` and its packages
+//! `[profile.dev.package."*"] opt-level = 3`. Everything random follows from a seed. The symbols are those of
+//! the papers; `docs/glossary.md` in the repository sets them beside the names in the code.
 //!
 //! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short
 //! program.
 
 // A test may use any platform's sines.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
+// The other crates of this project use more of the modules than the public items need.
+#![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
 
-pub mod document;
 mod elementary;
-pub mod gp;
 mod json;
-pub mod models;
-pub mod motion;
-pub mod series;
 #[cfg(feature = "speed")]
 pub mod speed;
 mod words;
 
-pub use models::{
-    Coupled, Dataset, DatasetError, Model, ModelKind, Progress, Provenance, Rollout, RolloutError,
-    RolloutRequest, SeriesModel, Settings, Source, Trainer, TrainingError, VariationalSettings,
+// Public for the other crates of this project alone; semantic versioning does not cover the paths.
+#[cfg(not(feature = "internals"))]
+mod document;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod document;
+#[cfg(not(feature = "internals"))]
+mod gp;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod gp;
+#[cfg(not(feature = "internals"))]
+mod models;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod models;
+#[cfg(not(feature = "internals"))]
+mod motion;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod motion;
+#[cfg(not(feature = "internals"))]
+mod series;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod series;
+
+pub use document::{Document, DocumentError};
+pub use gp::NumericsError;
+pub use json::{FieldError, HeadingError, JsonError};
+pub use models::library::{
+    CombinationError, CouplingTrainer, CouplingsFrom, ImportError, ImportFrames, ImportRequest,
+    ImportTrainer, Leader, LearnedMovement, Library, LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk,
+    Misfit, ObservedClip, PartMotion, PlanError, PlannedMovement, Primitive, TakeInError, TakenIn,
+    TrainedLibrary, WalkError, WalkFrames,
 };
-pub use motion::Clip;
+pub use models::variational::{
+    BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,
+};
+pub use models::{
+    Body, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Health, LiveFrames,
+    LiveRollout, MapSettings, Model, ModelKind, Observed, Progress, Provenance, Push, Reading, Rollout,
+    RolloutError, RolloutRequest, SequenceInfo, SequencesError, SeriesModel, Setbacks, Settings, Source,
+    TmpSettings, Trainer, TrainingCost, TrainingError, TrainingPhase, VariationalSettings,
+    coupling_weight_matrix,
+};
+pub use motion::asf::{AsfError, File as AsfFile, read as read_asf};
+pub use motion::bvh::{BvhError, BvhProblem, read as read_bvh, write as write_bvh};
+pub use motion::parts::{PartSpec, PartsError, PartsLayout, PartsPreset, presets as part_presets};
+pub use motion::pose::{Column, ColumnKind, PoseError, PoseMapping};
+pub use motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips};
+pub use motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose};
+pub use motion::{BodyMismatch, Clip, ClipError, Recording};
+pub use series::{
+    Columns, SeriesError, Table, parts_from_words as column_parts, read as read_csv, write as write_csv,
+};
 
 /// For the other crates of this project: semantic versioning does not cover it, and any version may change it.
 #[cfg(feature = "internals")]

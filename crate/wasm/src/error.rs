@@ -17,7 +17,7 @@ use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
 use vcgpdm::series::SeriesError;
 #[cfg(feature = "training")]
-use vcgpdm_lab::evaluation::{EvaluationError, PlanError, ResultsError, SettingError};
+use vcgpdm_lab::evaluation::{ComparisonPlanError, EvaluationError, ResultsError, SettingError};
 #[cfg(feature = "training")]
 use vcgpdm_lab::perception::{AnalysisError, AnswersError, MakerError, StudyError};
 #[cfg(feature = "training")]
@@ -168,7 +168,7 @@ about! {
 
 #[cfg(feature = "training")]
 about! {
-    PlanError => Comparison,
+    ComparisonPlanError => Comparison,
     ResultsError => Results,
     SettingError => Comparison,
     AnalysisError => Study,

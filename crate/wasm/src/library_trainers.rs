@@ -45,7 +45,6 @@ struct PlannedName {
 /// A training of a library under way, step by step.
 #[wasm_bindgen]
 pub struct LibraryTrainer {
-    dataset: Dataset,
     training: Training,
 }
 
@@ -69,9 +68,7 @@ impl LibraryTrainer {
         let sources: Vec<Source> =
             clips.clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
         let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
-        let training = Training::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed)
-            .map_err(|reason| dataset.refusal(reason))?;
-        Ok(LibraryTrainer { dataset, training })
+        Ok(LibraryTrainer { training: Training::new(&dataset, &plan, &settings, seed)? })
     }
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
@@ -93,8 +90,7 @@ impl LibraryTrainer {
 
     /// The best library so far, at any time.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
-        let trained = TrainedLibrary::trained(&self.dataset, &self.training)?;
-        Ok(Library { trained: Rc::new(trained) })
+        Ok(Library { trained: Rc::new(self.training.finish()?) })
     }
 }
 

@@ -82,12 +82,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     warn_of_training(&model_settings, &dataset);
     let seed = arguments.options.seed;
-    let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, settings, seed)
-        .map_err(|reason| dataset.refusal(reason))?;
+    let mut trainer = LibraryTrainer::new(&dataset, &plan, settings, seed)?;
     trainer.use_threads(arguments.options.threads.into());
     let reason = train_steps(|| trainer.step(), "bound")?;
     let seconds = begin.elapsed().as_secs_f64();
-    let mut trained = TrainedLibrary::trained(&dataset, &trainer)?;
+    let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
     let end = (&*reason, trainer.progress().setbacks);

@@ -42,10 +42,9 @@ fn library(test: &ModularityTest, movement: usize) -> TrainedLibrary {
     let planned = PlannedMovement { name: of.name.clone(), sequences: of.trials.len() };
     let plan = LibraryPlan::new(vec![planned], vec![false; test.parts.len()]).unwrap();
     let libraries = test.seeds.iter().map(|seed| {
-        let (y, plan) = (dataset.y.clone(), plan.clone());
-        let mut trainer = LibraryTrainer::new(y, dataset.lengths(), plan, &test.settings, *seed).unwrap();
+        let mut trainer = LibraryTrainer::new(&dataset, &plan, &test.settings, *seed).unwrap();
         while !trainer.step().done {}
-        TrainedLibrary::trained(&dataset, &trainer).unwrap()
+        trainer.finish().unwrap()
     });
     libraries.max_by(|a, b| a.provenance.objective.total_cmp(&b.provenance.objective)).unwrap()
 }

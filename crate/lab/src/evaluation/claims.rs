@@ -11,7 +11,7 @@ use crate::evaluation::evidence::by_preference;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups, settings};
 use crate::evaluation::stats::Interval;
-use crate::evaluation::summary::{Answer, Claim, Correlation, Growth};
+use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
 use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm::models::{ModelKind, Settings};
 
@@ -83,7 +83,7 @@ fn is_plain(candidate: &Settings) -> bool {
 struct Claims(Vec<Claim>);
 
 impl Claims {
-    fn say(&mut self, said: &Said, criterion: &str, found: String, answer: Answer) {
+    fn say(&mut self, said: &Said, criterion: &str, found: String, answer: ClaimAnswer) {
         let Said(claim, place) = said;
         let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
         self.0.push(Claim { claim, place, criterion, found, answer });
@@ -101,7 +101,7 @@ impl Claims {
         said: &Said,
         criterion: &str,
         growth: &Growth,
-        answer: impl Fn(Interval) -> Answer,
+        answer: impl Fn(Interval) -> ClaimAnswer,
     ) {
         let power = |exponent: Option<f64>, interval: Option<Interval>| {
             let (exponent, interval) = exponent.zip(interval)?;
@@ -171,21 +171,21 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
     claims.0
 }
 
-fn is_below(interval: Interval, value: f64) -> Answer {
+fn is_below(interval: Interval, value: f64) -> ClaimAnswer {
     if interval.high < value {
-        Answer::Yes
+        ClaimAnswer::Yes
     } else if interval.low > value {
-        Answer::No
+        ClaimAnswer::No
     } else {
-        Answer::Undecided
+        ClaimAnswer::Undecided
     }
 }
 
-fn not(answer: Answer) -> Answer {
+fn not(answer: ClaimAnswer) -> ClaimAnswer {
     match answer {
-        Answer::Yes => Answer::No,
-        Answer::No => Answer::Yes,
-        Answer::Undecided => Answer::Undecided,
+        ClaimAnswer::Yes => ClaimAnswer::No,
+        ClaimAnswer::No => ClaimAnswer::Yes,
+        ClaimAnswer::Undecided => ClaimAnswer::Undecided,
     }
 }
 
@@ -223,12 +223,12 @@ fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
     if answers.is_empty() {
         return;
     }
-    let answer = if answers.contains(&Answer::No) {
-        Answer::No
-    } else if answers.contains(&Answer::Undecided) {
-        Answer::Undecided
+    let answer = if answers.contains(&ClaimAnswer::No) {
+        ClaimAnswer::No
+    } else if answers.contains(&ClaimAnswer::Undecided) {
+        ClaimAnswer::Undecided
     } else {
-        Answer::Yes
+        ClaimAnswer::Yes
     };
     claims.say(&BEST, "its error is lower than that of every other model", found.join("; "), answer);
 }
@@ -289,7 +289,7 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     }
 }
 
-fn correlated(c: &Correlation) -> (String, Answer) {
+fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
     let found = format!(
         "{}: {:.2} over {} settings (means of {} trials); so low by chance in {:.1} %",
         c.model.title(),
@@ -299,11 +299,11 @@ fn correlated(c: &Correlation) -> (String, Answer) {
         100.0 * c.chance
     );
     let answer = if c.chance < CHANCE {
-        Answer::Yes
+        ClaimAnswer::Yes
     } else if c.chance > 1.0 - CHANCE {
-        Answer::No
+        ClaimAnswer::No
     } else {
-        Answer::Undecided
+        ClaimAnswer::Undecided
     };
     (found, answer)
 }
@@ -329,9 +329,9 @@ fn bases(claims: &mut Claims, rows: &[&Row]) {
         more.words()
     );
     let answer = match (not(fewer.is_below(1.0)), not(more.is_below(1.0))) {
-        (Answer::Yes, Answer::Yes) => Answer::Yes,
-        (Answer::No, _) | (_, Answer::No) => Answer::No,
-        _ => Answer::Undecided,
+        (ClaimAnswer::Yes, ClaimAnswer::Yes) => ClaimAnswer::Yes,
+        (ClaimAnswer::No, _) | (_, ClaimAnswer::No) => ClaimAnswer::No,
+        _ => ClaimAnswer::Undecided,
     };
     let criterion =
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";

@@ -73,7 +73,7 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::summary::Answer;
+    use crate::evaluation::summary::ClaimAnswer;
     use crate::evaluation::testing::{finished, map, outcome, results, variational};
     use approx::assert_relative_eq;
     use vcgpdm::models::{DmpSettings, EndReason, ModelKind, VariationalSettings};
@@ -99,7 +99,7 @@ mod tests {
     }
 
     /// The answer to the claim at `place` whose words about what is found begin or go on like this.
-    fn answer(found: &Comparison, place: &str, words: &str) -> Answer {
+    fn answer(found: &Comparison, place: &str, words: &str) -> ClaimAnswer {
         let mut of_place = found.claims.iter().filter(|c| c.place.contains(place) && c.found.contains(words));
         let claim = of_place.next().unwrap_or_else(|| panic!("{place}, {words}: {:#?}", found.claims));
         assert!(of_place.next().is_none(), "{place}, {words}: {:#?}", found.claims);
@@ -127,17 +127,17 @@ mod tests {
         let found = Comparison::of(&results(7, &jobs));
         // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
         // CGPDM undecided.
-        assert_eq!(answer(&found, "3.2", "12 + 12 inducing points beside MAP GPDM"), Answer::Yes);
-        assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), Answer::No);
-        assert_eq!(answer(&found, "3.2", "beside MAP CGPDM"), Answer::Undecided);
-        assert_eq!(answer(&found, "5.3", "beside vGPDM"), Answer::Yes);
+        assert_eq!(answer(&found, "3.2", "12 + 12 inducing points beside MAP GPDM"), ClaimAnswer::Yes);
+        assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), ClaimAnswer::No);
+        assert_eq!(answer(&found, "3.2", "beside MAP CGPDM"), ClaimAnswer::Undecided);
+        assert_eq!(answer(&found, "5.3", "beside vGPDM"), ClaimAnswer::Yes);
         // Not the best of all where one is better, or it is not known.
-        assert_eq!(answer(&found, "3.2", "lower in 7 of 7"), Answer::Undecided);
+        assert_eq!(answer(&found, "3.2", "lower in 7 of 7"), ClaimAnswer::Undecided);
         // 0.3 is not nearly 0.2; of bounds (1, 3, 2) and errors (0.5, 0.3, 0.2) nothing can be said.
-        assert_eq!(answer(&found, "5.3", "vCGPDM, the best of 3 settings"), Answer::No);
-        assert_eq!(answer(&found, "3.2", "vCGPDM: -0.50 over 3 settings"), Answer::Undecided);
+        assert_eq!(answer(&found, "5.3", "vCGPDM, the best of 3 settings"), ClaimAnswer::No);
+        assert_eq!(answer(&found, "3.2", "vCGPDM: -0.50 over 3 settings"), ClaimAnswer::Undecided);
         // The bounds prefer the whole body, which predicts worse: in every trial.
-        assert_eq!(answer(&found, "2020", "the preferred one"), Answer::No);
+        assert_eq!(answer(&found, "2020", "the preferred one"), ClaimAnswer::No);
         assert_eq!(found.evidence.len(), 7);
         assert_eq!(found.parts, ["lower"]);
         // In the table, 12 stands for the three of its kind; a MAP model that is balanced differs in more
@@ -164,7 +164,11 @@ mod tests {
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
         assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
         // A single trial has no interval: whatever is found says neither yes nor no.
-        assert!(found.claims.iter().all(|claim| claim.answer == Answer::Undecided), "{:?}", found.claims);
+        assert!(
+            found.claims.iter().all(|claim| claim.answer == ClaimAnswer::Undecided),
+            "{:?}",
+            found.claims
+        );
         // The table shows all that each of them has.
         assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
         assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
@@ -195,9 +199,9 @@ mod tests {
         };
         let (a, b) = (subject(&[0.9, 0.95, 1.02, 0.92]), subject(&[0.9, 0.8, 0.97, 0.93, 0.94, 0.9]));
         let pays = |found: &Comparison| answer(found, "5.3", "beside vGPDM");
-        assert_eq!(pays(&Comparison::of(&a)), Answer::Undecided);
+        assert_eq!(pays(&Comparison::of(&a)), ClaimAnswer::Undecided);
         let both = Comparison::of_all(&[&a, &b]);
-        assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (Answer::Yes, 10, 10));
+        assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (ClaimAnswer::Yes, 10, 10));
         assert!(
             both.claims
                 .iter()
@@ -217,9 +221,9 @@ mod tests {
             }
             answer(&Comparison::of(&results(6, &jobs)), "2019, section 4.2", "5 bases beside 25")
         };
-        assert_eq!(with([3.0, 1.0, 1.5]), Answer::Yes);
-        assert_eq!(with([3.0, 1.0, 0.9]), Answer::No);
-        assert_eq!(with([3.0, 1.0, 1.0]), Answer::Undecided);
+        assert_eq!(with([3.0, 1.0, 1.5]), ClaimAnswer::Yes);
+        assert_eq!(with([3.0, 1.0, 0.9]), ClaimAnswer::No);
+        assert_eq!(with([3.0, 1.0, 1.0]), ClaimAnswer::Undecided);
     }
 
     #[test]
@@ -312,8 +316,8 @@ mod tests {
         assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
         assert_relative_eq!(exponents[1], 3.0, epsilon = 1e-9);
         assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
-        assert_eq!(answer(&found, "supplement", "power 1.00 (1.00 to 1.00)"), Answer::Yes);
-        assert_eq!(answer(&found, "supplement", "power 3.00 (3.00 to 3.00)"), Answer::Yes);
+        assert_eq!(answer(&found, "supplement", "power 1.00 (1.00 to 1.00)"), ClaimAnswer::Yes);
+        assert_eq!(answer(&found, "supplement", "power 3.00 (3.00 to 3.00)"), ClaimAnswer::Yes);
         // Where more frames take more iterations too, learning takes longer than they say.
         for finished in &mut jobs {
             let count = finished.job.training_trials;
@@ -328,7 +332,7 @@ mod tests {
         assert_relative_eq!(vcgpdm.training_exponent.unwrap(), 2.0, epsilon = 1e-9);
         assert_eq!(vcgpdm.converged, Some(1.0));
         let words = "training grows with the power 2.00 (2.00 to 2.00) of the frames, of an iteration with the power 1.00";
-        assert_eq!(answer(&found, "supplement", words), Answer::No);
+        assert_eq!(answer(&found, "supplement", words), ClaimAnswer::No);
     }
 
     #[test]
@@ -352,10 +356,10 @@ mod tests {
         }
         let found = Comparison::of(&results(7, &jobs));
         assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
-        assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), Answer::No);
-        assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), Answer::Yes);
+        assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), ClaimAnswer::No);
+        assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), ClaimAnswer::Yes);
         let words = "30 + 5 inducing points beside 5 + 30 inducing points: 0.50 times";
-        assert_eq!(answer(&found, "figure 6B", words), Answer::Yes);
+        assert_eq!(answer(&found, "figure 6B", words), ClaimAnswer::Yes);
         // Results of earlier programs do not hold them.
         for finished in &mut jobs {
             finished.outcome.as_mut().unwrap().training_mse = None;

@@ -1,7 +1,7 @@
 //! The effect of a choice of model on the error, trial by trial.
 
 use crate::evaluation::stats::{Interval, mean, mean_interval, median, median_interval};
-use crate::evaluation::summary::Answer;
+use crate::evaluation::summary::ClaimAnswer;
 use std::collections::BTreeMap;
 use vcgpdm::internals::Elementary;
 
@@ -49,11 +49,11 @@ impl Effect {
     }
 
     /// Whether the error is less than `times` that of the other: said only when the whole interval says so.
-    pub fn is_below(&self, times: f64) -> Answer {
+    pub fn is_below(&self, times: f64) -> ClaimAnswer {
         match self.interval() {
-            Some(interval) if interval.high < times => Answer::Yes,
-            Some(interval) if interval.low > times => Answer::No,
-            _ => Answer::Undecided,
+            Some(interval) if interval.high < times => ClaimAnswer::Yes,
+            Some(interval) if interval.low > times => ClaimAnswer::No,
+            _ => ClaimAnswer::Undecided,
         }
     }
 
@@ -86,10 +86,10 @@ mod tests {
         let b = errors(&[1.0; 10]);
         let mut a = errors(&[0.9, 0.8, 0.95, 0.85, 0.9, 0.7, 0.9, 0.8, 0.9, 0.85]);
         let calm = Effect::of(&a, &b).unwrap();
-        assert_eq!((calm.wins, calm.is_below(1.0)), (10, Answer::Yes));
+        assert_eq!((calm.wins, calm.is_below(1.0)), (10, ClaimAnswer::Yes));
         a.insert(10, 300.0);
         let wild = Effect::of(&a, &b).unwrap();
-        assert_eq!((wild.wins, wild.is_below(1.0)), (9, Answer::Yes));
+        assert_eq!((wild.wins, wild.is_below(1.0)), (9, ClaimAnswer::Yes));
         // The mean, beside it, is carried away.
         assert!(wild.mean > 1.5 && wild.mean_interval.unwrap().high > 4.0, "{wild:?}");
         assert!(
@@ -103,13 +103,13 @@ mod tests {
     fn few_or_mixed_folds_decide_nothing() {
         let b = errors(&[1.0; 10]);
         let mixed = errors(&[0.9, 1.1, 0.8, 1.2, 0.9, 1.1, 0.95, 1.05, 0.9, 1.1]);
-        assert_eq!(Effect::of(&mixed, &b).unwrap().is_below(1.0), Answer::Undecided);
+        assert_eq!(Effect::of(&mixed, &b).unwrap().is_below(1.0), ClaimAnswer::Undecided);
         let one = Effect::of(&errors(&[0.1]), &b).unwrap();
-        assert_eq!((one.folds, one.is_below(1.0)), (1, Answer::Undecided));
+        assert_eq!((one.folds, one.is_below(1.0)), (1, ClaimAnswer::Undecided));
         // Four trials: by Student's t of the logarithms.
         let four = Effect::of(&errors(&[1.5, 1.6, 1.4, 1.5]), &b).unwrap();
         assert!(four.median_interval.is_none());
-        assert_eq!((four.is_below(1.0), four.is_below(2.0)), (Answer::No, Answer::Yes));
+        assert_eq!((four.is_below(1.0), four.is_below(2.0)), (ClaimAnswer::No, ClaimAnswer::Yes));
         assert_eq!(Effect::of(&errors(&[]), &b), None);
     }
 }

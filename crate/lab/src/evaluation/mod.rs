@@ -40,10 +40,10 @@ pub use labels::Labels;
 pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
 pub use modularity_test::{FoldTraining, ModularityTest, Trained};
 pub use outcome::Outcome;
-pub use plan::{Plan, PlanError};
+pub use plan::{ComparisonPlanError, Plan};
 pub use results::{PlannedJob, Results, ResultsError};
-pub use setting::{Setting, SettingError, Trial};
+pub use setting::{Setting, SettingError, TrialClip};
 pub use summary::{
-    Answer, BoundAndError, Claim, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
+    BoundAndError, Claim, ClaimAnswer, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
     TermMeans,
 };

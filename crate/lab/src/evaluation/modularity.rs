@@ -100,17 +100,7 @@ impl LibraryFold {
         settings: &VariationalSettings,
         seed: u32,
     ) -> Result<LibraryTrainer, EvaluationError> {
-        let (y, lengths) = (self.dataset.y.clone(), self.dataset.lengths());
-        let trainer = LibraryTrainer::new(y, lengths, self.plan.clone(), settings, seed);
-        Ok(trainer.map_err(|reason| self.dataset.refusal(reason))?)
-    }
-
-    /// The library that training has come to.
-    ///
-    /// # Errors
-    /// A covariance cannot be factorised.
-    pub fn library(&self, trainer: &LibraryTrainer) -> Result<TrainedLibrary, EvaluationError> {
-        Ok(TrainedLibrary::trained(&self.dataset, trainer)?)
+        Ok(LibraryTrainer::new(&self.dataset, &self.plan, settings, seed)?)
     }
 
     /// How well the library predicts the trial held out.

@@ -154,7 +154,7 @@ impl FoldTraining {
         let progress = self.trainer.step();
         let at = self.over;
         if progress.done {
-            let library = self.fold.library(&self.trainer)?;
+            let library = self.trainer.finish()?;
             let outcome = self.fold.outcome(&library)?;
             if self.best.as_ref().is_none_or(|(best, _)| outcome.is_better_seed(best)) {
                 self.best = Some((outcome, library));

@@ -16,7 +16,7 @@ use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings,
 /// let jobs = plan.jobs(3)?;
 /// // In each of three folds two vGPDMs and, as it has no random start, one DMP.
 /// assert_eq!(jobs.len(), 9);
-/// # Ok::<(), vcgpdm_lab::evaluation::PlanError>(())
+/// # Ok::<(), vcgpdm_lab::evaluation::ComparisonPlanError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -87,7 +87,7 @@ impl Default for Plan {
 /// Why a plan cannot be followed.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum PlanError {
+pub enum ComparisonPlanError {
     /// There is no such trial to hold out.
     #[error("expected a trial from 1 to {trials} to hold out, found {found}")]
     HeldOut {
@@ -161,15 +161,15 @@ impl Plan {
     ///
     /// # Errors
     /// It asks for a trial that is not there, or for more trials to train on than there are.
-    pub fn jobs(&self, trials: usize) -> Result<Vec<Job>, PlanError> {
+    pub fn jobs(&self, trials: usize) -> Result<Vec<Job>, ComparisonPlanError> {
         let most = trials.saturating_sub(1);
         let folds = if self.held_out.is_empty() { (1..=trials).collect() } else { self.held_out.clone() };
         if let Some(&found) = folds.iter().find(|fold| !(1..=trials).contains(*fold)) {
-            return Err(PlanError::HeldOut { trials, found });
+            return Err(ComparisonPlanError::HeldOut { trials, found });
         }
         let counts = if self.training_trials.is_empty() { vec![most] } else { self.training_trials.clone() };
         if let Some(&found) = counts.iter().find(|count| !(1..=most).contains(*count)) {
-            return Err(PlanError::TrainingTrials { most, found });
+            return Err(ComparisonPlanError::TrainingTrials { most, found });
         }
         let candidates = self.candidates();
         let mut jobs = Vec::new();

@@ -3,7 +3,7 @@
 
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::job::{Finished, Job};
-use crate::evaluation::plan::{Plan, PlanError};
+use crate::evaluation::plan::{ComparisonPlanError, Plan};
 use crate::evaluation::setting::{Setting, SettingError};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -169,7 +169,7 @@ impl Results {
     ///
     /// # Errors
     /// The plan asks for trials that are not there.
-    pub fn jobs(&self, plan: &Plan) -> Result<Vec<PlannedJob>, PlanError> {
+    pub fn jobs(&self, plan: &Plan) -> Result<Vec<PlannedJob>, ComparisonPlanError> {
         let jobs = plan.jobs(self.setting.trials.len())?.into_iter();
         Ok(jobs.map(|job| PlannedJob { done: self.has_outcome(&job), job }).collect())
     }

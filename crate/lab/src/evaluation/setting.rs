@@ -8,7 +8,7 @@ use vcgpdm::motion::parts::PartSpec;
 /// A trial, by its content.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Trial {
+pub struct TrialClip {
     /// The clip's name.
     pub name: String,
     /// SHA-256 of the clip's file, hexadecimal.
@@ -18,9 +18,9 @@ pub struct Trial {
     pub piece: Option<(usize, usize)>,
 }
 
-impl Trial {
+impl TrialClip {
     /// Whether it is the same motion, whatever it is called.
-    fn is_same_motion(&self, other: &Trial) -> bool {
+    fn is_same_motion(&self, other: &TrialClip) -> bool {
         (&self.sha256, self.piece) == (&other.sha256, other.piece)
     }
 
@@ -58,7 +58,7 @@ pub enum SettingError {
 #[serde(deny_unknown_fields)]
 pub struct Setting {
     /// The trials; each is held out in turn.
-    pub trials: Vec<Trial>,
+    pub trials: Vec<TrialClip>,
     /// How the coupled models split the body.
     pub parts: Vec<PartSpec>,
     /// The clips were brought to about this rate.
@@ -79,8 +79,11 @@ impl Setting {
         frames_per_second: f64,
         start_frames: usize,
     ) -> Result<Self, SettingError> {
-        let trial =
-            |clip: &Clip| Trial { name: clip.name.clone(), sha256: clip.sha256.clone(), piece: clip.piece };
+        let trial = |clip: &Clip| TrialClip {
+            name: clip.name.clone(),
+            sha256: clip.sha256.clone(),
+            piece: clip.piece,
+        };
         let setting = Self {
             trials: clips.iter().map(trial).collect(),
             parts: parts.to_vec(),
@@ -191,7 +194,7 @@ mod tests {
     #[test]
     fn a_trial_cannot_be_held_out_and_trained_on() {
         let mut twice = setting(2);
-        twice.trials.push(Trial { name: "again".to_owned(), ..twice.trials[1].clone() });
+        twice.trials.push(TrialClip { name: "again".to_owned(), ..twice.trials[1].clone() });
         let error = twice.check().unwrap_err().to_string();
         assert!(error.starts_with("trials 2 and 3 are the same motion (walk 2)"), "{error}");
         // Another piece of the same clip is another trial.

@@ -146,7 +146,7 @@ pub struct Evidence {
 /// What results say about a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Answer {
+pub enum ClaimAnswer {
     /// The whole interval agrees with it.
     Yes,
     /// The whole interval contradicts it.
@@ -155,13 +155,13 @@ pub enum Answer {
     Undecided,
 }
 
-impl Answer {
+impl ClaimAnswer {
     /// In a word, in sentence case of tables.
     pub fn word(self) -> &'static str {
         match self {
-            Answer::Yes => "yes",
-            Answer::No => "no",
-            Answer::Undecided => "undecided",
+            ClaimAnswer::Yes => "yes",
+            ClaimAnswer::No => "no",
+            ClaimAnswer::Undecided => "undecided",
         }
     }
 }
@@ -178,5 +178,5 @@ pub struct Claim {
     /// The effect that was found, with its interval.
     pub found: String,
     /// Whether that agrees.
-    pub answer: Answer,
+    pub answer: ClaimAnswer,
 }

@@ -5,13 +5,14 @@ use crate::evaluation::dtw::Score;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
-use crate::evaluation::setting::{Setting, Trial};
+use crate::evaluation::setting::{Setting, TrialClip};
 use vcgpdm::models::{MapSettings, Settings, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 
 /// So many walks of a body with one named part.
 pub fn setting(trials: usize) -> Setting {
-    let trial = |k: usize| Trial { name: format!("walk {k}"), sha256: format!("sha of {k}"), piece: None };
+    let trial =
+        |k: usize| TrialClip { name: format!("walk {k}"), sha256: format!("sha of {k}"), piece: None };
     Setting {
         trials: (1..=trials).map(trial).collect(),
         parts: vec![PartSpec { name: "lower".to_owned(), joints: vec![0, 1] }],

@@ -3,9 +3,9 @@
 use crate::evaluation::Outcome;
 use crate::perception::design::Preset;
 use crate::perception::error::StudyError;
-use crate::perception::movement::{Movement, MovementError};
+use crate::perception::movement::{FigureMovement, MovementError};
 use crate::perception::staging::{StagingError, staged};
-use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use thiserror::Error;
 use vcgpdm::models::Settings;
@@ -94,7 +94,7 @@ impl Maker {
     /// It is too short, not finite, or of another body.
     pub fn natural(&mut self, shown: &Shown, seen: bool) -> Result<(), MakerError> {
         let id = format!("{}-{}", if seen { "trial" } else { "unseen" }, shown.number);
-        self.add(id, shown, Source::Natural { seen })
+        self.add(id, shown, MovementSource::Natural { seen })
     }
 
     /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the
@@ -112,10 +112,10 @@ impl Maker {
         let id = format!("{}-trial-{}", name(candidate), shown.number);
         let scores = Scores::of(outcome);
         let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
-        let source = Source::Generated(Box::new(generated));
+        let source = MovementSource::Generated(Box::new(generated));
         let of_candidate = |place: usize| match &self.stimuli[place].source {
-            Source::Generated(made) => made.candidate == *candidate,
-            Source::Natural { .. } => false,
+            MovementSource::Generated(made) => made.candidate == *candidate,
+            MovementSource::Natural { .. } => false,
         };
         let same = |made: &Made| made.trial == shown.number && of_candidate(made.place);
         let Some(known) = self.made.iter().position(same) else {
@@ -134,7 +134,7 @@ impl Maker {
         Ok(())
     }
 
-    fn add(&mut self, id: String, shown: &Shown, source: Source) -> Result<(), MakerError> {
+    fn add(&mut self, id: String, shown: &Shown, source: MovementSource) -> Result<(), MakerError> {
         let (movement, speed) =
             self.movement(shown).map_err(|reason| MakerError { id: id.clone(), reason })?;
         let taken = |id: &str| self.stimuli.iter().any(|stimulus| stimulus.id == id);
@@ -145,7 +145,7 @@ impl Maker {
         Ok(())
     }
 
-    fn movement(&self, shown: &Shown) -> Result<(Movement, f64), MakerReason> {
+    fn movement(&self, shown: &Shown) -> Result<(FigureMovement, f64), MakerReason> {
         let nodes = self.skeleton.node_count();
         let found = shown.positions.len();
         if found == 0 || nodes == 0 || !found.is_multiple_of(3 * nodes) {
@@ -153,7 +153,7 @@ impl Maker {
         }
         let Shown { positions, frame_time, .. } = *shown;
         let staged = staged(&self.skeleton, positions, frame_time, self.skipped, self.seconds, self.rate)?;
-        Ok((Movement::new(&staged.positions, nodes, UNIT)?, staged.speed))
+        Ok((FigureMovement::new(&staged.positions, nodes, UNIT)?, staged.speed))
     }
 
     /// The study.

@@ -43,7 +43,7 @@ pub use design::{Design, Preset};
 pub use error::StudyError;
 pub use figures::FigureTable;
 pub use make::{Maker, MakerError, MakerReason, Shown};
-pub use movement::{Movement, MovementError};
+pub use movement::{FigureMovement, MovementError};
 pub use paper::{PaperCheck, paper_checks};
 pub use power::{trials_for_precision, trials_to_tell};
 pub use results::{
@@ -51,6 +51,6 @@ pub use results::{
     Regression, ScoreKind, SettingResult, Size,
 };
 pub use staging::{Staged, StagingError, staged};
-pub use stimulus::{Generated, Scores, Source, Stimulus};
+pub use stimulus::{Generated, MovementSource, Scores, Stimulus};
 pub use study::{Figure, Look, Study, Texts};
 pub use trials::{NaturalSide, StudyTrial, TrialKind};

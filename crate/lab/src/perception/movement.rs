@@ -35,13 +35,13 @@ pub enum MovementError {
 
 /// The places of a figure's nodes over time.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Movement {
+pub struct FigureMovement {
     frames: usize,
     nodes: usize,
     text: String,
 }
 
-impl Movement {
+impl FigureMovement {
     /// Of places [frames x nodes x 3] in metres, rounded to whole numbers of `unit` metres.
     ///
     /// # Errors
@@ -176,10 +176,10 @@ mod tests {
         let clip = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
         let places = clip.stage_positions();
         let nodes = clip.skeleton.node_count();
-        let movement = Movement::new(&places, nodes, 0.001).unwrap();
+        let movement = FigureMovement::new(&places, nodes, 0.001).unwrap();
         assert_eq!(movement.frames(), clip.frames());
         assert!(movement.text().len() < 2 * places.len(), "{} {}", movement.text().len(), places.len());
-        let again = Movement::from_text(movement.text(), clip.frames(), nodes).unwrap();
+        let again = FigureMovement::from_text(movement.text(), clip.frames(), nodes).unwrap();
         assert_eq!(again, movement);
         for (a, b) in again.positions(clip.frames(), 0.001).iter().zip(&places) {
             assert!((a - b).abs() < 0.000_51, "{a} {b}");
@@ -189,31 +189,31 @@ mod tests {
 
     #[test]
     fn other_texts_are_refused() {
-        let error = |text: &str, frames| Movement::from_text(text, frames, 1).unwrap_err().to_string();
-        assert!(Movement::from_text("AAAAAA", 2, 1).is_ok());
+        let error = |text: &str, frames| FigureMovement::from_text(text, frames, 1).unwrap_err().to_string();
+        assert!(FigureMovement::from_text("AAAAAA", 2, 1).is_ok());
         let begin = "expected the places of 2 frames of 1 nodes, found ";
         assert_eq!(error("AAAAA", 2), format!("{begin}the end of the text"));
         assert_eq!(error("AAAAAAB", 2), format!("{begin}1 letters more"));
         assert_eq!(error("AAé", 2), format!("{begin}the byte 195, which is no letter of the code"));
         assert_eq!(error("/////////", 2), format!("{begin}a number that is too large"));
-        assert!(Movement::new(&[f32::NAN; 3], 1, 0.001).is_err());
-        assert!(Movement::new(&[1e9; 3], 1, 0.001).is_err());
+        assert!(FigureMovement::new(&[f32::NAN; 3], 1, 0.001).is_err());
+        assert!(FigureMovement::new(&[1e9; 3], 1, 0.001).is_err());
         // Steps that add up to what no figure reaches.
         let far = format!("A{}", "+///f".repeat(200));
-        assert!(Movement::from_text(&far, 201, 1).is_err());
+        assert!(FigureMovement::from_text(&far, 201, 1).is_err());
     }
 
     proptest! {
         #[test]
         fn any_places_come_back(places in prop::collection::vec(-9_000_000_i32..9_000_000, 0..12)) {
             let metres: Vec<f32> = places.iter().flat_map(|p| [*p as f32 * 0.5, 0.0, 1.0]).collect();
-            let movement = Movement::new(&metres, 1, 0.5).unwrap();
+            let movement = FigureMovement::new(&metres, 1, 0.5).unwrap();
             prop_assert_eq!(movement.positions(places.len(), 0.5), metres);
         }
 
         #[test]
         fn no_text_panics(text in "[A-Za-z0-9+/]{0,40}", frames in 0_usize..6) {
-            if let Ok(movement) = Movement::from_text(&text, frames, 1) {
+            if let Ok(movement) = FigureMovement::from_text(&text, frames, 1) {
                 prop_assert_eq!(movement.positions(frames, 1.0).len(), 3 * frames);
             }
         }

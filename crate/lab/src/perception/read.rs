@@ -2,8 +2,8 @@
 
 use crate::perception::design::Design;
 use crate::perception::error::{FORMAT, StudyError, VERSION};
-use crate::perception::movement::Movement;
-use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::movement::FigureMovement;
+use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use std::collections::HashSet;
 use std::ops::RangeInclusive;
@@ -150,14 +150,14 @@ fn stimulus(field: Field, nodes: usize) -> Result<Stimulus, FieldError> {
     let kind = object.get("kind")?;
     let trial = short(&object.get("trial")?, TITLE)?;
     let source = match kind.text()? {
-        "natural" => Source::Natural { seen: object.get("seen")?.boolean()? },
-        "generated" => Source::Generated(Box::new(generated(&mut object)?)),
+        "natural" => MovementSource::Natural { seen: object.get("seen")?.boolean()? },
+        "generated" => MovementSource::Generated(Box::new(generated(&mut object)?)),
         _ => return Err(kind.error("expected natural or generated")),
     };
     let speed = within(object.get("speed")?, 0.0..=1000.0, "metres a second from 0 to 1000")?;
     let frames = whole(object.get("frames")?, 1..=MOST_FRAMES)?;
     let places = object.get("places")?;
-    let movement = Movement::from_text(places.text()?, frames, nodes)
+    let movement = FigureMovement::from_text(places.text()?, frames, nodes)
         .map_err(|reason| places.error(reason.to_string()))?;
     object.end()?;
     Ok(Stimulus { id: name, trial, source, speed, movement })

@@ -1,7 +1,7 @@
 //! One movement that is shown, and what is known of it.
 
 use crate::evaluation::Outcome;
-use crate::perception::movement::Movement;
+use crate::perception::movement::FigureMovement;
 use vcgpdm::models::Settings;
 use vcgpdm::models::variational::BoundTerms;
 
@@ -13,16 +13,16 @@ pub struct Stimulus {
     /// The trial that was recorded, or that was held out and predicted.
     pub trial: String,
     /// Where it comes from.
-    pub source: Source,
+    pub source: MovementSource,
     /// How fast the figure went through the world before it was centred, in metres a second.
     pub speed: f64,
     /// The places of the figure's nodes.
-    pub movement: Movement,
+    pub movement: FigureMovement,
 }
 
 /// Where a movement comes from.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Source {
+pub enum MovementSource {
     /// It was recorded.
     Natural {
         /// Whether it is one of those that are shown all along, on which models were trained; else it is kept
@@ -86,22 +86,22 @@ impl Stimulus {
     /// What is known of it, where a model made it.
     pub fn generated(&self) -> Option<&Generated> {
         match &self.source {
-            Source::Generated(generated) => Some(generated),
-            Source::Natural { .. } => None,
+            MovementSource::Generated(generated) => Some(generated),
+            MovementSource::Natural { .. } => None,
         }
     }
 
     /// Whether it is natural, and, if so, one of those that are shown all along.
     pub fn natural(&self) -> Option<bool> {
         match self.source {
-            Source::Natural { seen } => Some(seen),
-            Source::Generated(_) => None,
+            MovementSource::Natural { seen } => Some(seen),
+            MovementSource::Generated(_) => None,
         }
     }
 
     /// Marks it as an obvious failure or not; a natural one is none.
     pub(super) fn mark(&mut self, failed: bool) {
-        if let Source::Generated(generated) = &mut self.source {
+        if let MovementSource::Generated(generated) = &mut self.source {
             generated.failed = failed;
         }
     }

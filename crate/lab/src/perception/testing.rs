@@ -1,8 +1,8 @@
 //! A small study for tests: sways from side to side.
 
 use crate::perception::design::Preset;
-use crate::perception::movement::Movement;
-use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::movement::FigureMovement;
+use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -12,12 +12,12 @@ use vcgpdm::motion::landmarks::Landmarks;
 
 const FRAMES: usize = 36;
 
-fn movement(width: f32) -> Movement {
+fn movement(width: f32) -> FigureMovement {
     let places = (0..FRAMES).flat_map(|frame| {
         let x = width * (0.3 * frame as f32).sin();
         [x, 1.0, 0.0, x, 1.7, 0.0]
     });
-    Movement::new(&places.collect::<Vec<_>>(), 2, 0.001).unwrap()
+    FigureMovement::new(&places.collect::<Vec<_>>(), 2, 0.001).unwrap()
 }
 
 /// Its candidates, each with movements of two trials held out.
@@ -46,7 +46,7 @@ pub fn study() -> Study {
     let natural = |k: usize| Stimulus {
         id: format!("natural-{k}"),
         trial: format!("walk {k}"),
-        source: Source::Natural { seen: k < 4 },
+        source: MovementSource::Natural { seen: k < 4 },
         speed: 1.25,
         movement: movement(0.1 * k as f32),
     };
@@ -74,7 +74,7 @@ pub fn study() -> Study {
         stimuli.push(Stimulus {
             id: format!("{name}-trial-{trial}"),
             trial: format!("walk {trial}"),
-            source: Source::Generated(Box::new(generated)),
+            source: MovementSource::Generated(Box::new(generated)),
             speed: 1.3,
             movement: movement(0.1 + mse as f32),
         });

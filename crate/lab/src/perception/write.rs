@@ -2,7 +2,7 @@
 
 use crate::perception::design::Design;
 use crate::perception::error::{FORMAT, VERSION};
-use crate::perception::stimulus::{Generated, Scores, Source, Stimulus};
+use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Study, Texts};
 use vcgpdm::internals::json::Value;
 use vcgpdm::internals::settings_value;
@@ -83,12 +83,12 @@ fn figure(study: &Study) -> Value {
 fn movement(stimulus: &Stimulus, failed: bool) -> Value {
     let mut fields = vec![("id", Value::text(&stimulus.id))];
     match &stimulus.source {
-        Source::Natural { seen } => {
+        MovementSource::Natural { seen } => {
             fields.push(("kind", Value::text("natural")));
             fields.push(("trial", Value::text(&stimulus.trial)));
             fields.push(("seen", Value::Bool(*seen)));
         }
-        Source::Generated(generated) => {
+        MovementSource::Generated(generated) => {
             let Generated { candidate, seed, scores, .. } = &**generated;
             fields.push(("kind", Value::text("generated")));
             fields.push(("trial", Value::text(&stimulus.trial)));

@@ -6,7 +6,7 @@ use vcgpdm::internals::Factor;
 
 /// Learned latents in the coordinates of the true ones.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Alignment {
+pub struct LatentAlignment {
     /// The learned latents after the map [N x Q_true].
     pub latents: DMatrix<f64>,
     /// Share of the true latents' variance that they explain, at most 1.
@@ -19,7 +19,7 @@ pub struct Alignment {
 /// # Errors
 ///
 /// The covariance of the learned latents cannot be factorised.
-pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment, NumericsError> {
+pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<LatentAlignment, NumericsError> {
     let (mut x, mut y) = (learned.clone(), actual.clone());
     centre(&mut x);
     let means = centre(&mut y);
@@ -32,7 +32,7 @@ pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Alignment,
     for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
         column.iter_mut().for_each(|value| *value += mean);
     }
-    Ok(Alignment { latents, explained })
+    Ok(LatentAlignment { latents, explained })
 }
 
 /// Subtracts from each column its mean; returns the means.

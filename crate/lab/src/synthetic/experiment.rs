@@ -1,6 +1,6 @@
 //! The experiment while it runs: the data, a training on them, and what the training has found so far.
 
-use crate::synthetic::alignment::{Alignment, align};
+use crate::synthetic::alignment::{LatentAlignment, align};
 use crate::synthetic::data::{Synthetic, SyntheticError};
 use crate::synthetic::verdict::Verdict;
 use nalgebra::DMatrix;
@@ -28,7 +28,7 @@ pub struct Findings {
     /// What they say about who drives whom.
     pub verdict: Verdict,
     /// The learned latents of each part, beside the true ones.
-    pub learned: Vec<Alignment>,
+    pub learned: Vec<LatentAlignment>,
     /// How well the model explains the data.
     pub fit: Fit,
 }
@@ -85,7 +85,7 @@ impl Experiment {
         Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, learned, fit })
     }
 
-    fn learned(&self, params: &Params) -> Result<Vec<Alignment>, NumericsError> {
+    fn learned(&self, params: &Params) -> Result<Vec<LatentAlignment>, NumericsError> {
         let parts = params.parts.iter().zip(&self.data.latents);
         parts.map(|(part, actual)| align(&part.latents.mean, actual)).collect()
     }

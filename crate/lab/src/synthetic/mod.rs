@@ -33,7 +33,7 @@ mod experiment;
 mod function;
 mod verdict;
 
-pub use alignment::{Alignment, align};
+pub use alignment::{LatentAlignment, align};
 pub use data::{DRIVE, NOISE_VARIANCE, Synthetic, SyntheticError};
 pub use experiment::{Experiment, Findings, Fit};
 pub use verdict::{ALIKE, MUCH, Verdict};

@@ -165,10 +165,9 @@ mod tests {
             };
             let movement = |name: &str| PlannedMovement { name: name.to_owned(), sequences: 1 };
             let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![true, false]).unwrap();
-            let lengths = dataset.lengths();
-            let mut trainer = LibraryTrainer::new(dataset.y.clone(), lengths, plan, &settings, 0).unwrap();
+            let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, 0).unwrap();
             while !trainer.step().done {}
-            let mut library = TrainedLibrary::trained(&dataset, &trainer).unwrap();
+            let mut library = trainer.finish().unwrap();
             let uses = library.uses("lower=walk,upper=wave").unwrap();
             let fitted = library.observed(&clips[0]).unwrap();
             let mut fit = library.coupling_trainer(&uses, std::slice::from_ref(&fitted), 4).unwrap();

@@ -128,7 +128,7 @@ pub enum SkeletonError {
     /// There is no joint at all.
     #[error("expected at least one joint, found none")]
     Empty,
-    /// More than [`MAX_JOINTS`] joints, or as many end sites.
+    /// More than `MAX_JOINTS` joints, or as many end sites.
     #[error("expected at most {MAX_JOINTS} joints, found {0}")]
     TooLarge(usize),
     /// Joint 0 has a parent, another joint has none, or a parent comes after its child.
@@ -176,7 +176,7 @@ impl Skeleton {
         self.joints.iter().map(|joint| 1 + joint.end_sites.len()).sum()
     }
 
-    /// The most frames that a clip of this body may have: [`MAX_PLACES`] for all nodes together.
+    /// The most frames that a clip of this body may have: `MAX_PLACES` for all nodes together.
     pub fn max_frames(&self) -> usize {
         MAX_PLACES / self.node_count().max(1)
     }

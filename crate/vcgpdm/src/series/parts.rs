@@ -14,7 +14,7 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
 ///
 /// # Errors
 ///
-/// When the words are no such list, or [`check_parts`] refuses the split.
+/// When the words are no such list, or the split is none: `check_parts` says why.
 pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     let mut parts = Vec::new();
     for word in words.split(';').filter(|word| !word.trim().is_empty()) {
@@ -32,7 +32,7 @@ pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>
 ///
 /// # Errors
 ///
-/// When the text is no such list, or [`check_parts`] refuses the split.
+/// When the text is no such list, or the split is none: `check_parts` says why.
 pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]

@@ -20,9 +20,9 @@ fn trained(max_iterations: usize) -> TrainedLibrary {
     let movement = |name: &str| PlannedMovement { name: name.to_owned(), sequences: 2 };
     let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![false, false]).unwrap();
     let settings = VariationalSettings { max_iterations, ..VariationalSettings::default() };
-    let mut trainer = LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, 1).unwrap();
+    let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, 1).unwrap();
     while !trainer.step().done {}
-    TrainedLibrary::trained(&dataset, &trainer).unwrap()
+    trainer.finish().unwrap()
 }
 
 fn range(x: &DMatrix<f64>, q: usize) -> (f64, f64) {

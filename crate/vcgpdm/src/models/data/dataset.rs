@@ -121,7 +121,7 @@ impl DatasetError {
 
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
 ///
-/// `S` is what the columns are: the poses of a body, or [the columns of tables](crate::series).
+/// `S` is what the columns are: the poses of a body, or the [columns of tables](crate::series::Columns).
 #[derive(Clone, Debug)]
 pub struct Dataset<S = PoseMapping> {
     /// From joint rotations to columns and back; of tables, the names and units of the columns.

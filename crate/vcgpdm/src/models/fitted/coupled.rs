@@ -14,6 +14,7 @@ use nalgebra::DMatrix;
 #[derive(Debug)]
 pub struct Coupled<'a, S = PoseMapping> {
     /// Pose maps, experts and couplings.
+    #[doc(hidden)]
     pub model: &'a Vcgpdm,
     /// From columns to poses, and the sequences that the model was trained on.
     pub body: &'a Body<S>,
@@ -33,6 +34,12 @@ impl<S> Copy for Coupled<'_, S> {}
 impl<'a, S: Observed> Coupled<'a, S> {
     pub(crate) fn new(model: &'a Vcgpdm, body: &'a Body<S>, provenance: &'a Provenance) -> Self {
         Self { model, body, provenance }
+    }
+
+    /// The learned couplings `alpha[(source, target)]` [M x M]: the variance of what the expert of the
+    /// source part predicts for the target part.
+    pub fn alpha(&self) -> &DMatrix<f64> {
+        &self.model.alpha
     }
 
     /// Checks that `frames` frames can be rolled out.

@@ -17,6 +17,7 @@ use nalgebra::DMatrix;
 #[derive(Clone, Debug)]
 pub struct Model<S = PoseMapping> {
     /// The fitted numbers.
+    #[doc(hidden)]
     pub fitted: FittedModel,
     /// From columns to poses, and the sequences that the model was trained on.
     pub body: Body<S>,

@@ -52,7 +52,7 @@ impl TrainedLibrary {
 }
 
 impl LibraryWalk {
-    /// As [`LatentWalk::new`], from the origin.
+    /// As `LatentWalk::new`, from the origin.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ impl LibraryWalk {
         Ok(Self::begin(trained, LatentWalk::new(&trained.library, uses)?))
     }
 
-    /// As [`LatentWalk::from_sequence`], from the origin.
+    /// As `LatentWalk::from_sequence`, from the origin.
     ///
     /// # Errors
     ///

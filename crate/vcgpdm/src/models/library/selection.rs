@@ -15,8 +15,8 @@ impl LearnedMovement {
 
 impl Library {
     /// These primitives with the pose maps of all parts. Movements of which all primitives are chosen come
-    /// along. What the primitives learned from others is kept as [`LibraryExpert::elsewhere`], the primitives
-    /// that are left out integrated out; and of each of these movements an [`Excerpt`]. What such rows say
+    /// along. What the primitives learned from others is kept as `LibraryExpert::elsewhere`, the primitives
+    /// that are left out integrated out; and of each of these movements an `Excerpt`. What such rows say
     /// about two chosen primitives together is kept of each alone.
     ///
     /// # Errors

@@ -1,3 +1,4 @@
+use super::trainer::{library_of, trainer_of};
 use super::*;
 use crate::models::rollout::couplings::Reading;
 use crate::models::training::settings::VariationalSettings;
@@ -33,9 +34,9 @@ fn trained(shared: [bool; 2]) -> Library {
     let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
     let movement = |name: &str, sequences| PlannedMovement { name: name.to_owned(), sequences };
     let plan = LibraryPlan::new(vec![movement("walk", 2), movement("wave", 1)], shared.to_vec()).unwrap();
-    let mut trainer = LibraryTrainer::new(y, vec![40, 35, 45], plan, &settings(), 1).unwrap();
+    let mut trainer = trainer_of(y, vec![40, 35, 45], &plan, &settings(), 1).unwrap();
     while !trainer.step().done {}
-    trainer.library().unwrap()
+    library_of(&trainer, &plan).unwrap()
 }
 
 #[test]
@@ -91,13 +92,14 @@ fn a_library_of_one_movement_is_the_plain_model() {
     let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false)]);
     let movement = PlannedMovement { name: "walk".to_owned(), sequences: 2 };
     let plan = LibraryPlan::new(vec![movement], vec![false, true]).unwrap();
-    let mut library = LibraryTrainer::new(y.clone(), vec![40, 35], plan, &settings(), 1).unwrap();
+    let mut library = trainer_of(y.clone(), vec![40, 35], &plan, &settings(), 1).unwrap();
     let mut plain =
         crate::models::variational::VariationalTrainer::new(y, vec![40, 35], &settings(), 1).unwrap();
     for _ in 0..10 {
         assert_eq!(library.step(), plain.step());
     }
-    let (library, plain) = (library.library().unwrap().movement(0).unwrap(), plain.model().unwrap());
+    let (library, plain) =
+        (library_of(&library, &plan).unwrap().movement(0).unwrap(), plain.model().unwrap());
     assert!(library.elsewhere.is_empty());
     assert_eq!(library.experts, plain.experts);
     assert_eq!((library.sums, library.alpha, library.starts), (plain.sums, plain.alpha, plain.starts));

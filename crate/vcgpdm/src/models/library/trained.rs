@@ -1,15 +1,12 @@
 //! A library with the body that it moves, and how it was made.
 
-use crate::gp::NumericsError;
 use crate::gp::linalg::stacked;
-use crate::models::data::dataset::{Dataset, DatasetError, SequenceInfo};
+use crate::models::data::dataset::{DatasetError, SequenceInfo};
 use crate::models::fitted::body::Body;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::library::{
-    CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library, LibraryTrainer,
-};
+use crate::models::library::{CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library};
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};
@@ -86,16 +83,6 @@ pub struct ObservedClip {
 }
 
 impl TrainedLibrary {
-    /// The best library of a training so far.
-    ///
-    /// # Errors
-    ///
-    /// When a covariance of the library cannot be factorised.
-    pub fn trained(dataset: &Dataset, trainer: &LibraryTrainer) -> Result<Self, NumericsError> {
-        let provenance = trainer.provenance(dataset.frames_per_second);
-        Ok(Self { library: trainer.library()?, body: Body::new(dataset), provenance })
-    }
-
     /// The model of a movement, as it was learned.
     ///
     /// # Errors

@@ -1,9 +1,10 @@
 //! Training of a library, one step at a time.
 
 use crate::gp::NumericsError;
-use crate::models::fitted::provenance::Provenance;
-use crate::models::library::Library;
+use crate::models::data::dataset::{Dataset, DatasetError};
+use crate::models::fitted::body::Body;
 use crate::models::library::plan::LibraryPlan;
+use crate::models::library::{Library, TrainedLibrary};
 use crate::models::training::error::TrainingError;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
@@ -14,31 +15,34 @@ use nalgebra::DMatrix;
 pub struct LibraryTrainer {
     trainer: VariationalTrainer,
     plan: LibraryPlan,
+    body: Body,
+    frames_per_second: f64,
 }
 
 impl LibraryTrainer {
-    /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the
-    /// sequences say; they are those of the plan's movements, one movement after the other. The `seed` is
-    /// that of everything random.
+    /// A training that has done no iteration yet. The sequences of the data set are those of the plan's
+    /// movements, one movement after the other. `seed` decides everything random.
     ///
     /// # Errors
     ///
-    /// When a setting is out of its range, the observations do not fit the sequences or the plan, or the
-    /// bound cannot be computed at the start.
+    /// When a setting is out of its range, the data set does not fit the plan, or the bound cannot be
+    /// computed at the start; the error names the clip where the reason is in one of them.
     pub fn new(
-        y: Vec<DMatrix<f64>>,
-        lengths: Vec<usize>,
-        plan: LibraryPlan,
+        dataset: &Dataset,
+        plan: &LibraryPlan,
         settings: &VariationalSettings,
         seed: u32,
-    ) -> Result<Self, TrainingError> {
-        plan.check(y.len())?;
-        let primitives = plan.primitives().into_iter().map(|primitive| primitive.part).collect();
-        let trainer = VariationalTrainer::of_movements(y, lengths, primitives, plan.uses(), settings, seed)?;
-        Ok(Self { trainer, plan })
+    ) -> Result<Self, DatasetError> {
+        let trainer = trainer_of(dataset.y.clone(), dataset.lengths(), plan, settings, seed);
+        Ok(Self {
+            trainer: trainer.map_err(|reason| dataset.refusal(reason))?,
+            plan: plan.clone(),
+            body: Body::new(dataset),
+            frames_per_second: dataset.frames_per_second,
+        })
     }
 
-    /// As [`Trainer::use_threads`].
+    /// Uses `threads` threads from now on. The result is the same to the last bit.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.trainer.use_threads(threads);
@@ -54,34 +58,14 @@ impl LibraryTrainer {
         self.trainer.progress()
     }
 
-    /// Allows so many more iterations; see [`Trainer::extend`].
+    /// Allows `iterations` more; a training that has ended goes on where it stopped.
     pub fn extend(&mut self, iterations: usize) {
         self.trainer.extend(iterations);
     }
 
-    /// What training was asked to do.
-    pub fn settings(&self) -> &VariationalSettings {
-        self.trainer.settings()
-    }
-
-    /// As [`Trainer::notices`].
+    /// Settings that are more than the data allow and were reduced, as sentences without a full stop.
     pub fn notices(&self) -> &[String] {
         self.trainer.notices()
-    }
-
-    /// The seed of everything random.
-    pub fn seed(&self) -> u32 {
-        self.trainer.seed()
-    }
-
-    /// How the best library so far was made; `frames_per_second` is the rate that the data set was asked for.
-    pub fn provenance(&self, frames_per_second: f64) -> Provenance {
-        self.trainer.provenance(frames_per_second)
-    }
-
-    /// The movements, and which parts share a primitive.
-    pub fn plan(&self) -> &LibraryPlan {
-        &self.plan
     }
 
     /// The library of the best bound so far.
@@ -89,8 +73,30 @@ impl LibraryTrainer {
     /// # Errors
     ///
     /// When a covariance of it cannot be factorised.
-    pub fn library(&self) -> Result<Library, NumericsError> {
-        let terms = self.trainer.best_terms();
-        Library::fit(&self.trainer.objective(), &self.trainer.best(), terms, &self.plan)
+    pub fn finish(&self) -> Result<TrainedLibrary, NumericsError> {
+        Ok(TrainedLibrary {
+            library: library_of(&self.trainer, &self.plan)?,
+            body: self.body.clone(),
+            provenance: self.trainer.provenance(self.frames_per_second),
+        })
     }
+}
+
+/// A training on the centred observations `y` [N x D_i] of each part, stacked by the `lengths` of the
+/// sequences.
+pub(super) fn trainer_of(
+    y: Vec<DMatrix<f64>>,
+    lengths: Vec<usize>,
+    plan: &LibraryPlan,
+    settings: &VariationalSettings,
+    seed: u32,
+) -> Result<VariationalTrainer, TrainingError> {
+    plan.check(y.len())?;
+    let primitives = plan.primitives().into_iter().map(|primitive| primitive.part).collect();
+    VariationalTrainer::of_movements(y, lengths, primitives, plan.uses(), settings, seed)
+}
+
+/// The library of the best bound that such a training has found so far.
+pub(super) fn library_of(trainer: &VariationalTrainer, plan: &LibraryPlan) -> Result<Library, NumericsError> {
+    Library::fit(&trainer.objective(), &trainer.best(), trainer.best_terms(), plan)
 }

@@ -19,7 +19,7 @@ const EARLY: f64 = 0.5;
 pub enum Health {
     /// It keeps moving, in every part like what the model was trained on.
     MovesOn,
-    /// No joint moves any more from here to the end; see [`still_from`](crate::motion::measures::still_from).
+    /// No joint moves any more from here to the end; see `still_from`.
     StandsStill {
         /// Seconds.
         from: f64,
@@ -30,7 +30,7 @@ pub enum Health {
         from: f64,
     },
     /// From here to the end the latents of a part are far from those of the training; see
-    /// [`Vcgpdm::familiarity`].
+    /// `Vcgpdm::familiarity`.
     LeavesTraining {
         /// Seconds.
         from: f64,

@@ -19,10 +19,10 @@ use std::ops::ControlFlow;
 ///
 /// ```
 /// use std::ops::ControlFlow;
-/// use vcgpdm::{Dataset, Settings, Trainer, motion::{parts, samples}};
+/// use vcgpdm::{Dataset, Settings, Trainer, part_presets, sample_clip};
 ///
-/// let clip = samples::clip("walk-1").ok_or("no such sample")?;
-/// let whole = &parts::presets(&clip.skeleton)[0].parts;
+/// let clip = sample_clip("walk-1").ok_or("no such sample")?;
+/// let whole = &part_presets(&clip.skeleton)[0].parts;
 /// let dataset = Dataset::new(&[(&clip).into()], whole, 30.0)?;
 /// let mut trainer = Trainer::new(&dataset, &Settings::Vgpdm(Default::default()), 0)?;
 /// trainer.run_with(|progress| match progress.iteration {

@@ -57,7 +57,7 @@ pub(super) struct TargetDynamics {
 }
 
 /// The dynamics of all parts under given couplings as distributions: what
-/// [`LatentDynamics`](crate::models::LatentDynamics) is for their means.
+/// `LatentDynamics` is for their means.
 #[derive(Clone, Debug)]
 pub struct PredictiveDynamics {
     pub(super) order: usize,

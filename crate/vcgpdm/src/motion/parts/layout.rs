@@ -16,7 +16,7 @@ impl PartsLayout {
     ///
     /// # Errors
     ///
-    /// As [`check`].
+    /// When a column has no part or two, or a part has none.
     pub fn new(parts: &[PartSpec], mapping: &PoseMapping) -> Result<PartsLayout, PartsError> {
         check(parts, mapping.skeleton())?;
         let mapped = mapping.columns();

@@ -1,6 +1,6 @@
 //! Parts: named groups of joints that share a latent space, and the columns of Y that belong to each.
 //!
-//! [`presets`] finds the usual splits of a body from the names of its joints; [`from_json`] reads one made by
+//! [`presets`] finds the usual splits of a body from the names of its joints; `from_json` reads one made by
 //! hand; a [`PartsLayout`] says which columns of Y each part gets.
 
 mod from_json;

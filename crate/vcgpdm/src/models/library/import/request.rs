@@ -66,9 +66,9 @@ pub enum ImportError {
 pub enum ImportFrames<'a> {
     /// Clips of the movement, as this library sees them.
     Clips(&'a [ObservedClip]),
-    /// [`FramesFrom::Remembered`].
+    /// `FramesFrom::Remembered`.
     Remembered,
-    /// [`FramesFrom::Generated`].
+    /// `FramesFrom::Generated`.
     Generated,
 }
 

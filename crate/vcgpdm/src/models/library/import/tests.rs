@@ -24,10 +24,9 @@ fn library(name: &str, ids: &[&str], latent: usize, seed: u32) -> TrainedLibrary
     };
     let movement = PlannedMovement { name: name.to_owned(), sequences: ids.len() };
     let plan = LibraryPlan::new(vec![movement], vec![false, false]).unwrap();
-    let mut trainer =
-        LibraryTrainer::new(dataset.y.clone(), dataset.lengths(), plan, &settings, seed).unwrap();
+    let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, seed).unwrap();
     while !trainer.step().done {}
-    TrainedLibrary::trained(&dataset, &trainer).unwrap()
+    trainer.finish().unwrap()
 }
 
 fn host() -> &'static TrainedLibrary {

@@ -166,7 +166,7 @@ impl VariationalTrainer {
     }
 
     /// Allows so many more iterations, during training or after all are used: training goes on where it
-    /// stopped, with what the optimiser remembers. Where the first block of the [`schedule`] is as long for
+    /// stopped, with what the optimiser remembers. Where the first block of the `schedule` is as long for
     /// the sum as for the first number, the outcome is, bit by bit, that of a training that was asked for the
     /// sum. A bound that no longer rises stays where it is.
     pub fn extend(&mut self, iterations: usize) {
@@ -265,7 +265,7 @@ impl VariationalTrainer {
     }
 }
 
-/// What is optimised in a phase of the [`schedule`].
+/// What is optimised in a phase of the `schedule`.
 fn training_phase(phase: &Phase) -> TrainingPhase {
     if phase.groups.contains(&Group::Latents) {
         TrainingPhase::Everything
