@@ -44,7 +44,7 @@ export class LessonView extends View {
       <p>Velychko et al. (2018, figure 7) let walking and walking with waving share one primitive of the lower body, and ask whether each movement is
         predicted as well as by a model of its own. Their answer: equal within the standard errors.</p>
       <p class="hint">The same with the ten made trials of this project: one is held out, all others are trained on. Errors after time warping, times 1,000, with
-        standard errors. Measured once, by <code>npm run modularity</code>; below, one trial can be held out in your browser.</p>
+        standard errors. Measured once, by <code>npm run lab -- modularity</code>; below, one trial can be held out in your browser.</p>
       ${table(MEASURED.modular, "A library beside models of one movement", ERRORS)}
       <p>The intervals of the differences hold 0: which is better stays open on ten made trials.</p>
       ${table(MEASURED.modular, "What a library costs beside models of one movement", COSTS)}

@@ -1,34 +1,22 @@
-//! What each coupling does to the body, measured, as Markdown tables. `npm run effects` puts them into
-//! docs/couplings.md.
-//!
-//! ```sh
-//! cargo run --release --example effects
-//! cargo run --release --example effects -- --seeds 1,2,3 walk-1.bvh walk-2.bvh
-//! ```
+//! How each coupling changes the body's movement: docs/couplings.md.
 //!
 //! Without clips: the model that the page opens with, its presets, and models of the sample walks. With
 //! clips: models of lower and upper body of these, one for each seed, and all couplings of the one with the
 //! highest bound.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
-
-#[path = "../shared/clips.rs"]
-mod clips;
-#[path = "../shared/models.rs"]
-mod models;
 mod presets;
 mod sweep;
 
-use clap::Parser;
-use clips::read_clips;
-use models::{lower_upper, train};
+use crate::clips::read_clips;
+use crate::models::{self, lower_upper, train};
+use clap::Args;
 use std::path::PathBuf;
 use sweep::{Learned, strength};
 use vcgpdm::Model;
 use vcgpdm::models::Reading;
 use vcgpdm::motion::Clip;
 
-#[derive(Parser)]
-struct Arguments {
+#[derive(Args)]
+pub struct Arguments {
     /// BVH files, or folders of them.
     clips: Vec<PathBuf>,
     #[arg(long, value_delimiter = ',', default_value = "1")]
@@ -37,8 +25,7 @@ struct Arguments {
     max_iterations: usize,
 }
 
-fn main() {
-    let arguments = Arguments::parse();
+pub fn run(arguments: &Arguments) {
     if arguments.clips.is_empty() {
         let start = models::start();
         println!("### The model that the page opens with\n");

@@ -1,13 +1,11 @@
 //! The modularity test of Velychko et al. (2018, section 5.5, figure 7) on the sample trials of walking and
 //! of walking with waving: a library with one walking primitive of the lower body for both movements beside a
-//! model of each movement alone. Prints what docs/modularity.md holds: `npm run modularity`.
-//!
-//! What is trained and how it is scored is the library's `ModularityTest`.
-#![allow(clippy::unwrap_used)]
+//! model of each movement alone. The tables are in docs/modularity.md.
 
 mod figure;
 mod imports;
 
+use std::path::Path;
 use std::time::Instant;
 use vcgpdm::models::library::TrainedLibrary;
 use vcgpdm_lab::evaluation::stats::{mean, mean_interval, standard_error};
@@ -115,17 +113,15 @@ fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
 }
 
 /// `modular PICTURE.svg` or `imports`: the table of either.
-fn main() {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let test = ModularityTest::on_samples();
-    if arguments.first().is_some_and(|asked| asked == "imports") {
-        print!("{}", imports::table(&test).markdown());
-        return;
-    }
-    let (table, library) = modular(&test);
+pub fn run_imports() {
+    print!("{}", imports::table(&ModularityTest::on_samples()).markdown());
+}
+
+pub fn run(picture: Option<&Path>) {
+    let (table, library) = modular(&ModularityTest::on_samples());
     print!("{}", table.markdown());
-    if let Some(path) = arguments.get(1) {
+    if let Some(path) = picture {
         std::fs::write(path, figure::svg(&library)).unwrap();
-        eprintln!("wrote {path}");
+        eprintln!("wrote {}", path.display());
     }
 }

@@ -1,19 +1,12 @@
-//! What decides whether parts pay: the same walks with upper bodies that keep another time, as a Markdown
-//! table. `npm run splits` puts it into docs/comparison.md.
-//!
-//! ```sh
-//! cargo run --release --example splits -- WALKS
-//! ```
+//! When two parts predict better than one body: the same walks with upper bodies that keep another time
+//! (docs/comparison/splits.md).
 //!
 //! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the
 //! upper body is taken from another moment of the same trial than the lower body, or goes at another pace, in
 //! ways that either all trials share or each has its own. All have the same length, so that only the two
 //! halves' time together differs.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
-#[path = "shared/clips.rs"]
-mod clips;
-
+use crate::clips;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -126,13 +119,12 @@ fn print(name: &str, trials: &[Clip]) {
     }
 }
 
-fn main() {
+pub fn run(folders: &[PathBuf]) {
     println!(
         "| trials | the upper body | error, parts : whole | lower body | upper body | on the trials trained on |"
     );
     println!("{}|", "|---".repeat(6));
-    let folders: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
-    for folder in &folders {
+    for folder in folders {
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         print(&name, &clips::read_clips(std::slice::from_ref(folder)).collect::<Vec<_>>());
     }

@@ -1,9 +1,9 @@
-// `npm run study`: the study that comes with the page, from the walks that the program makes itself, and the
+// `npm run lab -- study`: the study that comes with the page, from the walks that the program makes itself, and the
 // check of the analysis against the numbers of the paper in docs/perception.md. Finished trainings are kept
 // in target/study.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
-import { at, Failure, main, output, run } from "./run.mjs";
+import { at, Failure, output, run } from "../run.mjs";
 import { putTables } from "./tables.mjs";
 
 const program = at("target/release/vcgpdm");
@@ -38,7 +38,7 @@ recordings. The other was made by a model that learned from that walker.
 When they have ended, say on which side you saw the more natural movement: press the left or the right arrow key, or tap on that side. There is no \
 time limit, but answer with your first impression. If you cannot tell, guess.`;
 
-await main(async () => {
+export async function study() {
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   for (const path of [results, shown]) mkdirSync(dirname(path), { recursive: true });
   for (const options of SWEEPS)
@@ -68,4 +68,4 @@ await main(async () => {
   const paper = output(program, "perception", "--paper");
   if (paper === null) throw new Failure("the check against the paper could not be made");
   putTables(at("docs/perception.md"), paper);
-});
+}

@@ -1,4 +1,4 @@
-// `npm run comparison -- FOLDER ...`: compares all models on several subjects, each trial held out in turn,
+// `npm run lab -- comparison FOLDER ...`: compares all models on several subjects, each trial held out in turn,
 // with each other and with the papers. Each folder holds the clips (.bvh) of one person or movement; the
 // sample walks of the program come after them. docs/comparison gets the results (NAME.json) and the tables
 // (NAME.md); the page gets the results of the first folder. A finished training is never done again: stop and
@@ -7,7 +7,7 @@
 // --quick trains with few settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
-import { at, Failure, main, output, run } from "./run.mjs";
+import { at, Failure, output, run } from "../run.mjs";
 import { writeSections } from "./tables.mjs";
 
 const shown = at("www/public/comparison/walks.results.json");
@@ -157,8 +157,7 @@ function together(/** @type {string[]} */ files) {
   return `${JSON.stringify({ ...read[0], finished: read.flatMap(({ finished }) => finished) }, short)}\n`;
 }
 
-await main(async () => {
-  const words = process.argv.slice(2);
+export async function comparison(/** @type {string[]} */ ...words) {
   const quick = words.includes("--quick");
   const onlyTables = words.includes("--tables");
   const folders = words.filter((word) => !word.startsWith("--"));
@@ -194,5 +193,5 @@ await main(async () => {
     shown,
     together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
   );
-  writeSections(folder, "npm run comparison", report);
-});
+  writeSections(folder, "npm run lab -- comparison", report);
+}

@@ -1,15 +1,9 @@
-//! How far moment matching says what many sampled futures say, as Markdown tables. `npm run uncertainty` puts
-//! them into docs/uncertainty.md.
-//!
-//! ```sh
-//! cargo run --release --example uncertainty
-//! ```
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+//! The spread of many sampled futures, beside that of the Gaussian approximation (moment matching):
+//! docs/uncertainty.md.
 
-#[path = "../shared/models.rs"]
-mod models;
 mod spread;
 
+use crate::models;
 use spread::{Cloud, Group, rms};
 use std::ops::Range;
 use vcgpdm::Coupled;
@@ -20,7 +14,7 @@ const DRAWS: Range<u64> = 0..1000;
 /// Frames of the mean rollout that a future is early or late in.
 const PATH: usize = 90;
 
-fn main() {
+pub fn run() {
     println!("### The model that the page opens with\n");
     print(models::start().coupled().unwrap());
     for (title, model) in models::of_samples() {

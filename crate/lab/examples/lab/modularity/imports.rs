@@ -4,7 +4,7 @@
 //! clips. One walk is held out. Its prediction from its first frames is made by the donor as it was trained,
 //! by the host with the donor's primitives learned again, and by a library that was trained on both.
 
-use crate::{Table, thousandths};
+use crate::modularity::{Table, thousandths};
 use nalgebra::DMatrix;
 use vcgpdm::models::library::{
     ImportFrames, ImportRequest, ImportTrainer, LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary,

@@ -1,22 +1,17 @@
 // Tables that a command measures, in a page of docs: everything between two marks is the command's.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { Failure, output } from "./run.mjs";
+import { Failure, output, run } from "../run.mjs";
 
-const CARGO = ["run", "--release", "--quiet", "--package", "vcgpdm-lab", "--example"];
+const PROGRAM = ["run", "--release", "--quiet", "--package", "vcgpdm-lab", "--example", "lab", "--"];
 
-/** The command of an example of the crate lab. */
-export const example = (/** @type {string} */ name, /** @type {string[]} */ ...asked) => [
-  ...CARGO,
-  name,
-  "--",
-  ...asked,
-];
+/** Runs a measurement of the crate lab, which prints its tables. */
+export const printTables = (/** @type {string[]} */ ...words) => run("cargo", ...PROGRAM, ...words);
 
-/** What an example of the crate lab prints: tables. */
-export function measured(/** @type {string} */ name, /** @type {string[]} */ ...asked) {
-  const tables = output("cargo", ...example(name, ...asked));
-  if (tables === null) throw new Failure(`the example ${name} failed`);
+/** The tables that a measurement of the crate lab prints. */
+export function measured(/** @type {string[]} */ ...words) {
+  const tables = output("cargo", ...PROGRAM, ...words);
+  if (tables === null) throw new Failure(`the measurement ${words.join(" ")} failed`);
   return tables;
 }
 

@@ -1,9 +1,9 @@
-// `npm run modularity`: a library that shares its walking primitive beside a model of each movement, and
+// `npm run lab -- modularity`: a library that shares its walking primitive beside a model of each movement, and
 // primitives learned again under the pose maps of another library, on the sample trials, into
 // docs/modularity.md and docs/modularity.svg, which the page shows too, and the page's own copy of the
-// tables. `npm run modularity -- imports` makes only the second table again.
+// tables. `npm run lab -- modularity imports` makes only the second table again.
 import { readFileSync, writeFileSync } from "node:fs";
-import { at, Failure, main } from "./run.mjs";
+import { at, Failure } from "../run.mjs";
 import { measured, putTables } from "./tables.mjs";
 
 const PAGE = at("docs/modularity.md");
@@ -25,14 +25,13 @@ function cells(/** @type {string} */ name) {
   return { head, rows };
 }
 
-await main(async () => {
-  const only = process.argv[2];
+export async function modularity(/** @type {string | undefined} */ only) {
   if (only !== undefined && only !== "imports")
     throw new Failure(`expected imports, or nothing, found ${only}`);
-  if (only === undefined) putTables(PAGE, measured("modularity", "modular", PICTURE));
-  putTables(PAGE, measured("modularity", "imports"), "imports");
+  if (only === undefined) putTables(PAGE, measured("modularity", PICTURE));
+  putTables(PAGE, measured("imports"), "imports");
   writeFileSync(
     STORED,
     `${JSON.stringify({ modular: cells("tables"), imports: cells("imports") }, null, 2)}\n`,
   );
-});
+}

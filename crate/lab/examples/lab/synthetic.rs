@@ -1,21 +1,15 @@
-//! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables:
-//!
-//! ```sh
-//! cargo run --release --example synthetic -- [--seeds 10] [--drive 0.1]
-//! ```
-//!
-//! A seed is that of the data and of the training.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+//! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables. A seed
+//! is that of the data and of the training.
 
-use clap::Parser;
+use clap::Args;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 use vcgpdm::models::VariationalSettings;
 use vcgpdm_lab::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
 
-#[derive(Parser)]
-struct Arguments {
+#[derive(Args)]
+pub struct Arguments {
     #[arg(long, default_value_t = 10)]
     seeds: u32,
     /// The first seed.
@@ -45,7 +39,7 @@ struct Run {
     seconds: f64,
 }
 
-fn run(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
+fn experiment(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
     let data = Synthetic::draw(seed, drive).unwrap();
     let mut experiment = Experiment::new(data, settings, seed).unwrap();
     let begin = Instant::now();
@@ -60,8 +54,7 @@ fn run(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
     }
 }
 
-fn main() {
-    let arguments = Arguments::parse();
+pub fn run(arguments: &Arguments) {
     let ours = Synthetic::settings();
     let settings = VariationalSettings {
         order: arguments.order.unwrap_or(ours.order),
@@ -80,7 +73,7 @@ fn main() {
                     if seed >= arguments.first + arguments.seeds {
                         break;
                     }
-                    let run = run(seed, arguments.drive, &settings);
+                    let run = experiment(seed, arguments.drive, &settings);
                     eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
                     runs.lock().unwrap().push(run);
                 }

@@ -1,7 +1,7 @@
 //! The presets of the model that the page opens with, as the page has them.
 
+use crate::effects::sweep::{Learned, number, strength, words};
 use crate::models::www;
-use crate::sweep::{Learned, number, strength, words};
 use serde::Deserialize;
 use vcgpdm::Coupled;
 use vcgpdm::models::Reading;
