@@ -121,7 +121,8 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// What was wrong with the command line, without the help that clap adds in further paragraphs.
+/// What was wrong with the command line, with clap's hints ("a similar argument exists"), without the help that
+/// clap adds in further paragraphs.
 fn words(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let command = command();
@@ -134,5 +135,7 @@ fn words(error: &clap::Error) -> String {
     let reason = error.source().filter(|reason| reason.is::<ParseFloatError>());
     let first =
         reason.map_or(first.to_owned(), |reason| first.replace(&reason.to_string(), "expected a number"));
-    format!("{first} (try --help)")
+    let hints = text.lines().filter_map(|line| line.trim_start().strip_prefix("tip: "));
+    let parts: Vec<&str> = std::iter::once(first.as_str()).chain(hints).collect();
+    format!("{} (try --help)", parts.join("; "))
 }

@@ -81,6 +81,20 @@ fn a_number_that_an_option_cannot_have_is_refused_with_the_range_that_it_may_hav
     }
 }
 
+#[test]
+fn a_wrong_name_is_answered_with_the_similar_one() {
+    for (line, hint) in [
+        (
+            "train --outt x",
+            "unexpected argument '--outt' found; a similar argument exists: '--out' (try --help)",
+        ),
+        ("trian c.bvh", "unrecognized subcommand 'trian'; a similar subcommand exists: 'train' (try --help)"),
+    ] {
+        let error = fails(&line.split(' ').collect::<Vec<_>>());
+        assert!(error.contains(hint), "{line}: {error}");
+    }
+}
+
 /// Once the clip's file was blamed for it.
 #[test]
 fn a_rate_that_cannot_be_is_the_options_fault() {
