@@ -5,10 +5,11 @@ import { writeFirst } from "./first.mjs";
 import { main, step } from "./run.mjs";
 import { buildSite, weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
-import { buildWasm } from "./wasm.mjs";
+import { buildWasm, compileWasm } from "./wasm.mjs";
 
-export async function build({ wasmOnly = false } = {}) {
-  await step("npm package vcgpdm (wasm)", buildWasm);
+/** Without `small` it is ready sooner: see `buildWasm`. */
+export async function build({ wasmOnly = false, small = true } = {}) {
+  await step("npm package vcgpdm (wasm)", () => buildWasm({ small }));
   if (wasmOnly) return;
   await step("first model and motion", writeFirst);
   await step("page", buildSite);
@@ -16,7 +17,7 @@ export async function build({ wasmOnly = false } = {}) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   await main(async () => {
-    await installTools();
+    await installTools({ meanwhile: () => step("Rust to wasm", compileWasm) });
     const wasmOnly = process.argv.includes("--wasm-only");
     await build({ wasmOnly });
     if (!wasmOnly) await step("sizes", weigh);

@@ -14,10 +14,10 @@ export class Failure extends Error {}
 
 const exe = process.platform === "win32" ? ".exe" : "";
 
-// Tools of this project first, then cargo's own folder: a fresh rustup is not yet on the PATH of an open
-// shell.
+// wasm-pack looks for its tools on the PATH. Cargo's own folder: a fresh rustup is not yet on the PATH of an
+// open shell.
 const path = [
-  at(".tools", "bin"),
+  at("target/wasm-tests/debug"),
   process.env.PATH ?? "",
   join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin"),
 ];
@@ -93,21 +93,36 @@ export function filesUnder(/** @type {string[]} */ paths, /** @type {string[]} *
   return found.sort();
 }
 
-/**
- * Does `work` unless its outputs exist and its inputs have the content they had the last time.
- * @param {string} name
- * @param {{ inputs: string[], outputs: string[], salt?: string }} what `salt` holds inputs that are not files
- * @param {() => Promise<void>} work
- * @returns {Promise<string | undefined>} a note when there was nothing to do
- */
-export async function whenChanged(name, { inputs, outputs, salt = "" }, work) {
+/** @typedef {{ inputs: string[], outputs: string[], salt?: string }} State `salt` holds inputs that are not files */
+
+const stampOf = (/** @type {string} */ name) => at(".tools", `${name}.stamp`);
+
+function hashOf(/** @type {State} */ { inputs, salt = "" }) {
   const hash = createHash("sha256").update(salt);
   for (const file of inputs) hash.update(file.slice(root.length)).update("\0").update(readFileSync(file));
-  const now = hash.digest("hex");
-  const stamp = at(".tools", `${name}.stamp`);
-  const before = existsSync(stamp) ? readFileSync(stamp, "utf8") : null;
-  if (before === now && outputs.every((file) => existsSync(file))) return "up to date";
+  return hash.digest("hex");
+}
+
+/** Whether the outputs exist and the inputs have the content that they had the last time. */
+export function isUpToDate(/** @type {string} */ name, /** @type {State} */ state) {
+  const stamp = stampOf(name);
+  return (
+    existsSync(stamp) &&
+    readFileSync(stamp, "utf8") === hashOf(state) &&
+    state.outputs.every((file) => existsSync(file))
+  );
+}
+
+/**
+ * Does `work` unless it is up to date; then it returns a note that says so.
+ * @param {string} name
+ * @param {State} state
+ * @param {() => Promise<void>} work
+ */
+export async function whenChanged(name, state, work) {
+  if (isUpToDate(name, state)) return "up to date";
+  const now = hashOf(state);
   await work();
-  mkdirSync(dirname(stamp), { recursive: true });
-  writeFileSync(stamp, now);
+  mkdirSync(dirname(stampOf(name)), { recursive: true });
+  writeFileSync(stampOf(name), now);
 }

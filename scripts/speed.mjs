@@ -8,7 +8,7 @@ import { launchChromium } from "./chromium.mjs";
 import { at, Failure, main, output, run } from "./run.mjs";
 import { serve } from "./serve.mjs";
 import { installTools } from "./tools.mjs";
-import { buildPackage } from "./wasm.mjs";
+import { buildVariant } from "./wasm.mjs";
 
 const ROUNDS = 3;
 const folder = at("target/speed");
@@ -86,7 +86,7 @@ await main(async () => {
     "--example",
     "speed",
   );
-  await buildPackage(folder, ["speed"]);
+  await buildVariant(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
   writeFileSync(join(folder, "index.html"), "<!doctype html><title>speed</title>");

@@ -36,7 +36,10 @@ const STEPS = [
   {
     name: "clippy",
     what: "clippy, native",
-    work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
+    work: async () => {
+      await clippy(...NATIVE, "--all-targets", "--all-features");
+      await clippy("--package", "bindgen");
+    },
   },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
   { name: "features", what: "each feature alone", work: features },
@@ -52,7 +55,7 @@ const STEPS = [
   {
     name: "rust-wasm",
     what: "Rust tests in wasm, in Node",
-    work: () => run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate/wasm")),
+    work: rustInWasm,
   },
   { name: "build", what: "wasm package and page", work: build },
   { name: "sizes", what: "the budget of a visit", needs: "build", work: async () => weigh() },
@@ -115,6 +118,17 @@ async function msrv() {
     }
   }
   await run("cargo", `+${version}`, "check", ...NATIVE);
+}
+
+async function rustInWasm() {
+  const tools = [
+    "--manifest-path",
+    at("tools/wasm-tests/Cargo.toml"),
+    "--target-dir",
+    at("target/wasm-tests"),
+  ];
+  await run("cargo", "build", "--locked", ...tools);
+  await run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate/wasm"));
 }
 
 async function files() {

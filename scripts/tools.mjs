@@ -2,17 +2,7 @@
 import { readFileSync } from "node:fs";
 import { at, Failure, filesUnder, output, run, step, whenChanged } from "./run.mjs";
 
-const WASM_PACK = "0.15.1";
 const NODE = [20, 19];
-
-/** The version of a crate that Cargo.lock holds. */
-function locked(/** @type {string} */ crate) {
-  const found = readFileSync(at("Cargo.lock"), "utf8").match(
-    new RegExp(`name = "${crate}"\\r?\\nversion = "([^"]+)"`),
-  );
-  if (!found?.[1]) throw new Failure(`Cargo.lock does not name ${crate}`);
-  return found[1];
-}
 
 /** a.b.c as numbers that can be compared from the left. */
 const older = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
@@ -53,30 +43,6 @@ async function toolchain(/** @type {"target" | "component"} */ kind, /** @type {
   return missing.length > 0 ? undefined : "there";
 }
 
-/** Building a tool takes longer than all that it does here: it need not be fast. */
-const QUICKLY = ["opt-level=1", 'lto="off"', "codegen-units=16"].flatMap((how) => [
-  "--config",
-  `profile.release.${how}`,
-]);
-
-/** A program of exactly this version: the one on the PATH, else built into .tools/. */
-async function cargoTool(
-  /** @type {string} */ crate,
-  /** @type {string} */ program,
-  /** @type {string} */ version,
-) {
-  if (output(program, "--version")?.split(/\s+/).includes(version)) return "there";
-  const install = (/** @type {string[]} */ ...more) =>
-    run("cargo", "install", crate, "--version", `=${version}`, "--root", at(".tools"), ...QUICKLY, ...more);
-  try {
-    await install("--locked");
-  } catch {
-    // A registry mirror may lag behind the versions that the crate's own lock file names.
-    console.log(`${crate}: its own lock file cannot be met here; trying without it`);
-    await install();
-  }
-}
-
 async function npmPackages() {
   const inputs = filesUnder(
     ["package.json", "package-lock.json", "www/package.json"].map((file) => at(file)),
@@ -88,13 +54,14 @@ async function npmPackages() {
   });
 }
 
-/** Everything the build needs; with `forTests` also what only the tests need. */
-export async function installTools({ forTests = false } = {}) {
+/**
+ * Everything the build needs; with `forTests` also what only the tests need. `meanwhile` is done while npm waits for
+ * the network, so it must not need what npm installs.
+ * @param {{ forTests?: boolean, meanwhile?: () => Promise<unknown> }} [options]
+ */
+export async function installTools({ forTests = false, meanwhile } = {}) {
   await step("Rust and Node", rust);
   await step("Rust's wasm target", () => toolchain("target", "wasm32-unknown-unknown"));
   if (forTests) await step("rustfmt and clippy", () => toolchain("component", "rustfmt", "clippy"));
-  await step(`wasm-pack ${WASM_PACK}`, () => cargoTool("wasm-pack", "wasm-pack", WASM_PACK));
-  const bindgen = locked("wasm-bindgen");
-  await step(`wasm-bindgen ${bindgen}`, () => cargoTool("wasm-bindgen-cli", "wasm-bindgen", bindgen));
-  await step("npm packages", npmPackages);
+  await Promise.all([step("npm packages", npmPackages), meanwhile?.()]);
 }

@@ -1,10 +1,10 @@
 // The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and
 // a smaller one for a first visit to the page (player/), which shows clips and models and trains none.
-import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { noticeOfWasm } from "./licences.mjs";
 import { completePackage, entries } from "./package.mjs";
-import { at, Failure, filesUnder, output, root, run, runModule, whenChanged } from "./run.mjs";
+import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 /** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
 
@@ -27,56 +27,68 @@ const FEATURES = [
   "multivalue",
 ].map((name) => `--enable-${name}`);
 
-export async function buildWasm() {
-  const sources = [
-    "crate/vcgpdm",
-    "crate/lab",
-    "crate/wasm",
-    "Cargo.toml",
-    "Cargo.lock",
-    ".cargo/config.toml",
-    "package-lock.json",
-    "scripts/wasm.mjs",
-    "scripts/package.mjs",
-  ];
+/** The arguments for cargo that compile the wasm with these features. */
+const compile = (/** @type {string[]} */ features) => [
+  ...["build", "--locked", "--release", "--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"],
+  ...["--no-default-features", "--features", features.join(",")],
+];
+const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"];
+
+/** What cargo makes of the package. */
+const compiled = at(".tools", "wasm");
+
+/** The first half of `buildWasm`: cargo's. It needs nothing that npm installs. */
+export function compileWasm() {
+  const sources = ["crate/vcgpdm", "crate/lab", "crate/wasm", "tools/bindgen", "Cargo.toml", "Cargo.lock"];
   const inputs = filesUnder(
-    sources.map((path) => at(path)),
+    [...sources, ".cargo/config.toml", "scripts/wasm.mjs"].map((path) => at(path)),
     ["pkg", "target", "tests", "benches", "examples"],
   );
-  const outputs = TARGETS.map(({ folder }) => at("crate/wasm/pkg", folder, "vcgpdm.js"));
-  const note = await whenChanged(
-    "wasm",
-    { inputs, outputs, salt: output("rustc", "--version") ?? "" },
-    async () => {
-      rmSync(at("crate/wasm/pkg"), { recursive: true, force: true });
-      await buildPackage(at("crate/wasm/pkg"));
-      completePackage(at("crate/wasm/pkg"));
-    },
+  const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
+  return whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, () =>
+    compileTargets(compiled),
   );
+}
+
+/** The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. */
+async function compileTargets(/** @type {string} */ place, /** @type {string[]} */ more = []) {
+  const wasm = join(metadata().target_directory, "wasm32-unknown-unknown/release/vcgpdm_wasm.wasm");
+  // Neither of the two keeps all processors busy.
+  const first = [...(TARGETS[0]?.features ?? []), ...more];
+  await Promise.all([run("cargo", ...compile(first)), run("cargo", "build", ...BINDGEN)]);
+  for (const { folder, target, type, features } of TARGETS) {
+    await run("cargo", ...compile([...features, ...more]));
+    await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder), target);
+    writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
+  }
+}
+
+/** Without `small`, wasm-opt is left out: the wasm is a ninth larger, and ready sooner. */
+export async function buildWasm({ small = true } = {}) {
+  await compileWasm();
+  const pkg = at("crate/wasm/pkg");
+  const inputs = filesUnder([
+    compiled,
+    at("package-lock.json"),
+    at("scripts/wasm.mjs"),
+    at("scripts/package.mjs"),
+  ]);
+  const outputs = TARGETS.map(({ folder }) => join(pkg, folder, "vcgpdm.js"));
+  const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? "small" : "" });
+  // A small wasm from an earlier build is good for everything.
+  const note = await whenChanged("package", state(small || isUpToDate("package", state(true))), async () => {
+    rmSync(pkg, { recursive: true, force: true });
+    cpSync(compiled, pkg, { recursive: true });
+    if (small) await optimise(pkg);
+    completePackage(pkg);
+  });
   describe();
   return note;
 }
 
-/** The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. */
-export async function buildPackage(/** @type {string} */ place, /** @type {string[]} */ more = []) {
-  for (const { folder, target, type, features } of TARGETS) {
-    // The tools are there already, and wasm-opt is ours: wasm-pack must not fetch its own.
-    const build = ["--mode", "no-install", "--target", target, "--out-name", "vcgpdm", "--no-pack"];
-    const out = ["--out-dir", join(place, folder)];
-    await run(
-      "wasm-pack",
-      "build",
-      at("crate/wasm"),
-      ...build,
-      ...out,
-      "--",
-      "--no-default-features",
-      "--features",
-      [...features, ...more].join(","),
-    );
-    rmSync(join(place, folder, ".gitignore"), { force: true }); // npm would leave out what it names
-    writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
-  }
+/** The wasm of the package with `more` features, in folders below `place`. */
+export async function buildVariant(/** @type {string} */ place, /** @type {string[]} */ more) {
+  await compileTargets(place, more);
   await optimise(place);
 }
 
@@ -100,10 +112,16 @@ async function optimise(/** @type {string} */ place) {
   }
 }
 
+/** What Cargo knows of the packages here. */
+function metadata() {
+  const text = output("cargo", "metadata", "--no-deps", "--format-version", "1");
+  if (text === null) throw new Failure("cargo metadata failed");
+  return JSON.parse(text);
+}
+
 /** Writes the package's package.json from what Cargo knows, with README and licences. */
 function describe() {
-  const metadata = JSON.parse(output("cargo", "metadata", "--no-deps", "--format-version", "1") ?? "null");
-  const crate = metadata?.packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
+  const crate = metadata().packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
   if (!crate) throw new Failure("cargo metadata does not name the package vcgpdm");
   const about = {
     name: crate.name,
