@@ -5,6 +5,7 @@ import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } f
 import { build } from "./build.mjs";
 import { compileTests, NATIVE } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
+import { checkLocks } from "./locks.mjs";
 import { weigh } from "./site.mjs";
 import { installTools, oldestRust } from "./tools.mjs";
 
@@ -31,6 +32,7 @@ const nodeTests = (/** @type {string} */ folder, files = 1) =>
 const STEPS = [
   { name: "format", what: "rustfmt and Biome", work: format },
   { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
+  { name: "locks", what: "hashes in the lock files", work: checkLocks },
   { name: "house", what: "the order of the rooms", work: () => nodeTests("house") },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
   {
