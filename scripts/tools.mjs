@@ -26,7 +26,7 @@ async function rust() {
     );
   if (output("rustup", "--version") === null)
     throw new Failure("rustup is needed and was not found: https://rustup.rs");
-  if (output("rustc", "--version") === null) await run("rustup", "default", "stable");
+  if (output("rustc", "--version") === null) await run("rustup", "toolchain", "install", "stable");
   const needed = oldestRust();
   const have = output("rustc", "--version") ?? "";
   if (older(numbers(have), numbers(needed)))
