@@ -11,5 +11,5 @@ export const budget = {
   study: 170_000,
   primitives: 75_000,
   series: 12_000,
-  glb: 25_000,
+  glb: 15_000,
 };

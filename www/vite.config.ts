@@ -1,7 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
-import { leanThree } from "./lean-three.ts";
 import { offline } from "./offline.ts";
 
 // The wasm package is built beside this folder, not installed.
@@ -91,7 +90,7 @@ const heldToPolicy: Plugin = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
-  plugins: [leanThree(), heldToPolicy, offline()],
+  plugins: [heldToPolicy, offline()],
   resolve: {
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },
