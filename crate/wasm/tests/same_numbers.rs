@@ -24,3 +24,18 @@ fn native_and_wasm_take_the_same_path() {
 fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     training::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
 }
+
+#[wasm_bindgen_test]
+fn each_kind_of_model_trains_and_rolls_out() {
+    training::each_kind_of_model_trains_and_rolls_out();
+}
+
+#[wasm_bindgen_test]
+fn a_library_of_primitives_trains_and_rolls_out() {
+    training::a_library_of_primitives_trains_and_rolls_out();
+}
+
+#[wasm_bindgen_test]
+fn a_table_trains_and_rolls_out() {
+    training::a_table_trains_and_rolls_out();
+}

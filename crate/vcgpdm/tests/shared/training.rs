@@ -1,8 +1,14 @@
 //! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model
 //! that can be shared.
 
-use vcgpdm::models::{Dataset, Model, RolloutRequest, Source, Trainer, VariationalSettings};
+use nalgebra::DMatrix;
+use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+use vcgpdm::models::{
+    Dataset, DmpSettings, MapSettings, Model, Observed, RolloutRequest, Settings, Source, TmpSettings,
+    Trainer, VariationalSettings,
+};
 use vcgpdm::motion::{bvh, parts, samples};
+use vcgpdm::series::{Table, parts_from_words, read, write};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
@@ -19,7 +25,7 @@ fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
 }
 
 /// Standard deviation of the latents over some frames, all dimensions together.
-fn spread(x: &nalgebra::DMatrix<f64>) -> f64 {
+fn spread(x: &DMatrix<f64>) -> f64 {
     x.row_variance().sum().sqrt()
 }
 
@@ -65,4 +71,82 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     let hips = |frame: usize| read.world_pose(frame).positions[0];
     let travelled = (hips(299) - hips(0)).norm() / read.height();
     assert!(travelled > 3.0, "ten seconds of walking lead {travelled} body heights away");
+}
+
+const SMALL: VariationalSettings =
+    VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 5 };
+
+/// The walks of these names, ten frames a second.
+fn walks(names: &[&str], split: &str) -> Dataset {
+    let clips: Vec<_> = names.iter().map(|id| samples::clip(id).unwrap()).collect();
+    let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == split).unwrap().parts;
+    let sources: Vec<_> = clips.iter().map(Source::from).collect();
+    Dataset::new(&sources, &parts, 10.0).unwrap()
+}
+
+/// Size of two seconds of a model's rollout, without its mean.
+fn size<S: Observed>(model: &Model<S>) -> f64 {
+    let y = model.rollout(0, 20).unwrap();
+    assert_eq!(y.nrows(), 20);
+    let mean = y.row_mean();
+    DMatrix::from_fn(y.nrows(), y.ncols(), |row, column| y[(row, column)] - mean[column]).norm()
+}
+
+/// These numbers too are a native run's. A few iterations keep a difference in a last digit small, so that
+/// another order of a sum needs no new numbers.
+fn is_near(what: &str, found: [f64; 2], expected: [f64; 2]) {
+    for (found, expected) in found.into_iter().zip(expected) {
+        assert!((found - expected).abs() <= 1e-7 * expected.abs(), "{what}: {found:?} is not {expected:?}");
+    }
+}
+
+pub fn each_kind_of_model_trains_and_rolls_out() {
+    let point = MapSettings { max_iterations: 3, ..MapSettings::default() };
+    let tmp = TmpSettings { primitives: Some(3), ..TmpSettings::default() };
+    let dmp = DmpSettings { bases: 5 };
+    for (settings, split, expected) in [
+        (Settings::Vcgpdm(SMALL), "lower-upper", [10445.07678834946, 3.292225389918295]),
+        (Settings::Vgpdm(SMALL), "whole", [10220.303554125923, 3.396096928372359]),
+        (Settings::MapGpdm(point.clone()), "whole", [15293.207428668122, 3.9035621040668933]),
+        (Settings::MapCgpdm(point), "lower-upper", [14562.541066671312, 3.838534736503963]),
+        (Settings::Tmp(tmp), "lower-upper", [11187.478602318604, 3.6348283367010583]),
+        (Settings::DmpDiscrete(dmp.clone()), "lower-upper", [-0.02180366081320099, 3.39647721704717]),
+        (Settings::DmpRhythmic(dmp), "lower-upper", [-0.0006795167600272311, 3.7410425537028242]),
+    ] {
+        let mut trainer = Trainer::new(&walks(&["walk-1", "walk-2"], split), &settings, 1).unwrap();
+        let objective = trainer.run().best;
+        let model = trainer.finish().unwrap();
+        assert_eq!(model.kind(), settings.kind());
+        is_near(settings.kind().id(), [objective, size(&model)], expected);
+    }
+}
+
+pub fn a_library_of_primitives_trains_and_rolls_out() {
+    let dataset = walks(&["walk-1", "walk-wave-1"], "lower-upper");
+    let movement = |name: &str| PlannedMovement { name: name.to_owned(), sequences: 1 };
+    let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![false, false]).unwrap();
+    let mut trainer = LibraryTrainer::new(&dataset, &plan, &SMALL, 1).unwrap();
+    while !trainer.step().done {}
+    let trained = trainer.finish().unwrap();
+    let uses = trained.uses("lower=walk,upper=wave").unwrap();
+    let model = trained.combination(&uses, &trained.library.nearest_couplings(&uses)).unwrap();
+    is_near("library", [trainer.progress().best, size(&model)], [7481.470350939628, 2.6787161816575877]);
+}
+
+pub fn a_table_trains_and_rolls_out() {
+    let values = DMatrix::from_fn(60, 2, |row, column| {
+        let phase = ((row + 5 * column) % 24) as f64 / 12.0 - 1.0;
+        phase * (1.0 - phase.abs())
+    });
+    let text = write(&["leader", "follower"].map(str::to_owned), &values, 0.02);
+    let table: Table = read("table.csv", text.as_bytes()).unwrap();
+    let parts = parts_from_words("leader=leader;follower=follower", &table.columns).unwrap();
+    let dataset = Dataset::of_tables(&[table], &parts, 30.0).unwrap();
+    let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(SMALL), 1).unwrap();
+    let objective = trainer.run().best;
+    is_near(
+        "table",
+        [objective, size(&trainer.finish().unwrap())],
+        [-204.84407612706713, 1.0337255318358685],
+    );
 }
