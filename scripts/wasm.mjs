@@ -63,7 +63,7 @@ async function compileTargets(/** @type {string} */ place, /** @type {string[]} 
   }
 }
 
-/** Without `small`, wasm-opt is left out: the wasm is a ninth larger, and ready sooner. */
+/** Without `small`, wasm-opt is left out: the wasm is larger, and ready sooner. */
 export async function buildWasm({ small = true } = {}) {
   await compileWasm();
   const pkg = at("crate/wasm/pkg");
