@@ -182,6 +182,7 @@ describe("without a network", () => {
     await page.getByTestId("view-compare").click();
     await page.getByRole("alert").filter({ hasText: "could not be loaded" }).waitFor();
     await page.context().setOffline(false);
+    await page.getByRole("button", { name: "Reload the page" }).click();
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 60_000 });
     await leave();
   });

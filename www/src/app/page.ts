@@ -152,7 +152,7 @@ export class PageView extends View {
   }
 
   protected override arrived(): void {
-    // What could not be loaded may be there now.
+    // What could not be loaded may be there now. Chromium keeps a failed import until the page is reloaded.
     this.listen(window, "online", () => {
       for (const [view, state] of this.#loaded) if (state === "failed") this.load(view);
     });
@@ -222,7 +222,7 @@ export class PageView extends View {
     if (typeof loaded === "function") return loaded();
     if (loaded === "failed")
       return html`<p class="empty" role="alert">This part of the page could not be loaded.
-        <button class="small" @click=${() => this.load(view)}>Try again</button></p>`;
+        <button class="small" @click=${() => location.reload()}>Reload the page</button></p>`;
     if (!loaded) queueMicrotask(() => this.load(view));
     return html`<p class="empty" role="status">Loading</p>`;
   }
