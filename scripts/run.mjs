@@ -93,7 +93,10 @@ export function filesUnder(/** @type {string[]} */ paths, /** @type {string[]} *
   return found.sort();
 }
 
-/** @typedef {{ inputs: string[], outputs: string[], salt?: string }} State `salt` holds inputs that are not files */
+/**
+ * @typedef {{ inputs: string[], outputs: string[], salt?: string }} State
+ * `salt` holds inputs that are not files
+ */
 
 const stampOf = (/** @type {string} */ name) => at(".tools", `${name}.stamp`);
 

@@ -55,8 +55,8 @@ async function npmPackages() {
 }
 
 /**
- * Everything the build needs; with `forTests` also what only the tests need. `meanwhile` is done while npm waits for
- * the network, so it must not need what npm installs.
+ * Everything the build needs; with `forTests` also what only the tests need. `meanwhile` is done while npm
+ * waits for the network, so it must not need what npm installs.
  * @param {{ forTests?: boolean, meanwhile?: () => Promise<unknown> }} [options]
  */
 export async function installTools({ forTests = false, meanwhile } = {}) {

@@ -121,8 +121,8 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// What was wrong with the command line, with clap's hints ("a similar argument exists"), without the help that
-/// clap adds in further paragraphs.
+/// What was wrong with the command line, with clap's hints ("a similar argument exists"), without the help
+/// that clap adds in further paragraphs.
 fn words(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let command = command();

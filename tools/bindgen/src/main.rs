@@ -1,6 +1,6 @@
 //! `bindgen FILE.wasm FOLDER TARGET`: writes into FOLDER the wasm with its JavaScript and its types, for the
-//! target `web` or `nodejs`. It gives the same bytes as the program `wasm-bindgen`, which has five times as much
-//! to compile.
+//! target `web` or `nodejs`. It gives the same bytes as the program `wasm-bindgen`, which has five times as
+//! much to compile.
 
 use std::{env, error::Error};
 use wasm_bindgen_cli_support::Bindgen;
