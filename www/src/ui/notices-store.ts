@@ -40,7 +40,10 @@ export class NoticesStore extends Store {
 
   /** Says that a piece of the page that is fetched when it is asked for did not come. */
   addNotLoaded(what: string): void {
-    this.addError(`${what} could not be loaded`, "Is this machine offline? Reload the page when it is online.");
+    this.addError(
+      `${what} could not be loaded`,
+      "Is this machine offline? Reload the page when it is online.",
+    );
   }
 
   dismiss(id: number): void {
