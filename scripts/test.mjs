@@ -1,5 +1,5 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
@@ -52,6 +52,7 @@ const STEPS = [
     what: "Rust tests and doctests",
     work: () => run("cargo", "test", ...NATIVE, "--all-features"),
   },
+  { name: "recordings", what: "Rust tests on recordings", work: recordings },
   { name: "files", what: "model files read with numpy", work: files },
   { name: "golden", what: "golden numbers, made again", work: checkGolden },
   {
@@ -120,6 +121,18 @@ async function msrv() {
     }
   }
   await run("cargo", `+${version}`, "check", ...NATIVE);
+}
+
+/** The tests that need recordings, which are not part of the project. */
+async function recordings() {
+  env.VCGPDM_CLIPS ??= at("../shared/bvh");
+  if (!existsSync(env.VCGPDM_CLIPS)) return `skipped: no recordings in ${env.VCGPDM_CLIPS}: set VCGPDM_CLIPS`;
+  const names = ["recordings::", ...(env.VCGPDM_ACCLAIM ? ["acclaim::"] : [])];
+  const tests = ["test", ...NATIVE, "--all-features", "--tests", "--", "--ignored", ...names];
+  await run("cargo", ...tests);
+  const count = (output("cargo", ...tests, "--list") ?? "").match(/: test$/gm)?.length ?? 0;
+  if (count === 0) throw new Failure("expected tests in modules named recordings, found none");
+  return `${count} tests${env.VCGPDM_ACCLAIM ? "" : "; none on asf and amc: set VCGPDM_ACCLAIM"}`;
 }
 
 async function rustInWasm() {

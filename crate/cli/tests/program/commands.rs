@@ -356,31 +356,6 @@ fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
     assert!(model.exists());
 }
 
-/// Recorded clips are not part of the project; this one looks where they may lie.
-#[test]
-fn real_clips_are_told_and_written_back() {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/bvh").to_owned();
-    let folder_of_clips = PathBuf::from(std::env::var("VCGPDM_CLIPS").unwrap_or(beside)).join("cmu-walk");
-    let clip = folder_of_clips.join("35_01.bvh");
-    if !clip.exists() {
-        println!("skipped: no recorded clips in {}", folder_of_clips.display());
-        return;
-    }
-    let out = folder("real").join("out.bvh");
-    let first = json(&["clip", text(&clip), "--out", text(&out)]);
-    assert_eq!((first["up_axis"].as_str(), first["joints"].as_array().map(Vec::len)), (Some("y"), Some(31)));
-    assert!(first["warnings"].to_string().contains("T-pose"));
-    let again = json(&["clip", text(&out)]);
-    for key in ["frames", "frame_time", "joints", "height", "up_axis"] {
-        assert_eq!(first[key], again[key], "{key}");
-    }
-    assert_eq!(
-        again["warnings"].as_array().map(Vec::len),
-        Some(0),
-        "the T-pose was dropped once and for all"
-    );
-}
-
 #[test]
 fn the_commands_of_the_document_run() {
     let document = include_str!("../../../../docs/terminal.md").replace("\\\n", "");

@@ -9,6 +9,7 @@ mod files;
 mod library;
 mod models;
 mod perception;
+mod recordings;
 mod reproduce;
 mod rollout;
 mod streams;

@@ -1,8 +1,7 @@
 //! Motions as the CMU database keeps them, beside their usual conversion to BVH.
 //!
-//! The files are not part of the project. They are looked for in the folder that VCGPDM_ACCLAIM names: of a
-//! motion `01_01.amc` its skeleton `01.asf` and its conversion `01_01.bvh`. Without them this test says that
-//! it skips.
+//! The files are not part of the project: they lie in the folder that VCGPDM_ACCLAIM names. To a motion
+//! `01_01.amc` belong its skeleton `01.asf` and its conversion `01_01.bvh`.
 
 use std::path::PathBuf;
 use vcgpdm::motion::asf::{self, File};
@@ -14,11 +13,10 @@ const MOVED: [&str; 7] =
     ["Neck", "LeftShoulder", "RightShoulder", "LeftFingerBase", "RightFingerBase", "LThumb", "RThumb"];
 
 #[test]
+#[ignore = "needs recordings in asf and amc: set VCGPDM_ACCLAIM"]
 fn motions_are_those_of_their_conversion_but_for_the_bones_that_it_leaves_out() {
-    let Some(folder) = std::env::var_os("VCGPDM_ACCLAIM").map(PathBuf::from) else {
-        eprintln!("skipped: VCGPDM_ACCLAIM names no folder with recordings");
-        return;
-    };
+    let folder = std::env::var_os("VCGPDM_ACCLAIM").expect("VCGPDM_ACCLAIM names the folder of the files");
+    let folder = PathBuf::from(folder);
     let read =
         |name: &str| std::fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
     let names =

@@ -6,7 +6,7 @@ mod combinations;
 mod documents;
 mod examples;
 mod live;
-mod real_clips;
+mod recordings;
 mod schema;
 mod series;
 #[path = "../shared/start_model.rs"]

@@ -1,7 +1,7 @@
 //! Every recorded clip that is there: read, written, mapped to rows of Y and back.
 //!
-//! The clips are not part of the project. They are looked for in the folder that VCGPDM_CLIPS names, else in
-//! `shared/bvh` beside the repository; without them these tests say that they skip.
+//! The clips are not part of the project: they lie in the folder that VCGPDM_CLIPS names. Where they are,
+//! `npm test -- --only recordings` runs these tests.
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
@@ -9,17 +9,12 @@ use vcgpdm::motion::pose::PoseMapping;
 use vcgpdm::motion::{Clip, Recording, bvh, parts};
 
 fn folder() -> PathBuf {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/bvh");
-    std::env::var_os("VCGPDM_CLIPS").map_or(beside, PathBuf::from)
+    std::env::var_os("VCGPDM_CLIPS").expect("VCGPDM_CLIPS names the folder of the recordings").into()
 }
 
-/// All files with their paths relative to the folder; `None` (and a note) where there is no such folder.
-fn recordings(folders: &[&str]) -> Option<Vec<(String, Recording)>> {
+/// All files with their paths relative to the folder.
+fn recordings(folders: &[&str]) -> Vec<(String, Recording)> {
     let root = folder();
-    if !root.is_dir() {
-        eprintln!("skipped: no recorded clips in {}", root.display());
-        return None;
-    }
     let mut recordings = Vec::new();
     for folder in folders {
         let entries = std::fs::read_dir(root.join(folder)).unwrap();
@@ -33,20 +28,20 @@ fn recordings(folders: &[&str]) -> Option<Vec<(String, Recording)>> {
         }
     }
     assert!(!recordings.is_empty());
-    Some(recordings)
+    recordings
 }
 
 /// The same files as clips.
-fn clips(folders: &[&str]) -> Option<Vec<(String, Clip)>> {
-    let recordings = recordings(folders)?.into_iter();
-    Some(recordings.map(|(path, recording)| (path, recording.into_clip())).collect())
+fn clips(folders: &[&str]) -> Vec<(String, Clip)> {
+    recordings(folders).into_iter().map(|(path, recording)| (path, recording.into_clip())).collect()
 }
 
 const ALL: [&str; 3] = ["cmu-walk", "varied", "tricky"];
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn written_clips_read_back_the_same() {
-    for (path, clip) in clips(&ALL).unwrap_or_default() {
+    for (path, clip) in clips(&ALL) {
         let again = bvh::read("again.bvh", bvh::write(&clip).as_bytes()).unwrap();
         // A root with places of its own is written without its offset, which means nothing to us.
         let mut skeleton = clip.skeleton.clone();
@@ -78,8 +73,9 @@ fn difference(a: &Clip, b: &Clip, height: f64) -> (f64, f64) {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn rows_of_y_give_the_motion_back() {
-    for (path, clip) in clips(&ALL).unwrap_or_default() {
+    for (path, clip) in clips(&ALL) {
         let mapping = PoseMapping::new(&clip);
         let encoded = mapping.encode(&clip).unwrap();
         let decoded = mapping.decode(&encoded.y, &encoded.start, clip.frame_time).unwrap();
@@ -100,8 +96,9 @@ fn rows_of_y_give_the_motion_back() {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn the_walks_vary_as_the_reference_says() {
-    let Some(clips) = clips(&["cmu-walk"]) else { return };
+    let clips = clips(&["cmu-walk"]);
     let slow: Vec<Clip> = clips.iter().map(|(_, clip)| clip.resample(30.0).unwrap()).collect();
     assert!(slow.iter().all(|clip| clip.warnings.iter().any(|warning| warning.contains("T-pose"))));
     let mapping = PoseMapping::new(&slow[0]);
@@ -115,8 +112,9 @@ fn the_walks_vary_as_the_reference_says() {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
-    for (path, clip) in clips(&["cmu-walk", "varied"]).unwrap_or_default() {
+    for (path, clip) in clips(&["cmu-walk", "varied"]) {
         let y = PoseMapping::new(&clip).encode(&clip).unwrap().y;
         for column in 0..6 {
             let steps =
@@ -131,7 +129,7 @@ fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
 /// What the index lists of each file: path, up axis, body height where it was measured, and whether row 0 is
 /// an added T-pose.
 fn index() -> Vec<(String, String, Option<f64>, bool)> {
-    let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap_or_default();
+    let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap();
     let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
     let entry = |row: Vec<&str>| {
         (row[0].to_owned(), row[8].to_lowercase(), row[9].parse().ok(), row[1].contains("T-pose"))
@@ -140,9 +138,10 @@ fn index() -> Vec<(String, String, Option<f64>, bool)> {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn up_axes_heights_and_parts_are_found() {
     let index = index();
-    for (path, clip) in clips(&ALL).unwrap_or_default() {
+    for (path, clip) in clips(&ALL) {
         let found = parts::presets(&clip.skeleton);
         let ids: Vec<&str> = found.iter().map(|preset| preset.id.as_str()).collect();
         let (up, height) = (clip.up_axis(), clip.height());
@@ -163,8 +162,9 @@ fn up_axes_heights_and_parts_are_found() {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn the_walks_are_of_one_body_and_others_are_not() {
-    let Some(clips) = clips(&["cmu-walk", "varied"]) else { return };
+    let clips = clips(&["cmu-walk", "varied"]);
     let first = &clips[0].1.skeleton;
     for (path, clip) in &clips {
         let same = first.same_body(&clip.skeleton);
@@ -174,9 +174,10 @@ fn the_walks_are_of_one_body_and_others_are_not() {
 }
 
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn only_added_t_poses_are_dropped() {
     let index = index();
-    for (path, Recording { name, skeleton, frame_time, values, .. }) in recordings(&ALL).unwrap_or_default() {
+    for (path, Recording { name, skeleton, frame_time, values, .. }) in recordings(&ALL) {
         let Some((.., listed)) = index.iter().find(|(listed, ..)| *listed == path) else { continue };
         // The rows as a motion, whatever the first one is: a file of another rate would hold them so.
         let rows = Clip::new(&name, skeleton, frame_time, values);
@@ -199,32 +200,12 @@ fn only_added_t_poses_are_dropped() {
 
 /// The files of subject 7 have a row at rest before the walk, and the last of them two.
 #[test]
+#[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn every_row_before_a_walk_of_subject_7_is_dropped() {
-    for (path, recording) in recordings(&["cmu-07"]).unwrap_or_default() {
+    for (path, recording) in recordings(&["cmu-07"]) {
         let added = if path.contains("07_12") { 2 } else { 1 };
         assert_eq!(recording.rows_before_motion(), added, "{path}");
         let clip = recording.clone().into_clip();
         assert_eq!(clip.values, recording.values.rows(added, recording.frames() - added), "{path}");
     }
-}
-
-/// Prints the time that a rollout's poses take: `cargo test --release --test library -- real_clips --ignored
-/// --nocapture`.
-#[test]
-#[ignore = "a measurement, not a check"]
-fn poses_of_a_rollout_are_fast() {
-    let Some(clips) = clips(&["cmu-walk"]) else { return };
-    let clip = clips[0].1.cut(0, 300).unwrap();
-    let mapping = PoseMapping::new(&clip);
-    let encoded = mapping.encode(&clip).unwrap();
-    let begin = std::time::Instant::now();
-    for _ in 0..100 {
-        std::hint::black_box(mapping.decode_positions(&encoded.y, &encoded.start).unwrap());
-    }
-    println!("decode_positions of 300 frames: {:?}", begin.elapsed() / 100);
-    let begin = std::time::Instant::now();
-    for _ in 0..10 {
-        std::hint::black_box(mapping.decode(&encoded.y, &encoded.start, 0.03).unwrap());
-    }
-    println!("decode of 300 frames: {:?}", begin.elapsed() / 10);
 }
