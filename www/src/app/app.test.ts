@@ -173,4 +173,11 @@ it("leaving the page loses work only where nothing keeps it", async () => {
   expect(wouldLose(app)).toBe(true);
   const session = { loaded: { keeps: true } };
   expect(wouldLose({ ...app, session } as unknown as App)).toBe(false);
+  // Of the comparisons, the browser keeps the one that is looked at.
+  const [shown, other] = [{}, {}];
+  const compared = (unsaved: unknown[]) => {
+    const comparison = { loaded: { unsaved, shown } };
+    return wouldLose({ ...app, session, comparison } as unknown as App);
+  };
+  expect([compared([]), compared([shown]), compared([shown, other])]).toEqual([false, false, true]);
 });

@@ -1,8 +1,17 @@
 import { describe, expect, it } from "vitest";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
-import { dividersOf, moveDivider, sharesOf, shareWord } from "./shares";
+import { dividersOf, moveDivider, sharesOf, shareWord, weightOf } from "./shares";
 
 const total = (alphas: readonly number[]) => alphas.reduce((sum, alpha) => sum + 1 / alpha, 0);
+
+it("a weight is the share of a source among all that lead to its target", () => {
+  const alpha = [
+    [1, 4],
+    [3, 1],
+  ];
+  expect(weightOf(alpha, 0, 1)).toBeCloseTo(0.2, 12);
+  expect(weightOf(alpha, 1, 0)).toBeCloseTo(0.25, 12);
+});
 
 it("the shares sum to 1, and the smaller variance has the larger one", () => {
   const shares = sharesOf([0.1, 0.3, 10]);

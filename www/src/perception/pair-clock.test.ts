@@ -75,6 +75,10 @@ describe("the clock of a trial", () => {
     clock.drawn(1, 20.4);
     clock.drawn(1, 37);
     expect(clock.shown.startedApart).toBeCloseTo(0.3);
+    const rightFirst = new PairClock({ crossSeconds: 0, seconds: 1 });
+    rightFirst.drawn(1, 20.1);
+    rightFirst.drawn(0, 20.4);
+    expect(rightFirst.shown.startedApart).toBeCloseTo(0.3);
   });
 
   it("is stopped by an answer", () => {

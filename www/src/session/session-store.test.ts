@@ -191,6 +191,16 @@ describe("the next visit", () => {
     expect([store.offer?.what, store.busy, shelf.records.has("a")]).toEqual(["a model", false, true]);
   });
 
+  it("keeps it until what it brought back is kept again", async () => {
+    await left("a", { model: "{}" });
+    const { visit, store } = session("b");
+    await store.begin();
+    visit.now = { ...visit.now, model: "{}" };
+    shelf.full = true;
+    await store.bringBack();
+    expect([visit.taken?.model, shelf.records.has("a")]).toEqual(["{}", true]);
+  });
+
   it("is not offered what another tab is still doing", async () => {
     const { visit, store } = session("a");
     await store.begin();

@@ -91,6 +91,15 @@ describe("settings in the URL", () => {
     expect(readSettings("#split=a:0-4;b:4-6").split).toEqual([]);
   });
 
+  it("refuses more parts than the page can show", () => {
+    const split = (count: number) =>
+      Array.from({ length: count }, (_, part) => ({ name: `part ${part}`, joints: [part] }));
+    const read = (count: number) =>
+      readSettings(writeSettings({ ...initialSettings(), split: split(count) }));
+    expect(read(8).split).toEqual(split(8));
+    expect(read(9).split).toEqual([]);
+  });
+
   it("refuses a name that two parts have, also one that they have only as the address writes it", () => {
     expect(readSettings("#parts=hand&split=a:0-4;a:5-6").split).toEqual([]);
     const split = ["a b", "a:b"].map((name, joint) => ({ name, joints: [joint] }));
