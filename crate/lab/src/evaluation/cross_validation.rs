@@ -350,6 +350,26 @@ mod tests {
         }
     }
 
+    /// With other motions in the frames to be predicted, a fold trains on the same numbers.
+    #[test]
+    fn the_trial_held_out_is_not_trained_on() {
+        let mut trials = trials();
+        let parts = &parts::presets(&trials[0].skeleton)[0].parts;
+        let fps = 1.0 / trials[1].frame_time;
+        let fold = |trials: &[Clip]| Fold::new(trials, 2, 2, parts, fps, START_FRAMES).unwrap();
+        let before = fold(&trials);
+        let frames = trials[1].frames();
+        let others = trials[0].frames() + trials[2].frames();
+        assert_eq!(before.movements().y[0].nrows(), others + START_FRAMES);
+        for frame in START_FRAMES..frames {
+            let still = trials[1].values.row(0).into_owned();
+            trials[1].values.row_mut(frame).copy_from(&still);
+        }
+        let after = fold(&trials);
+        assert_ne!(after.actual(), before.actual());
+        assert_eq!(after.movements().y, before.movements().y);
+    }
+
     #[test]
     fn a_stopped_training_has_no_outcome() {
         let trials = trials();
