@@ -206,6 +206,6 @@ mod tests {
 
     #[test]
     fn a_terminal_is_not_told_what_to_do_by_a_file() {
-        assert_eq!(shown("a\u{1b}[2J\u{7}é\nb"), "a\\u{1b}[2J\\u{7}é\nb");
+        assert_eq!(shown("a\u{1b}[2J\u{7}\u{9b}é\nb"), "a\\u{1b}[2J\\u{7}\\u{9b}é\nb");
     }
 }
