@@ -35,7 +35,7 @@ const page = document.querySelector<PageView>("pg-page");
 listenToKeys({
   togglePlay: () => page?.clock?.togglePlay(),
   step: (direction) => page?.clock?.step(direction),
-  resetCouplings: () => app.isPlayView && app.model.resetCouplings(),
+  resetCouplings: () => app.isPlayView && app.model.couplings.resetAll(),
   help: () => page?.openHelp(),
   hold: (held) => page?.holdByKey(held),
   projector: () => app.settings.change({ large: !app.settings.values.large }),

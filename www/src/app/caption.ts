@@ -26,7 +26,7 @@ export function wordsNow(app: App): StageWords {
     clip,
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
-    altered: model.altered,
+    altered: model.couplings.altered,
     preset: model.preset,
     live: stage.shown?.live === true,
     beside: stage.columns !== null,
@@ -72,13 +72,13 @@ export class CaptionView extends View {
     const words = healthWords(body.reports.now.health, {
       seconds,
       parts: shown.parts,
-      altered: model.altered,
+      altered: model.couplings.altered,
     });
     if (!words) return nothing;
     const run = training.chosen;
     const points = run && training.morePoints(run);
-    const buttons = model.altered
-      ? html`<button class="small" @click=${() => model.resetCouplings()}>Couplings as learned</button>`
+    const buttons = model.couplings.altered
+      ? html`<button class="small" @click=${() => model.couplings.resetAll()}>Couplings as learned</button>`
       : run && !embedded && !training.busy && training.whyNot() === ""
         ? html`${
             points === null

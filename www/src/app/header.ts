@@ -77,8 +77,8 @@ export class HeaderView extends View {
   private invitation() {
     const { model, stage, training } = this.app;
     if (stage.shown?.kind !== "model" || training.learning) return nothing;
-    if (model.altered) {
-      return html`<button class="link" data-testid="lead-back" @click=${() => model.resetCouplings()}>Back to as learned</button>`;
+    if (model.couplings.altered) {
+      return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>Back to as learned</button>`;
     }
     const preset = model.presets.find(({ id }) => id === INVITATION.preset);
     if (preset) {

@@ -116,7 +116,7 @@ export class PageView extends View {
   /** The coupling of the slider in focus; without one, the strongest from one part to another. */
   holdByKey(held: boolean): void {
     if (held && this.app.isPlayView)
-      this.keyHolds = this.couplingInFocus() ?? this.app.model.strongestBetween();
+      this.keyHolds = this.couplingInFocus() ?? this.app.model.couplings.strongestBetween();
     if (this.keyHolds) void this.holdCoupling({ ...this.keyHolds, held });
     if (!held) this.keyHolds = null;
   }

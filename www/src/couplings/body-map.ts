@@ -7,7 +7,7 @@ import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import { type Body, bodyOf, bowPath, HEIGHT, loopPath, NODE, WIDTH } from "./body-layout";
 import type { ModelStore } from "./model-store";
-import { shareWord } from "./shares";
+import { weightText } from "./weights";
 import { partStyle } from "../ui/styled";
 
 /** Pixels of drag for a factor of ten in alpha. */
@@ -54,7 +54,7 @@ export class BodyMap extends View {
     return (event: PointerEvent) => {
       event.preventDefault();
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
-      this.drag = { source, target, y: event.clientY, alpha: this.model.alpha(source, target) };
+      this.drag = { source, target, y: event.clientY, alpha: this.model.couplings.alphaOf(source, target) };
       this.resting = window.setTimeout(() => {
         this.drag = null;
         this.hold({ source, target }, true);
@@ -74,7 +74,7 @@ export class BodyMap extends View {
     if (!drag || (this.resting && Math.abs(event.clientY - drag.y) < STILL)) return;
     this.rests();
     const alpha = drag.alpha * 10 ** ((event.clientY - drag.y) / DECADE);
-    this.model.setCoupling(drag.source, drag.target, Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha)));
+    this.model.couplings.set(drag.source, drag.target, Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha)));
   }
 
   private drop(): void {
@@ -91,19 +91,19 @@ export class BodyMap extends View {
 
   private arrow(source: number, target: number) {
     const { model } = this;
-    const w = model.weight(source, target);
+    const w = model.couplings.weight(source, target);
     const [a, b] = [this.body.spots[source], this.body.spots[target]];
     if (!a || !b) return svg``;
     const width = 1 + 6.5 * w;
     const path = source === target ? loopPath(a) : bowPath(a, b);
     const name = (part: number) => model.model?.info.parts[part]?.name ?? "";
-    const alpha = model.alpha(source, target);
+    const alpha = model.couplings.alphaOf(source, target);
     const head = `head-${source}-${target}`;
     return svg`
       <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(partColour(source))} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
         @pointerup=${this.drop} @pointercancel=${this.drop}
-        @dblclick=${() => model.resetCoupling(source, target)}>
-        <title>${name(source)} to ${name(target)}: weight ${shareWord(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
+        @dblclick=${() => model.couplings.reset(source, target)}>
+        <title>${name(source)} to ${name(target)}: weight ${weightText(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
           markerWidth=${(6 + 1.25 * width).toFixed(1)} markerHeight=${(6 + 1.25 * width).toFixed(1)} orient="auto"><path d="M0 0.4L9 5L0 9.6z" /></marker>
         <path class="grip" d=${path} />

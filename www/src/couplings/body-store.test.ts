@@ -34,7 +34,7 @@ it("measures 20 seconds of the motion, without the first 5, beside the motion as
   await pause();
   expect(asked.mock.calls).toEqual([[{ frames: 600, sequence: 0, alpha: null, reading: "as learned" }, 150]]);
   expect([body.reports?.now, body.isCurrent]).toEqual([body.reports?.learned, true]);
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   expect(body.isCurrent).toBe(false);
   await pause();
   expect(body.isCurrent).toBe(true);
@@ -50,7 +50,7 @@ it("waits until the slider rests, and says which measures are of an older motion
   await pause();
   const asked = vi.spyOn(engine, "bodyReport");
   for (let i = 1; i <= 10; i++) {
-    model.setCoupling(0, 1, 8 + i);
+    model.couplings.set(0, 1, 8 + i);
     await vi.advanceTimersByTimeAsync(50);
     expect([asked.mock.calls.length, body.isCurrent]).toEqual([0, false]);
   }

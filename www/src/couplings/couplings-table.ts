@@ -1,21 +1,25 @@
-// The frame of a table of couplings: a row for each part that decides, a column for each that it decides
-// about.
+// A table of couplings: a row for each part that decides, a column for each part that it decides about.
 import { html, nothing, type TemplateResult } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
+import { type CouplingCell, couplingCell } from "./coupling-cell";
+import type { CouplingsStore } from "./couplings-store";
 
-export interface CouplingsTable {
+export interface CouplingsTable extends Partial<Pick<CouplingCell, "trained" | "prefix">> {
+  couplings: CouplingsStore;
   /** The names of the parts. */
   parts: readonly string[];
-  /** A cell, `<td>`. */
-  cell(source: number, target: number): TemplateResult;
-  /** What stands above the cells of a part. */
+  /** Drawn above the cells of a part. */
   above?: (target: number) => TemplateResult;
 }
 
-export function couplingsTable({ parts, cell, above }: CouplingsTable) {
+export function couplingsTable({ couplings, parts, above, trained = true, prefix = "" }: CouplingsTable) {
   const head = (part: number) =>
     html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${parts[part] ?? ""}</span>`;
+  const cell = (source: number, target: number) => {
+    const names: CouplingCell["names"] = [parts[source] ?? "", parts[target] ?? ""];
+    return couplingCell({ couplings, source, target, names, trained, prefix });
+  };
   return html`
     <div class="table-box">
       <table class="couplings" data-parts=${parts.length}>

@@ -9,7 +9,6 @@ import "../terms/term";
 import { View } from "../ui/view";
 import "./body-map";
 import type { BodyStore } from "./body-store";
-import { couplingCell } from "./coupling-cell";
 import "./couplings.css";
 import { couplingsTable } from "./couplings-table";
 import type { ModelStore } from "./model-store";
@@ -30,28 +29,12 @@ export class CouplingsView extends View {
     return [this.model, this.settings, this.engine];
   }
 
-  private cell({ parts }: ModelInfo, source: number, target: number) {
-    const { model } = this;
-    return couplingCell({
-      source,
-      target,
-      names: [parts[source]?.name ?? "", parts[target]?.name ?? ""],
-      alpha: model.alpha(source, target),
-      before: model.learnedAlpha(source, target),
-      learned: true,
-      weight: model.weight(source, target),
-      changed: model.isChanged(source, target),
-      change: (alpha) => model.setCoupling(source, target, alpha),
-      reset: () => model.resetCoupling(source, target),
-    });
-  }
-
   private table(info: ModelInfo) {
     const bar = (target: number) =>
       html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
     return couplingsTable({
+      couplings: this.model.couplings,
       parts: info.parts.map(({ name }) => name),
-      cell: (source, target) => this.cell(info, source, target),
       ...(info.parts.length > 1 ? { above: bar } : {}),
     });
   }

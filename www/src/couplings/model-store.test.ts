@@ -59,7 +59,7 @@ describe("a coupling", () => {
     const before = engine.rollouts.length;
     const listener = vi.fn(() => expect(write).not.toHaveBeenCalled());
     model.on(listener);
-    model.setCoupling(0, 1, 7.123456789);
+    model.couplings.set(0, 1, 7.123456789);
     expect(listener).toHaveBeenCalled();
     const alpha = [
       [1, 7.123456789],
@@ -69,45 +69,44 @@ describe("a coupling", () => {
       { frames: 300, sequence: 0, alpha, reading: "re-inferred" },
     ]);
     await settled();
-    expect([model.alpha(0, 1), weightOf(0, 1), model.learnedAlpha(0, 1)]).toEqual([
+    expect([model.couplings.alphaOf(0, 1), weightOf(0, 1), model.couplings.learnedAlpha(0, 1)]).toEqual([
       7.123456789, 7.123456789, 4,
     ]);
   });
 
   it("changes its weight before the motion is there", () => {
     engine.holding.add("rollout");
-    expect(model.weightsInto(1)).toEqual([0.2, 0.8]);
-    model.setCoupling(0, 1, 1);
-    expect(model.weight(0, 1)).toBe(0.5);
+    expect(model.couplings.weightsInto(1)).toEqual([0.2, 0.8]);
+    model.couplings.set(0, 1, 1);
+    expect(model.couplings.weight(0, 1)).toBe(0.5);
   });
 
   it("changes with its neighbour when their divider is moved: one rollout, and one that is back is no change", async () => {
     const before = engine.rollouts.length;
-    model.moveDivider(1, 0, 0.5);
+    model.couplings.moveDivider(1, 0, 0.5);
     await settled();
-    expect(model.weightsInto(1).map((w) => w.toFixed(6))).toEqual(["0.500000", "0.500000"]);
-    expect([model.alpha(0, 1), model.alpha(1, 1)].map((alpha) => alpha.toFixed(6))).toEqual([
-      "1.600000",
-      "1.600000",
-    ]);
-    expect(model.isChanged(0, 0)).toBe(false);
-    model.moveDivider(1, 0, 0.2);
+    expect(model.couplings.weightsInto(1).map((w) => w.toFixed(6))).toEqual(["0.500000", "0.500000"]);
+    expect(
+      [model.couplings.alphaOf(0, 1), model.couplings.alphaOf(1, 1)].map((alpha) => alpha.toFixed(6)),
+    ).toEqual(["1.600000", "1.600000"]);
+    expect(model.couplings.isChanged(0, 0)).toBe(false);
+    model.couplings.moveDivider(1, 0, 0.2);
     await settled();
-    expect(model.altered).toBe(false);
+    expect(model.couplings.altered).toBe(false);
     expect(engine.rollouts.length - before).toBe(2);
-    model.moveDivider(1, 0, 0.5);
-    model.setCoupling(0, 0, 3);
-    model.resetInto(1);
-    expect([model.isChanged(0, 0), model.isChanged(0, 1), model.isChanged(1, 1)]).toEqual([
-      true,
-      false,
-      false,
-    ]);
+    model.couplings.moveDivider(1, 0, 0.5);
+    model.couplings.set(0, 0, 3);
+    model.couplings.resetInto(1);
+    expect([
+      model.couplings.isChanged(0, 0),
+      model.couplings.isChanged(0, 1),
+      model.couplings.isChanged(1, 1),
+    ]).toEqual([true, false, false]);
   });
 
   it("drops older changes that still wait", async () => {
     engine.holding.add("rollout");
-    for (let i = 1; i <= 20; i++) model.setCoupling(0, 1, 10 + i);
+    for (let i = 1; i <= 20; i++) model.couplings.set(0, 1, 10 + i);
     expect(engine.held).toHaveLength(1);
     engine.held[0]?.end();
     await settled();
@@ -119,40 +118,44 @@ describe("a coupling", () => {
   });
 
   it("shows the motion as learned as a ghost while it differs, and is back at it near the learned value", async () => {
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     expect(stage.ghost).toBe(model.learned?.motion);
-    expect([model.altered, model.isChanged(0, 1), model.isChanged(1, 0)]).toEqual([true, true, false]);
-    model.setCoupling(0, 1, 4.01);
-    expect([model.altered, stage.ghost]).toEqual([false, null]);
+    expect([
+      model.couplings.altered,
+      model.couplings.isChanged(0, 1),
+      model.couplings.isChanged(1, 0),
+    ]).toEqual([true, true, false]);
+    model.couplings.set(0, 1, 4.01);
+    expect([model.couplings.altered, stage.ghost]).toEqual([false, null]);
     await settled();
     expect(model.rollout?.request.alpha).toBeNull();
   });
 
   it("takes a clip off the stage", () => {
     stage.showClip(clip());
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     expect(stage.clip).toBeNull();
   });
 
   it("is set back alone or with all others", () => {
-    model.setCoupling(0, 1, 8);
-    model.setCoupling(1, 0, 9);
-    model.resetCoupling(0, 1);
+    model.couplings.set(0, 1, 8);
+    model.couplings.set(1, 0, 9);
+    model.couplings.reset(0, 1);
     expect(settings.values.alpha).toEqual({ "1.0": 9 });
-    model.resetCouplings();
+    model.couplings.resetAll();
     expect(settings.values.alpha).toEqual({});
   });
 
   it("says when its rollout fails, and the next one is computed", async () => {
     engine.holding.add("rollout");
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     engine.held[0]?.fail(new Error("not positive definite"));
     await settled();
     expect(notices.all.map(({ title, text }) => `${title}: ${text}`)).toEqual([
       "This rollout failed: not positive definite",
     ]);
     engine.holding.clear();
-    model.setCoupling(0, 1, 9);
+    model.couplings.set(0, 1, 9);
     await settled();
     expect(weightOf(0, 1)).toBe(9);
   });
@@ -162,7 +165,7 @@ describe("presets", () => {
   it("are those of its parts, and set couplings and reading at once", async () => {
     expect(model.presets.map(({ name }) => name)).toContain("Upper on its own");
     expect(model.preset?.id).toBe("as-learned");
-    model.setReading("as learned");
+    model.couplings.setReading("as learned");
     stage.showClip(clip());
     const before = engine.rollouts.length;
     model.takePreset(model.presets.find(({ name }) => name === "Upper on its own")!);
@@ -173,22 +176,22 @@ describe("presets", () => {
       null,
     ]);
     expect(engine.rollouts.length - before).toBe(1);
-    model.setReading("as learned");
+    model.couplings.setReading("as learned");
     expect(model.preset).toBeNull();
   });
 
   it("give back the visitor's reading with a reset: after a preset, sliders once went on in that of the preset", () => {
     const other = model.presets.find(({ name }) => name === "Upper on its own")!;
-    model.setReading("as learned");
+    model.couplings.setReading("as learned");
     model.takePreset(other);
-    model.setCoupling(0, 1, 8);
-    model.resetCouplings();
-    expect([model.altered, settings.values.reading]).toEqual([false, "as learned"]);
+    model.couplings.set(0, 1, 8);
+    model.couplings.resetAll();
+    expect([model.couplings.altered, settings.values.reading]).toEqual([false, "as learned"]);
     // What the visitor chose later stays.
     model.takePreset(other);
-    model.setReading("as learned");
-    model.setReading("re-inferred");
-    model.resetCouplings();
+    model.couplings.setReading("as learned");
+    model.couplings.setReading("re-inferred");
+    model.couplings.resetAll();
     expect(settings.values.reading).toBe("re-inferred");
   });
 
@@ -204,39 +207,43 @@ describe("presets", () => {
 
 describe("another model", () => {
   it("is taken up without the couplings of the one before, and its training latents come along", async () => {
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     const latents = [new Float64Array(2)];
     await model.open(modelText(2), undefined, latents);
-    expect([model.altered, stage.ghost, model.model?.trainingLatents]).toEqual([false, null, latents]);
+    expect([model.couplings.altered, stage.ghost, model.model?.trainingLatents]).toEqual([
+      false,
+      null,
+      latents,
+    ]);
     expect(model.model?.info.provenance.settings.seed).toBe(2);
   });
 
   it("is another page: Back brings the couplings of the one before, for when that is opened again", async () => {
     await model.open(modelText(3));
     expect(bar.pages).toHaveLength(1);
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     await model.open(modelText(2));
     expect(bar.pages).toEqual([`model=${modelHash(3).slice(0, 8)}&alpha=0.1:8`, ""]);
     bar.pages.pop();
     settings.readAddress();
     model.restart();
-    expect([model.altered, model.foreign]).toEqual([false, modelHash(3).slice(0, 8)]);
+    expect([model.couplings.altered, model.foreign]).toEqual([false, modelHash(3).slice(0, 8)]);
     await model.open(modelText(3));
-    expect(model.alpha(0, 1)).toBe(8);
+    expect(model.couplings.alphaOf(0, 1)).toBe(8);
   });
 
   it("keeps the couplings and the clip in front when it is asked to", async () => {
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     stage.showClip(clip());
     await model.open(modelText(2), { couplings: "visitor", clip: true });
     await settled();
-    expect([model.alpha(0, 1), weightOf(0, 1), stage.clip]).toEqual([8, 8, "a"]);
+    expect([model.couplings.alphaOf(0, 1), weightOf(0, 1), stage.clip]).toEqual([8, 8, "a"]);
     expect(model.learned?.request.alpha).toBeNull();
   });
 
   it("drops the answer to a rollout that was under way, whichever the worker knew of", async () => {
     engine.holding.add("rollout");
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     await model.open(modelText(2));
     const rollout = model.rollout;
     engine.held[0]?.end();
@@ -247,7 +254,7 @@ describe("another model", () => {
     engine.holding.add("openModel");
     engine.held.length = 0;
     const opened = model.open(modelText(3));
-    model.setCoupling(0, 1, 9);
+    model.couplings.set(0, 1, 9);
     engine.held.find(({ name }) => name === "rollout")?.end();
     await settled();
     expect(model.rollout).toBe(rollout);
@@ -342,9 +349,9 @@ describe("a link", () => {
   it("names the model whose couplings or start it carries, and no model otherwise", async () => {
     await begin("", 3);
     expect(settings.values.model).toBe("");
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     expect(settings.values.model).toBe(id(1));
-    model.resetCouplings();
+    model.couplings.resetAll();
     expect(settings.values.model).toBe("");
     model.setStart(1);
     expect(settings.values.model).toBe(id(1));
@@ -352,12 +359,16 @@ describe("a link", () => {
 
   it("to another model changes nothing but says so, until that model is opened", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8&start=1`, 3);
-    expect([model.altered, settings.values.start, model.foreign]).toEqual([false, 0, id(2)]);
+    expect([model.couplings.altered, settings.values.start, model.foreign]).toEqual([false, 0, id(2)]);
     await model.open(modelText(3, 3));
-    expect([model.altered, model.foreign]).toEqual([false, id(2)]);
+    expect([model.couplings.altered, model.foreign]).toEqual([false, id(2)]);
     await model.open(modelText(2, 3));
     await settled();
-    expect([model.alpha(0, 1), model.foreign, model.rollout?.request.sequence]).toEqual([8, null, 1]);
+    expect([model.couplings.alphaOf(0, 1), model.foreign, model.rollout?.request.sequence]).toEqual([
+      8,
+      null,
+      1,
+    ]);
     expect(settings.values.model).toBe(id(2));
   });
 
@@ -373,12 +384,12 @@ describe("a link", () => {
 
   it("is no longer waited for when the visitor moves a slider or says so", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8`);
-    model.setCoupling(1, 0, 9);
+    model.couplings.set(1, 0, 9);
     expect(model.foreign).toBeNull();
     await begin(`model=${id(2)}&alpha=0.1:8`);
     model.forgetForeign();
     await model.open(modelText(2));
-    expect(model.altered).toBe(false);
+    expect(model.couplings.altered).toBe(false);
   });
 
   it("to this model, or from before links named models, brings its couplings", async () => {
@@ -389,16 +400,16 @@ describe("a link", () => {
   });
 
   it("follows the visitor's couplings from one model of a training to the next", async () => {
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     await model.open(modelText(2), { couplings: "visitor", clip: false });
     await settled();
-    expect([model.alpha(0, 1), settings.values.model]).toEqual([8, id(2)]);
+    expect([model.couplings.alphaOf(0, 1), settings.values.model]).toEqual([8, id(2)]);
   });
 });
 
 describe("the length", () => {
   it("is set in seconds within the limits, for the ghost too", async () => {
-    model.setCoupling(0, 1, 8);
+    model.couplings.set(0, 1, 8);
     model.setSeconds(5);
     await settled();
     expect([model.rollout?.request.frames, model.learned?.request.frames]).toEqual([150, 150]);

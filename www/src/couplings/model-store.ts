@@ -6,19 +6,18 @@ import type {
   ModelInfo,
   ModelView,
   OpenedModel,
-  Reading,
   RolloutRequest,
   RolloutResult,
 } from "../engine/protocol";
-import type { ChangedCouplings, Settings } from "../settings/settings";
+import type { Settings } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { couplingsOf, isClose, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
+import { type CouplingsChange, CouplingsStore } from "./couplings-store";
+import { couplingsOf, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
 import { sameTimes } from "./same-times";
-import { moveDivider, sharesOf } from "./shares";
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
@@ -45,6 +44,7 @@ interface Foreign extends Pick<Settings, "alpha" | "start" | "startFrame"> {
 }
 
 export class ModelStore extends Store {
+  readonly couplings: CouplingsStore;
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
   readonly #stage: StageStore;
@@ -60,8 +60,6 @@ export class ModelStore extends Store {
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #foreign: Foreign | null = null;
-  /** The reading before a preset brought its own. */
-  #ownReading: Reading | null = null;
   /** When the visitor changed a coupling whose rollout is not there yet. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
@@ -73,6 +71,12 @@ export class ModelStore extends Store {
     this.#settings = settings;
     this.#stage = stage;
     this.#notices = notices;
+    this.couplings = new CouplingsStore((change) => this.#couplingsChanged(change), {
+      get values() {
+        return settings.values;
+      },
+      change: (change) => this.#change(change),
+    });
     const queue = (done: (result: RolloutResult) => void) =>
       new Latest(
         (request: RolloutRequest) => this.#running().rollout(request),
@@ -112,11 +116,6 @@ export class ModelStore extends Store {
     return this.#foreign?.model ?? null;
   }
 
-  /** Whether a coupling differs from the learned one. */
-  get altered(): boolean {
-    return Object.keys(this.#settings.values.alpha).length > 0;
-  }
-
   /** The document of the model, where it is not the one that the page opens with. */
   get opened(): string | null {
     return this.#model === null || this.#model.sha256 === this.#startModel ? null : this.#text;
@@ -141,29 +140,6 @@ export class ModelStore extends Store {
     if (this.#model) this.#saved.add(this.#model.sha256);
   }
 
-  learnedAlpha(source: number, target: number): number {
-    return this.#model?.info.alpha[source]?.[target] ?? 1;
-  }
-
-  /** The coupling now; the learned one where nothing was changed. */
-  alpha(source: number, target: number): number {
-    return this.#settings.values.alpha[pair(source, target)] ?? this.learnedAlpha(source, target);
-  }
-
-  isChanged(source: number, target: number): boolean {
-    return this.#settings.values.alpha[pair(source, target)] !== undefined;
-  }
-
-  /** How much the predictions of all parts count for one, each 0 to 1. They follow the couplings at once. */
-  weightsInto(target: number): number[] {
-    return sharesOf(this.#alphasInto(target));
-  }
-
-  /** How much the prediction of a part counts for another, 0 to 1. */
-  weight(source: number, target: number): number {
-    return this.weightsInto(target)[source] ?? 0;
-  }
-
   /** Sets of couplings to choose from. */
   get presets(): readonly Preset[] {
     const model = this.#model;
@@ -179,15 +155,6 @@ export class ModelStore extends Store {
     return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
   }
 
-  /** The coupling from one part to another that counts most now; null where there is but one part. */
-  strongestBetween(): { source: number; target: number } | null {
-    const parts = this.#model?.info.parts.map((_, part) => part) ?? [];
-    const pairs = parts.flatMap((source) =>
-      parts.flatMap((target) => (source === target ? [] : [{ source, target }])),
-    );
-    return pairs.sort((a, b) => this.weight(b.source, b.target) - this.weight(a.source, a.target))[0] ?? null;
-  }
-
   /** What to ask the engine for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
     const { frames, reading, start, startFrame } = this.#settings.values;
@@ -195,10 +162,8 @@ export class ModelStore extends Store {
     const sequence = Math.min(start, Math.max(0, sequences - 1));
     const frame = Math.min(startFrame, this.startFrames(sequence) - 1);
     const begins = frame > 0 ? { frames, sequence, frame } : { frames, sequence };
-    if (!this.altered) return { ...begins, alpha: null, reading: "as learned" };
-    const learned = this.#model?.info.alpha ?? [];
-    const alpha = learned.map((row, source) => row.map((_, target) => this.alpha(source, target)));
-    return { ...begins, alpha, reading };
+    const { alpha, altered } = this.couplings;
+    return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as learned" };
   }
 
   /**
@@ -229,54 +194,12 @@ export class ModelStore extends Store {
     this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: "link", clip: false });
   }
 
-  setCoupling(source: number, target: number, alpha: number): void {
-    this.#set([[source, target, alpha]]);
-  }
-
-  /**
-   * Moves the divider between the shares of two neighbouring sources of a part to a place between 0 and 1.
-   */
-  moveDivider(target: number, divider: number, place: number): void {
-    const [left, right] = moveDivider(this.#alphasInto(target), divider, place);
-    this.#set([
-      [divider, target, left],
-      [divider + 1, target, right],
-    ]);
-  }
-
   takePreset(preset: Preset): void {
     const alpha = this.#model && couplingsOf(preset, this.#model.info);
     if (!alpha) return;
     this.#waitFor(null);
-    this.#ownReading ??= this.#settings.values.reading;
-    this.#change({ alpha, reading: preset.reading });
     this.#stage.endClip();
-    this.#rollOut();
-  }
-
-  resetCoupling(source: number, target: number): void {
-    this.#change({ alpha: this.#without([pair(source, target)]) });
-    this.#rollOut();
-  }
-
-  /** Takes back all that was changed about a part. */
-  resetInto(target: number): void {
-    const sources = this.#alphasInto(target).keys();
-    this.#change({ alpha: this.#without([...sources].map((source) => pair(source, target))) });
-    this.#rollOut();
-  }
-
-  /** Takes back all couplings, and the reading that came with a preset. */
-  resetCouplings(): void {
-    this.#change({ alpha: {}, reading: this.#ownReading ?? this.#settings.values.reading });
-    this.#ownReading = null;
-    this.#rollOut();
-  }
-
-  setReading(reading: Reading): void {
-    this.#ownReading = null;
-    this.#settings.change({ reading });
-    this.#rollOut();
+    this.couplings.takeAll(alpha, preset.reading);
   }
 
   /**
@@ -326,28 +249,13 @@ export class ModelStore extends Store {
     this.#settings.change({ ...change, model: aboutModel ? this.id : "" }, turnsPage);
   }
 
-  #alphasInto(target: number): number[] {
-    return (this.#model?.info.parts ?? []).map((_, source) => this.alpha(source, target));
-  }
-
-  /** The visitor has changed couplings: from which source, to which target. */
-  #set(changes: readonly [source: number, target: number, alpha: number][]): void {
-    if (!this.#model) return;
-    this.#changedAt = performance.now();
-    this.#waitFor(null);
-    const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
-    for (const [source, target, value] of changes) {
-      // Close to the learned one it is back at it.
-      if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
+  #couplingsChanged(change: CouplingsChange): void {
+    if (change === "set") {
+      this.#changedAt = performance.now();
+      this.#waitFor(null);
+      this.#stage.endClip();
     }
-    this.#change({ alpha });
-    this.#stage.endClip();
     this.#rollOut();
-  }
-
-  #without(pairs: readonly string[]): ChangedCouplings {
-    const kept = Object.entries(this.#settings.values.alpha).filter(([pair]) => !pairs.includes(pair));
-    return Object.fromEntries(kept);
   }
 
   /** Asks for the rollout as learned, and then for the one under the couplings now. */
@@ -375,7 +283,7 @@ export class ModelStore extends Store {
   }
 
   #takeLearned(rollout: RolloutResult): void {
-    if (!this.altered) {
+    if (!this.couplings.altered) {
       this.#takeRollout(rollout);
       return;
     }
@@ -387,6 +295,7 @@ export class ModelStore extends Store {
     this.#rollouts.drop();
     this.#learnedRollouts.drop();
     this.#model = model;
+    this.couplings.learned = model.info.alpha;
     this.#learned = rollout;
     this.#rollout = rollout;
     this.#settleCouplings(model, keep);
@@ -396,7 +305,7 @@ export class ModelStore extends Store {
     if (!keep.clip) this.#stage.endClip();
     const { request } = rollout;
     const asked = this.rolloutRequest();
-    if (this.altered || !sameTimes(request, asked)) this.#rollOutBoth();
+    if (this.couplings.altered || !sameTimes(request, asked)) this.#rollOutBoth();
   }
 
   /** Which couplings, and which start, hold for a model that is taken up. */
@@ -407,7 +316,7 @@ export class ModelStore extends Store {
     else if (keep.couplings === "link") this.#waitFor(null);
     // What the visitor has set for the model before is not lost: Back brings its address.
     const drops = keep.couplings === "none" || !this.#couplingsFit(info);
-    if (isForeign || drops) this.#change({ alpha: {} }, keep.couplings !== "link" && this.altered);
+    if (isForeign || drops) this.#change({ alpha: {} }, keep.couplings !== "link" && this.couplings.altered);
     if (isForeign || start >= info.sequences.length) this.#change({ start: 0, startFrame: 0 });
     // The link was followed before its model was there.
     if (this.#foreign?.model === this.id) {
@@ -433,11 +342,6 @@ export class ModelStore extends Store {
   }
 
   #showGhost(): void {
-    this.#stage.setGhost(this.altered ? (this.#learned?.motion ?? null) : null);
+    this.#stage.setGhost(this.couplings.altered ? (this.#learned?.motion ?? null) : null);
   }
-}
-
-/** The name of a coupling in the settings. */
-function pair(source: number, target: number): string {
-  return `${source}.${target}`;
 }

@@ -3,6 +3,7 @@
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
+import { isClose } from "./couplings-store";
 
 export interface Preset {
   id: string;
@@ -34,14 +35,6 @@ export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, re
 
 /** What the head of the page invites to: a preset of the first model, and what its name promises. */
 export const INVITATION = { preset: "arms-go", promise: "and they fall out of step" };
-
-/** Couplings so close to each other are the same: a link rounds them to four digits. */
-const CLOSE = 0.005;
-
-/** Whether two coupling variances are the same for a visitor. */
-export function isClose(a: number, b: number): boolean {
-  return Math.abs(Math.log(a / b)) < CLOSE;
-}
 
 /** Presets for any model with these parts; none for a model of one part. */
 export function presetsOf(parts: readonly string[]): Preset[] {

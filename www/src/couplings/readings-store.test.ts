@@ -31,7 +31,7 @@ beforeEach(async () => {
 const titles = () => stage.columns?.map(({ title }) => title);
 
 it("shows the same couplings in both readings, in the same places whichever is chosen", async () => {
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   await settled();
   readings.show(true);
   await settled();
@@ -41,7 +41,7 @@ it("shows the same couplings in both readings, in the same places whichever is c
     ["as learned", 8],
   ]);
   expect(stage.columns?.[1]?.motion).toBe(model.rollout?.motion);
-  model.setReading("as learned");
+  model.couplings.setReading("as learned");
   await settled();
   expect(stage.columns?.[0]?.motion).toBe(model.rollout?.motion);
   expect(stage.columns?.[1]?.motion).not.toBe(model.rollout?.motion);
@@ -50,16 +50,16 @@ it("shows the same couplings in both readings, in the same places whichever is c
 it("follows the couplings, and shows no pair of which the halves have other ones", async () => {
   readings.show(true);
   expect(stage.columns?.map(({ motion }) => motion)).toEqual([model.learned?.motion, model.learned?.motion]);
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   await settled();
   engine.holding.add("rollout");
   engine.held.length = 0;
   const before = stage.columns;
-  model.setCoupling(0, 1, 9);
+  model.couplings.set(0, 1, 9);
   engine.held[0]?.end();
   await settled();
   // The motion under 9 is there, its other reading is not; then the coupling is 10.
-  model.setCoupling(0, 1, 10);
+  model.couplings.set(0, 1, 10);
   for (const call of engine.held.slice(1)) call.end();
   await settled();
   for (const call of engine.held.slice(3)) call.end();
@@ -70,7 +70,7 @@ it("follows the couplings, and shows no pair of which the halves have other ones
 });
 
 it("is off again when it is asked to be, and while a clip is in front", async () => {
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   readings.show(true);
   await settled();
   stage.showClip({ ...stage.shown!, kind: "clip", clip: "a" });
@@ -79,7 +79,7 @@ it("is off again when it is asked to be, and while a clip is in front", async ()
   expect(titles()).toHaveLength(2);
   readings.show(false);
   expect([readings.isBeside, stage.columns]).toEqual([false, null]);
-  model.setCoupling(0, 1, 9);
+  model.couplings.set(0, 1, 9);
   await settled();
   expect(stage.columns).toBeNull();
 });
@@ -93,7 +93,7 @@ it("makes room for a live motion, and ends one when it is asked for", async () =
 });
 
 it("leaves the one figure where the other reading fails", async () => {
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   await settled();
   engine.holding.add("rollout");
   readings.show(true);
@@ -103,7 +103,7 @@ it("leaves the one figure where the other reading fails", async () => {
 });
 
 it("shows no figures of a model that was replaced", async () => {
-  model.setCoupling(0, 1, 8);
+  model.couplings.set(0, 1, 8);
   readings.show(true);
   await settled();
   engine.holding.add("rollout");

@@ -33,7 +33,7 @@ export class ReadingsView extends View {
     const { isBeside } = readings;
     const choice = (of: Reading, testId: string) => html`
       <button type="button" aria-pressed=${of === reading ? "true" : "false"} data-testid=${testId}
-        @click=${() => model.setReading(of)}>${of}</button>`;
+        @click=${() => model.couplings.setReading(of)}>${of}</button>`;
     return html`
       <fieldset class="readings">
         <legend>When a slider moves, the <pg-term of="expert" text="experts"></pg-term> are
@@ -46,7 +46,7 @@ export class ReadingsView extends View {
         <div class="after">
           <button type="button" class="small" aria-pressed=${isBeside ? "true" : "false"} data-testid="readings-beside" ?disabled=${!model.model}
             @click=${() => readings.show(!isBeside)}>Both side by side</button>
-          <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.altered} @click=${() => model.resetCouplings()}>
+          <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.couplings.altered} @click=${() => model.couplings.resetAll()}>
             ${icon("reset")} Reset all <kbd>0</kbd></button>
         </div>
       </fieldset>`;

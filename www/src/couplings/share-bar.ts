@@ -5,7 +5,7 @@ import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { ModelStore } from "./model-store";
 import "./share-bar.css";
-import { dividersOf, shareWord } from "./shares";
+import { dividers, weightText } from "./weights";
 import { partStyle, styled } from "../ui/styled";
 
 /** How far a key moves a divider; without a number: to that end. */
@@ -49,18 +49,18 @@ export class ShareBar extends View {
   }
 
   private grab(event: PointerEvent): void {
-    const dividers = dividersOf(this.model.weightsInto(this.target));
+    const places = dividers(this.model.couplings.weightsInto(this.target));
     const from = this.placeOf(event);
-    const distances = dividers.map((place) => Math.abs(place - from));
-    const place = dividers[distances.indexOf(Math.min(...distances))];
+    const distances = places.map((place) => Math.abs(place - from));
+    const place = places[distances.indexOf(Math.min(...distances))];
     if (place === undefined) return;
     event.preventDefault();
     const bar = event.currentTarget as HTMLElement;
     bar.setPointerCapture(event.pointerId);
     const near = (other: number) => Math.abs(other - place) < ONE_SPOT;
     this.drag = {
-      first: dividers.findIndex(near),
-      last: dividers.findLastIndex(near),
+      first: places.findIndex(near),
+      last: places.findLastIndex(near),
       divider: null,
       from,
       place,
@@ -74,7 +74,7 @@ export class ShareBar extends View {
     const by = this.placeOf(event) - drag.from;
     if (by === 0) return;
     drag.divider ??= by < 0 ? drag.first : drag.last;
-    this.model.moveDivider(this.target, drag.divider, drag.place + by);
+    this.model.couplings.moveDivider(this.target, drag.divider, drag.place + by);
   }
 
   private drop(): void {
@@ -84,8 +84,9 @@ export class ShareBar extends View {
   private keys(divider: number, place: number) {
     return (event: KeyboardEvent) => {
       const step = STEPS[event.key];
-      if (step !== undefined) this.model.moveDivider(this.target, divider, place + step);
-      else if (event.key === "Backspace" || event.key === "Delete") this.model.resetInto(this.target);
+      if (step !== undefined) this.model.couplings.moveDivider(this.target, divider, place + step);
+      else if (event.key === "Backspace" || event.key === "Delete")
+        this.model.couplings.resetInto(this.target);
       else return;
       event.preventDefault();
     };
@@ -94,17 +95,17 @@ export class ShareBar extends View {
   protected override render() {
     const { model, target } = this;
     const names = (model.model?.info.parts ?? []).map(({ name }) => name);
-    const shares = model.weightsInto(target);
-    const said = (source: number) => `${names[source]} ${shareWord(shares[source] ?? 0)}`;
+    const weights = model.couplings.weightsInto(target);
+    const said = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
     return html`
       <div class="share-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
         @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
-        @dblclick=${() => model.resetInto(target)}>
-        <div class="shares">${shares.map(
-          (share, source) =>
-            html`<i style=${partStyle(partColour(source), { "flex-grow": share.toFixed(5) })}></i>`,
+        @dblclick=${() => model.couplings.resetInto(target)}>
+        <div class="shares">${weights.map(
+          (weight, source) =>
+            html`<i style=${partStyle(partColour(source), { "flex-grow": weight.toFixed(5) })}></i>`,
         )}</div>
-        ${dividersOf(shares).map(
+        ${dividers(weights).map(
           (place, divider) => html`
           <span class="divider" role="slider" tabindex="0" style=${styled({ "--at": place.toFixed(5) })} data-testid="divider-${target}-${divider}"
             aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"

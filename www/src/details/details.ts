@@ -31,7 +31,7 @@ async function angles({ engine, model, playback, clip }: Subject): Promise<Templ
     ? [{ name: clip.title, motion: readMotion(await engine.clipBvh(clip.loaded.id, clip.first, clip.end)) }]
     : [{ name: "the model now", motion: readMotion(await engine.rolloutBvh(model.rolloutRequest())) }];
   const { learned } = model;
-  if (!clip && model.altered && learned)
+  if (!clip && model.couplings.altered && learned)
     motions.push({ name: "as learned", motion: readMotion(await engine.rolloutBvh(learned.request)) });
   const joints = clip?.loaded.info.joints ?? model.model?.info.joints ?? [];
   return html`<pg-angles .playback=${playback} .motions=${motions} .channels=${channelsOf(joints)}></pg-angles>`;

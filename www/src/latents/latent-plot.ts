@@ -164,7 +164,7 @@ export class LatentPlot extends View {
 
   private picture(box: HTMLElement): LatentPicture | null {
     const { bodyPart: part, projection, turn, layers, playback } = this;
-    const { model, rollout, learned, altered } = this.model;
+    const { model, rollout, learned, couplings } = this.model;
     const { live } = this.stage;
     const latents = live?.latents(part) ?? rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent)
@@ -186,7 +186,7 @@ export class LatentPlot extends View {
       part,
       colour: partColourNow(part),
       rollout: latents,
-      learned: altered || live ? (learned?.latents[part] ?? null) : null,
+      learned: couplings.altered || live ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
       poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
       dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,

@@ -50,7 +50,7 @@ it("draws others from the seeds that follow, and keeps its seed under other coup
   outlook.drawOthers();
   engine.held.at(-1)?.end();
   await settled();
-  model.setCoupling(0, 1, 2);
+  model.couplings.set(0, 1, 2);
   await settled();
   engine.held.at(-1)?.end();
   await settled();

@@ -40,7 +40,7 @@ it("are asked for now and then while a coupling moves, and are of the last rollo
   await vi.advanceTimersByTimeAsync(100);
   engine.holding.add("predictions");
   for (let i = 0; i < 40; i++) {
-    model.setCoupling(0, 1, 2 + 0.1 * i);
+    model.couplings.set(0, 1, 2 + 0.1 * i);
     await vi.advanceTimersByTimeAsync(20);
     // What was known of the rollout before is shown meanwhile.
     expect(predictions.report).not.toBeNull();
@@ -72,7 +72,7 @@ it("of another model, or of other times, are dropped", async () => {
 it("are neither asked for nor answered while they are not shown", async () => {
   predictions.show(false);
   const times = vi.spyOn(engine, "predictions");
-  model.setCoupling(0, 1, 2);
+  model.couplings.set(0, 1, 2);
   await vi.advanceTimersByTimeAsync(500);
   expect([times.mock.calls.length, predictions.report]).toEqual([0, null]);
   predictions.show(true);
@@ -83,7 +83,7 @@ it("are neither asked for nor answered while they are not shown", async () => {
 it("stay away where they cannot be computed", async () => {
   await vi.advanceTimersByTimeAsync(100);
   engine.holding.add("predictions");
-  model.setCoupling(0, 1, 2);
+  model.couplings.set(0, 1, 2);
   await vi.advanceTimersByTimeAsync(100);
   engine.held.at(-1)?.fail(new Error("no covariance"));
   await vi.advanceTimersByTimeAsync(0);

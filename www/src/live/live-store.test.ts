@@ -56,7 +56,7 @@ describe("a live rollout", () => {
     await begun;
     expect(live.running).toBe(true);
     // Nothing ends it when the couplings are looked at the next time.
-    model.setCoupling(0, 1, 9);
+    model.couplings.set(0, 1, 9);
     expect(live.running).toBe(true);
   });
 
@@ -84,12 +84,21 @@ describe("a live rollout", () => {
     await pass(1);
     await live.hold(0, 1, false);
     await pass(1);
-    expect(engine.live?.changes).toEqual([
+    expect(engine.live?.changes.slice(1)).toEqual([
       { kind: "cut", source: 0, target: 1, cut: true },
       { kind: "cut", source: 0, target: 1, cut: false },
     ]);
     const [mark] = live.marks;
     expect(mark?.kind === "cut" && (mark.to ?? 0) - mark.from).toBeGreaterThan(20);
+  });
+
+  it("cuts in the reading that the visitor has chosen, also while no coupling is changed", async () => {
+    await live.hold(0, 1, true);
+    const { alpha } = model.couplings;
+    expect(engine.live?.changes).toEqual([{ kind: "couplings", alpha, reading: "re-inferred" }]);
+    model.couplings.setReading("as learned");
+    await pass(0.5);
+    expect(engine.live?.changes.at(-1)).toEqual({ kind: "couplings", alpha, reading: "as learned" });
   });
 
   it("keeps the last coupling into a part", async () => {
@@ -101,14 +110,14 @@ describe("a live rollout", () => {
 
   it("takes the newest couplings over, and one push for a drag", async () => {
     await live.start();
-    model.setCoupling(0, 1, 9);
-    model.setCoupling(0, 1, 20);
+    model.couplings.set(0, 1, 9);
+    model.couplings.set(0, 1, 20);
     await settled();
     live.pull(1, [0.1, 0, 0]);
     live.pull(1, [0.1, 0, 0]);
     live.push(0, [0.5, 0]);
     await pass(0.5);
-    const changes = engine.live?.changes ?? [];
+    const changes = engine.live?.changes.slice(1) ?? [];
     expect(changes.filter(({ kind }) => kind === "couplings")).toHaveLength(1);
     expect(changes[0]).toMatchObject({
       alpha: [

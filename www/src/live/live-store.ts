@@ -48,8 +48,8 @@ export class LiveStore extends Store {
   #busy = false;
   /** When frames were last looked after. */
   #filled = 0;
-  /** The couplings, and the model, that the worker knows of. */
-  #known = "";
+  /** The couplings, and the model, that the worker has. */
+  #known: LiveChange | null = null;
   #revision = 0;
 
   constructor(
@@ -132,7 +132,8 @@ export class LiveStore extends Store {
     const kept = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
-    this.#take(track, await engine.advanceLive([], LEAD));
+    // A rollout under the learned couplings is "as learned"; a cut obeys the visitor's reading.
+    this.#take(track, await engine.advanceLive([this.#known], LEAD));
     return track;
   }
 
@@ -202,12 +203,12 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  #couplings(): string {
-    const { alpha, reading } = this.#model.rolloutRequest();
-    return JSON.stringify([alpha ?? this.#model.model?.info.alpha, reading]);
+  #couplings(): Extract<LiveChange, { kind: "couplings" }> {
+    const { alpha, reading } = this.#model.couplings;
+    return { kind: "couplings", alpha, reading };
   }
 
-  /** The visitor has moved a slider, or another model has been taken up. */
+  /** The visitor has changed couplings, or another model has been taken up. */
   #followCouplings(): void {
     if (!this.#track) return;
     if (this.#model.model?.revision !== this.#revision) {
@@ -215,13 +216,11 @@ export class LiveStore extends Store {
       return;
     }
     const now = this.#couplings();
-    if (now === this.#known) return;
+    if (JSON.stringify(now) === JSON.stringify(this.#known)) return;
     this.#known = now;
-    const { alpha, reading } = this.#model.rolloutRequest();
-    const learned = this.#model.model.info.alpha;
     // Only the newest couplings matter.
     this.#changes = this.#changes.filter(({ kind }) => kind !== "couplings");
-    this.#changes.push({ kind: "couplings", alpha: alpha ?? learned, reading });
+    this.#changes.push(now);
   }
 
   /** Asks for frames before the clock needs them. */

@@ -1,11 +1,11 @@
 // The combination that walks: its couplings, fitted or by hand; kept in the library, or put on the stage.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
+import { couplingsTable } from "../couplings/couplings-table";
 import { sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../terms/term";
-import { combinationCouplings } from "./combination-couplings";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { stillWords } from "./stillness";
@@ -57,12 +57,17 @@ export class CombinationView extends View {
   protected override render() {
     const { library } = this;
     if (!library.known) return nothing;
-    const movements = library.known.info.movements;
+    const { movements, parts } = library.known.info;
     return html`
       <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
-        <button class="small" ?disabled=${!library.altered} @click=${() => library.resetCouplings()}>Reset</button></header>
+        <button class="small" ?disabled=${!library.couplings.altered} @click=${() => library.couplings.resetAll()}>Reset</button></header>
       <p class="hint">Right is strong. In a new combination each part keeps what it learned about the others.</p>
-      ${combinationCouplings(library)}
+      ${couplingsTable({
+        couplings: library.couplings,
+        parts: parts.map(({ name }) => name),
+        trained: false,
+        prefix: "walk-",
+      })}
       ${this.#still(library)}
       ${this.#fit()}
       <div class="button-row">

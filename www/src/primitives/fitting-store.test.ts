@@ -48,11 +48,11 @@ it("fits the combination that walks, and the sliders go back to what was found",
     uses: [0, 3],
     clips: [{ id: 7, first: 5, end: 90 }],
   });
-  expect(library.alpha).toEqual(FITTED);
-  expect(library.altered).toBe(false);
+  expect(library.couplings.alpha).toEqual(FITTED);
+  expect(library.couplings.altered).toBe(false);
   // What it was fitted to goes along into the library, until somebody moves a slider.
   await library.keep("mine");
-  library.setCoupling(0, 1, 5);
+  library.couplings.set(0, 1, 5);
   await library.keep("by hand");
   expect(program.libraries.origins).toEqual([FROM, null]);
   await fitting.fit("gone");
@@ -64,7 +64,7 @@ it("leaves another combination alone that was chosen meanwhile", async () => {
   library.choose(1, 2);
   await end(FITTED);
   await fitted;
-  expect(library.alpha).not.toEqual(FITTED);
+  expect(library.couplings.alpha).not.toEqual(FITTED);
 });
 
 it("says why it failed", async () => {

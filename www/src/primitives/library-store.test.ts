@@ -97,18 +97,18 @@ describe("a library", () => {
 describe("the combination that walks", () => {
   it("goes on with another primitive, under the couplings of the nearest movement", async () => {
     await opened();
-    library.setCoupling(0, 1, 9);
-    expect(library.altered).toBe(true);
+    library.couplings.set(0, 1, 9);
+    expect(library.couplings.altered).toBe(true);
     library.choose(1, 2);
     await pass(0.5);
     expect(library.uses).toEqual([0, 2]);
     expect(library.recorded).toBe("walk");
-    expect(library.altered).toBe(false);
+    expect(library.couplings.altered).toBe(false);
     expect(program.libraries.changes.slice(-2)).toMatchObject([
       { kind: "use", part: 1, primitive: 2 },
       { kind: "nearest", uses: [0, 2] },
     ]);
-    expect(library.alpha).toEqual(library.nearest);
+    expect(library.couplings.alpha).toEqual(library.couplings.learned);
     expect(program.libraries.walks).toHaveLength(1);
     library.choose(1, 0);
     expect(library.uses).toEqual([0, 2]);
@@ -178,7 +178,7 @@ describe("the combination that walks", () => {
     expect(walk.track?.last).toBeGreaterThanOrEqual(walk.player.frame + 1);
     expect([before, now()]).toEqual([3, 2]);
     // A coupling has nothing to show while the figure stands.
-    library.setCoupling(0, 1, 5);
+    library.couplings.set(0, 1, 5);
     await settled();
     expect(walk.player.frame).toBe(Math.ceil(frame) + SEAM_FRAMES);
     walk.player.play();
@@ -201,7 +201,8 @@ describe("the combination that walks", () => {
 
   it("takes couplings, tempos and mixes over, of each the newest", async () => {
     await opened();
-    for (const alpha of [5, 6, 7]) library.setCoupling(0, 1, alpha);
+    for (const alpha of [5, 6, 7]) library.couplings.set(0, 1, alpha);
+    expect(library.couplings.weight(0, 1)).toBeCloseTo(4 / 11, 12);
     library.setTempo(1, 1.2);
     library.setTempo(1, 1.3);
     library.setTempo(0, 0.9);
@@ -219,8 +220,8 @@ describe("the combination that walks", () => {
     ]);
     expect(library.mixes).toEqual([null, { other: 2, share: 0.4 }]);
     expect(JSON.parse(await library.combinationText())).toMatchObject({ uses: [0, 3], alpha: couplings });
-    library.resetCouplings();
-    expect(library.altered).toBe(false);
+    library.couplings.resetAll();
+    expect(library.couplings.altered).toBe(false);
     // The combination itself again.
     library.take([0, 3]);
     await pass(1);

@@ -1,4 +1,5 @@
 // The library that is looked at, and the combination of its primitives that walks.
+import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { Addition, CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, Motion } from "../engine/protocol";
@@ -39,6 +40,8 @@ const isUnsaved = ({ unsaved }: KnownLibrary) => unsaved;
 
 export class LibraryStore extends Store {
   readonly walk: WalkStore;
+  /** Learned are the couplings that the primitives were learned with, or fitted. */
+  readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
   readonly #held: HeldLibrary;
   readonly #notices: NoticesStore;
   readonly #fetchFirst: () => Promise<string>;
@@ -53,9 +56,6 @@ export class LibraryStore extends Store {
   /** The document of the library that comes with the page. */
   #first: string | null = null;
   #uses: readonly number[] = [];
-  #alpha: Couplings = [];
-  /** Those that the primitives were learned with, or fitted. */
-  #nearest: Couplings = [];
   /** Whether the figure was given couplings since its primitives changed. */
   #touched = false;
   /** The couplings that were fitted last, and what to. */
@@ -90,8 +90,8 @@ export class LibraryStore extends Store {
     );
     this.#movesOf = new Latest(
       ({ uses, alpha }) => this.#held.ask((worker) => worker.combinationMoves([...uses], alpha)),
-      (moves, { uses, alpha }) => {
-        if (!isSame(uses, this.#uses) || alpha !== this.#alpha) return;
+      (moves, { uses }) => {
+        if (!isSame(uses, this.#uses)) return;
         this.#moves = moves;
         this.changed();
       },
@@ -138,18 +138,6 @@ export class LibraryStore extends Store {
 
   get title(): string {
     return this.#known ? titleOf(this.#known.info, this.#uses) : "";
-  }
-
-  get alpha(): Couplings {
-    return this.#alpha;
-  }
-
-  get nearest(): Couplings {
-    return this.#nearest;
-  }
-
-  get altered(): boolean {
-    return JSON.stringify(this.#alpha) !== JSON.stringify(this.#nearest);
   }
 
   get tempos(): readonly number[] {
@@ -268,15 +256,9 @@ export class LibraryStore extends Store {
     this.changed();
   }
 
-  setCoupling(source: number, target: number, alpha: number): void {
-    const changed = (row: readonly number[], i: number) =>
-      row.map((value, j) => (i === source && j === target ? alpha : value));
-    this.#setCouplings(this.#alpha.map(changed), false);
-  }
-
   /** They act from the next frame on. */
   takeCouplings(alpha: Couplings): void {
-    this.#setCouplings(alpha, true);
+    this.couplings.takeAll(changedFrom(this.couplings.learned, alpha));
   }
 
   /** Couplings that were fitted for this combination: what the sliders go back to. */
@@ -284,10 +266,6 @@ export class LibraryStore extends Store {
     if (!isSame(uses, this.#uses)) return;
     this.#fitted = { ...fitted, uses };
     this.#takeNearest(fitted.alpha);
-  }
-
-  resetCouplings(): void {
-    this.takeCouplings(this.#nearest);
   }
 
   setTempo(part: number, tempo: number): void {
@@ -310,14 +288,14 @@ export class LibraryStore extends Store {
 
   /** The document of the combination as a model of its own. */
   combinationText(): Promise<string> {
-    return this.#held.ask((worker) => worker.combinationText([...this.#uses], this.#alpha));
+    return this.#held.ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
   }
 
   /** Adds the combination, under these couplings, to the library as a movement of this name. */
   async keep(name: string): Promise<void> {
     const known = this.#known;
     if (!known) return;
-    const { text, info } = await this.#held.add(name, this.#uses, this.#alpha, this.#from);
+    const { text, info } = await this.#held.add(name, this.#uses, this.couplings.alpha, this.#from);
     this.#known = { ...known, text, info, unsaved: true };
     this.changed();
   }
@@ -354,7 +332,7 @@ export class LibraryStore extends Store {
     const isFitted =
       fitted &&
       isSame(fitted.uses, this.#uses) &&
-      JSON.stringify(fitted.alpha) === JSON.stringify(this.#alpha);
+      JSON.stringify(fitted.alpha) === JSON.stringify(this.couplings.alpha);
     return isFitted ? fitted.from : null;
   }
 
@@ -366,15 +344,16 @@ export class LibraryStore extends Store {
     return this.#known.text;
   }
 
-  #setCouplings(alpha: Couplings, leaps: boolean): void {
+  /** The figure goes on under the couplings now. */
+  #walkUnder(leaps: boolean): void {
     this.#touched = true;
-    this.walk.change({ kind: "couplings", alpha }, leaps);
-    this.#showCouplings(alpha);
+    this.walk.change({ kind: "couplings", alpha: this.couplings.alpha }, leaps);
+    this.#couplingsChanged();
   }
 
-  #showCouplings(alpha: Couplings): void {
-    this.#alpha = alpha;
+  #couplingsChanged(): void {
     this.#moves = [];
+    this.#movesOf.drop();
     this.#lookLater();
     this.changed();
   }
@@ -383,19 +362,19 @@ export class LibraryStore extends Store {
   #lookLater(): void {
     clearTimeout(this.#look);
     this.#look = setTimeout(
-      () => this.#movesOf.request({ uses: this.#uses, alpha: this.#alpha }),
+      () => this.#movesOf.request({ uses: this.#uses, alpha: this.couplings.alpha }),
       LOOK_AFTER,
     );
   }
 
   #takeNearest(alpha: Couplings): void {
-    this.#nearest = alpha;
-    this.takeCouplings(alpha);
+    this.couplings.learn(alpha);
+    this.#walkUnder(true);
   }
 
   #showNearest(alpha: Couplings): void {
-    this.#nearest = alpha;
-    this.#showCouplings(alpha);
+    this.couplings.learn(alpha);
+    this.#couplingsChanged();
   }
 
   /** The motions of the small figures, one after the other. */

@@ -36,7 +36,7 @@ it("gives the figure the tempo and the coupling of a point", async () => {
   library.setTempo(0, 0.8);
   locking.take(1.3, 4);
   expect(library.tempos).toEqual([1, 1.3]);
-  expect(library.alpha).toEqual([
+  expect(library.couplings.alpha).toEqual([
     [1, 0.5],
     [3, 4],
   ]);

@@ -132,7 +132,7 @@ export class LockingStore extends Store {
     if (!map) return null;
     const { source, target, alpha } = map;
     const tempo = TEMPOS.find((tempo) => tempo === this.#library.tempos[target]);
-    const now = this.#library.alpha[source]?.[target] ?? Number.NaN;
+    const now = this.#library.couplings.alphaOf(source, target);
     const strength = STRENGTHS.find((strength) => (alpha[source]?.[target] ?? 0) / strength === now);
     return tempo === undefined || strength === undefined ? null : { tempo, strength };
   }

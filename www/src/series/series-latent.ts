@@ -52,7 +52,7 @@ export class SeriesLatent extends View {
   }
 
   #paint(): void {
-    const { learned, rollout, known, altered, clock } = this.model;
+    const { learned, rollout, known, couplings, clock } = this.model;
     const path = rollout?.latents[this.bodyPart];
     const canvas = this.querySelector("canvas");
     const surface = canvas && canvas.clientWidth > 0 ? cleared(canvas) : null;
@@ -68,7 +68,7 @@ export class SeriesLatent extends View {
       part: this.bodyPart,
       colour: partColourNow(this.bodyPart),
       rollout: path,
-      learned: altered ? (learned?.latents[this.bodyPart] ?? null) : null,
+      learned: couplings.altered ? (learned?.latents[this.bodyPart] ?? null) : null,
       training: known.training?.[this.bodyPart] ?? null,
       poses: null,
       dynamics: null,

@@ -1,6 +1,6 @@
 // The model of tables that is looked at: its couplings as the sliders have them, and its rollout.
+import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
-import type { Couplings, Reading } from "../engine/protocol";
 import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
 import { askDesk } from "../engine/whole-desk";
 import type { WholeProgram } from "../engine/whole-engine";
@@ -38,12 +38,12 @@ interface Rolled {
 
 export class SeriesStore extends Store {
   readonly clock = new SeriesClock();
+  /** Empty for a model of another kind than vCGPDM and vGPDM. */
+  readonly couplings = new CouplingsStore(() => this.#request());
   readonly #whole: WholeProgram;
   readonly #tables: TablesStore;
   readonly #rollouts: Latest<Asked, Rolled>;
   #known: Known | null = null;
-  #alpha: Couplings | null = null;
-  #reading: Reading = "re-inferred";
   #sequence = 0;
   #rolled: Rolled | null = null;
   #problem = "";
@@ -82,23 +82,9 @@ export class SeriesStore extends Store {
     return this.#problem;
   }
 
-  /** alpha[source][target]; null for a model of another kind than vCGPDM and vGPDM. */
-  get alpha(): Couplings | null {
-    return this.#alpha;
-  }
-
-  get reading(): Reading {
-    return this.#reading;
-  }
-
   /** The training table that the rollout begins as. */
   get sequence(): number {
     return this.#sequence;
-  }
-
-  /** Whether a coupling is not as learned. */
-  get altered(): boolean {
-    return JSON.stringify(this.#alpha) !== JSON.stringify(this.#known?.info.alpha ?? null);
   }
 
   /** The table that the rollout begins as, where it is open: the model's file does not hold it. */
@@ -150,33 +136,10 @@ export class SeriesStore extends Store {
   #takeUp({ known, rolled }: { known: Known; rolled: Rolled }): void {
     this.#rollouts.drop();
     this.#known = known;
-    this.#alpha = known.info.alpha;
+    this.couplings.learn(known.info.alpha ?? []);
     this.#sequence = 0;
     this.#rolled = null;
     this.#show(rolled);
-  }
-
-  setCoupling(source: number, target: number, alpha: number): void {
-    if (!this.#alpha) return;
-    this.#alpha = this.#alpha.map((row, i) =>
-      row.map((value, j) => (i === source && j === target ? alpha : value)),
-    );
-    this.#request();
-  }
-
-  resetCoupling(source: number, target: number): void {
-    const learned = this.#known?.info.alpha?.[source]?.[target];
-    if (learned !== undefined) this.setCoupling(source, target, learned);
-  }
-
-  resetCouplings(): void {
-    this.#alpha = this.#known?.info.alpha ?? null;
-    this.#request();
-  }
-
-  setReading(reading: Reading): void {
-    this.#reading = reading;
-    this.#request();
   }
 
   setSequence(sequence: number): void {
@@ -196,7 +159,8 @@ export class SeriesStore extends Store {
     this.changed();
     if (!info) return;
     const asked = asLearned(info, this.#sequence);
-    this.#rollouts.request(this.altered ? { ...asked, alpha: this.#alpha, reading: this.#reading } : asked);
+    const { alpha, altered, reading } = this.couplings;
+    this.#rollouts.request(altered ? { ...asked, alpha, reading } : asked);
   }
 
   async #roll(asked: Asked, known = this.#known): Promise<Rolled> {

@@ -91,7 +91,7 @@ describe("a training", () => {
     await over;
     expect(model.known?.training).toEqual(latents);
     expect(model.recorded?.info.name).toBe("a.csv");
-    expect([model.clock.lastFrame, model.altered]).toEqual([14, false]);
+    expect([model.clock.lastFrame, model.couplings.altered]).toEqual([14, false]);
   });
 
   it("gives a model that makes place for no other, opened or trained, before the visitor was asked", async () => {
@@ -141,14 +141,22 @@ describe("a model of tables", () => {
     const { model } = series;
     await model.open(seriesText(["a.csv", "b.csv"]));
     expect(model.recorded).toBeNull();
-    for (const alpha of [10, 20, 30]) model.setCoupling(0, 1, alpha);
+    for (const alpha of [10, 20, 30]) model.couplings.set(0, 1, alpha);
     await settled();
     expect(program.series.rollouts.map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
-    expect([model.rollout?.values[0], model.learned?.values[0], model.altered]).toEqual([30, 0, true]);
+    expect(model.couplings.weight(0, 1)).toBeCloseTo(
+      1 / 30 / (1 / 30 + 1 / model.couplings.alphaOf(1, 1)),
+      12,
+    );
+    expect([model.rollout?.values[0], model.learned?.values[0], model.couplings.altered]).toEqual([
+      30,
+      0,
+      true,
+    ]);
     expect(await model.csv()).toContain("30");
-    model.resetCouplings();
+    model.couplings.resetAll();
     await settled();
-    expect([model.altered, model.rollout]).toEqual([false, model.learned]);
+    expect([model.couplings.altered, model.rollout]).toEqual([false, model.learned]);
   });
 
   it("begins as another table when asked to", async () => {
@@ -162,9 +170,13 @@ describe("a model of tables", () => {
   it("of another kind has curves alone", async () => {
     const { model } = series;
     await model.open(seriesText(["a.csv"], { coupled: false }));
-    model.setCoupling(0, 1, 5);
+    model.couplings.set(0, 1, 5);
     await settled();
-    expect([model.alpha, model.rollout?.latents, program.series.rollouts.length]).toEqual([null, [], 1]);
+    expect([model.couplings.alpha, model.rollout?.latents, program.series.rollouts.length]).toEqual([
+      [],
+      [],
+      1,
+    ]);
   });
 });
 

@@ -125,7 +125,7 @@ describe("a training", () => {
     await settled();
     expect([seedOnStage(), stage.clip]).toEqual([5, null]);
     clips.show("made-walk-1");
-    model.setReading("re-inferred");
+    model.couplings.setReading("re-inferred");
     time.mockReturnValue(10_500);
     expect(worker(0).report(3, -70)).toBe(false);
     time.mockReturnValue(11_000);

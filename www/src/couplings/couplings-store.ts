@@ -1,0 +1,196 @@
+// The couplings of one model: as learned, and as the visitor has set them. Bodies, tables and libraries of
+// primitives use this one store.
+import type { Couplings, Reading } from "../engine/protocol";
+import type { ChangedCouplings } from "../settings/settings";
+import { moveDivider, weights } from "./weights";
+
+/** What the visitor has chosen. */
+export interface ChosenCouplings {
+  /** The couplings that differ from the learned ones. */
+  alpha: ChangedCouplings;
+  reading: Reading;
+}
+
+/** Where the choice is stored: for the body in the settings, and so in the address. */
+export interface CouplingsPlace {
+  readonly values: Readonly<ChosenCouplings>;
+  change(change: Partial<ChosenCouplings>): void;
+}
+
+/** "set": some couplings were set; "reset": some are as learned again; "all": all couplings changed at once. */
+export type CouplingsChange = "set" | "reset" | "all" | "reading";
+
+/** Couplings whose logarithms differ by less are the same: a link rounds them to four digits. */
+const CLOSE = 0.005;
+
+/** Whether two coupling variances are the same for a visitor. */
+export function isClose(a: number, b: number): boolean {
+  return Math.abs(Math.log(a / b)) < CLOSE;
+}
+
+export class CouplingsStore {
+  /** alpha[source][target] as learned; empty for a model without couplings. */
+  learned: Couplings = [];
+  readonly #place: CouplingsPlace;
+  readonly #changed: (change: CouplingsChange) => void;
+  /** The reading before `takeAll` brought another one. */
+  #ownReading: Reading | null = null;
+
+  /** `changed` is called after each change by the visitor. */
+  constructor(changed: (change: CouplingsChange) => void, place: CouplingsPlace = inMemory()) {
+    this.#changed = changed;
+    this.#place = place;
+  }
+
+  /** alpha[source][target] now. */
+  get alpha(): Couplings {
+    return this.learned.map((row, source) =>
+      row.map((alpha, target) => this.#chosen(source, target) ?? alpha),
+    );
+  }
+
+  get reading(): Reading {
+    return this.#place.values.reading;
+  }
+
+  /** Whether a coupling differs from the learned one. */
+  get altered(): boolean {
+    return Object.keys(this.#place.values.alpha).length > 0;
+  }
+
+  learnedAlpha(source: number, target: number): number {
+    return this.learned[source]?.[target] ?? 1;
+  }
+
+  alphaOf(source: number, target: number): number {
+    return this.#chosen(source, target) ?? this.learnedAlpha(source, target);
+  }
+
+  isChanged(source: number, target: number): boolean {
+    return this.#chosen(source, target) !== undefined;
+  }
+
+  /** The weights of all sources of a part, which sum to 1. */
+  weightsInto(target: number): number[] {
+    return weights(this.#alphasInto(target));
+  }
+
+  weight(source: number, target: number): number {
+    return this.weightsInto(target)[source] ?? 0;
+  }
+
+  /** The coupling between two different parts with the largest weight; null for a model of one part. */
+  strongestBetween(): { source: number; target: number } | null {
+    const parts = this.learned.map((_, part) => part);
+    const pairs = parts.flatMap((source) =>
+      parts.filter((target) => target !== source).map((target) => ({ source, target })),
+    );
+    const weight = (pair: { source: number; target: number }) => this.weight(pair.source, pair.target);
+    return pairs.sort((a, b) => weight(b) - weight(a))[0] ?? null;
+  }
+
+  set(source: number, target: number, alpha: number): void {
+    this.#set([[source, target, alpha]]);
+  }
+
+  /** Moves the divider between two neighbouring sources of a part to a place between 0 and 1. */
+  moveDivider(target: number, divider: number, place: number): void {
+    const [left, right] = moveDivider(this.#alphasInto(target), divider, place);
+    this.#set([
+      [divider, target, left],
+      [divider + 1, target, right],
+    ]);
+  }
+
+  /** Sets all couplings at once, and a reading that lasts until `resetAll`. */
+  takeAll(alpha: ChangedCouplings, reading = this.reading): void {
+    this.#ownReading ??= this.reading;
+    this.#place.change({ alpha, reading });
+    this.#changed("all");
+  }
+
+  reset(source: number, target: number): void {
+    this.#reset([pair(source, target)]);
+  }
+
+  /** Resets all couplings that lead to a part. */
+  resetInto(target: number): void {
+    this.#reset(this.learned.map((_, source) => pair(source, target)));
+  }
+
+  /** Resets all couplings, and the reading that `takeAll` brought. */
+  resetAll(): void {
+    this.#place.change({ alpha: {}, reading: this.#ownReading ?? this.reading });
+    this.#ownReading = null;
+    this.#changed("all");
+  }
+
+  setReading(reading: Reading): void {
+    this.#ownReading = null;
+    this.#place.change({ reading });
+    this.#changed("reading");
+  }
+
+  /** Takes up another model as it was learned. */
+  learn(learned: Couplings): void {
+    this.learned = learned;
+    this.#place.change({ alpha: {} });
+  }
+
+  #chosen(source: number, target: number): number | undefined {
+    return this.#place.values.alpha[pair(source, target)];
+  }
+
+  #alphasInto(target: number): number[] {
+    return this.learned.map((_, source) => this.alphaOf(source, target));
+  }
+
+  #set(changes: readonly [source: number, target: number, alpha: number][]): void {
+    if (this.learned.length === 0) return;
+    const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
+    for (const [source, target, value] of changes)
+      if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
+    this.#place.change({ alpha });
+    this.#changed("set");
+  }
+
+  #reset(pairs: readonly string[]): void {
+    this.#place.change({ alpha: this.#without(pairs) });
+    this.#changed("reset");
+  }
+
+  #without(pairs: readonly string[]): ChangedCouplings {
+    const others = Object.entries(this.#place.values.alpha).filter(([pair]) => !pairs.includes(pair));
+    return Object.fromEntries(others);
+  }
+}
+
+/** The couplings that differ from the learned ones. */
+export function changedFrom(learned: Couplings, alpha: Couplings): ChangedCouplings {
+  const all = alpha.flatMap((row, source) =>
+    row.map((value, target) => ({
+      name: pair(source, target),
+      value,
+      before: learned[source]?.[target] ?? 1,
+    })),
+  );
+  const changed = all.filter(({ value, before }) => !isClose(value, before));
+  return Object.fromEntries(changed.map(({ name, value }) => [name, value]));
+}
+
+function inMemory(): CouplingsPlace {
+  let values: ChosenCouplings = { alpha: {}, reading: "re-inferred" };
+  return {
+    get values() {
+      return values;
+    },
+    change(change) {
+      values = { ...values, ...change };
+    },
+  };
+}
+
+/** The name of a coupling in the settings. */
+function pair(source: number, target: number): string {
+  return `${source}.${target}`;
+}
