@@ -1,38 +1,3 @@
-<<<<<<< Updated upstream
-// Who decides where a part goes next: the shares of its sources, and what moving the border between two of
-// them means.
-import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
-import { weight } from "../ui/format";
-
-/** A source with a smaller share has no effect that could be seen. */
-const OFF = 0.01;
-
-/**
- * The weights w of the sources of one part, from their coupling variances: alpha^i / alpha^{ji} with alpha^i
- * = 1 / sum_j 1 / alpha^{ji}. The rule is the library's (`coupling_weights`); it stands here too because a
- * bar follows its slider before the worker answers. `tests/e2e/couplings.test.mjs` holds it to the weights of
- * the rollout.
- */
-export function sharesOf(alphas: readonly number[]): number[] {
-  const combined = combinedOf(alphas);
-  return alphas.map((alpha) => combined / alpha);
-}
-
-/** The weight of one coupling among alpha[source][target]. */
-export function weightOf(alpha: readonly (readonly number[])[], source: number, target: number): number {
-  return sharesOf(alpha.map((row) => row[target] ?? 1))[source] ?? 0;
-}
-
-function combinedOf(alphas: readonly number[]): number {
-  return 1 / alphas.reduce((sum, alpha) => sum + 1 / alpha, 0);
-}
-
-/** Where the dividers between the shares stand, from 0 to 1. */
-export function dividersOf(shares: readonly number[]): number[] {
-  let place = 0;
-  return shares.slice(0, -1).map((share) => {
-    place += share;
-=======
 // The weights of the sources of one part, and what moving the divider between two of them means.
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import { weight } from "../ui/format";
@@ -60,37 +25,11 @@ export function dividers(weights: readonly number[]): number[] {
   let place = 0;
   return weights.slice(0, -1).map((weight) => {
     place += weight;
->>>>>>> Stashed changes
     return place;
   });
 }
 
 /**
-<<<<<<< Updated upstream
- * The variances of the sources `divider` and `divider + 1` when the divider between them is moved to `place`,
- * 0 to 1. The two share out what they had together, w + w', so that 1 / alpha + 1 / alpha' = (w + w') /
- * alpha^i stays, and with it alpha^i and the shares of all others: only who decides changes, not how exact
- * the prediction has to be.
- */
-export function moveDivider(alphas: readonly number[], divider: number, place: number): [number, number] {
-  const combined = combinedOf(alphas);
-  const shares = sharesOf(alphas);
-  const before = shares.slice(0, divider).reduce((sum, share) => sum + share, 0);
-  const both = (shares[divider] ?? 0) + (shares[divider + 1] ?? 0);
-  // Neither variance leaves its limits.
-  const [most, least] = [combined / ALPHA_MIN, combined / ALPHA_MAX];
-  const share = Math.max(least, both - most, Math.min(both - least, most, place - before));
-  return [combined / share, combined / (both - share)];
-}
-
-export function isOff(share: number): boolean {
-  return share < OFF;
-}
-
-/** A share as the table writes it. */
-export function shareWord(share: number): string {
-  return isOff(share) ? "off" : weight(share);
-=======
  * The variances of the sources `divider` and `divider + 1` when the divider between them moves to `place`, 0
  * to 1. The sum of their weights stays, so that alpha^i and the weights of all other sources stay too: who
  * decides changes, not how exact the prediction has to be.
@@ -113,5 +52,4 @@ export function isOff(weight: number): boolean {
 /** A weight as the table writes it. */
 export function weightText(value: number): string {
   return isOff(value) ? "off" : weight(value);
->>>>>>> Stashed changes
 }
