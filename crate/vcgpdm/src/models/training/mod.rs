@@ -5,6 +5,7 @@ pub(crate) mod error;
 pub(crate) mod kind;
 pub(crate) mod latents;
 pub(crate) mod learner;
+pub(crate) mod learners;
 pub(crate) mod parameters;
 pub(crate) mod progress;
 pub(crate) mod settings;
