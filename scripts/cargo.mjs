@@ -1,7 +1,7 @@
 // What of the Rust workspace is compiled for this machine.
 import { run } from "./run.mjs";
 
-/** The wasm package is for wasm32 alone, and bindgen only a tool: they have steps of their own. */
+/** Without the wasm package, which is for wasm32 alone, and bindgen: they have steps of their own. */
 export const NATIVE = ["--workspace", "--exclude", "vcgpdm-wasm", "--exclude", "bindgen"];
 
 /** The Rust tests, compiled without being run; and with them the program `vcgpdm`. */

@@ -6,7 +6,9 @@ const read = (/** @type {string} */ file) => readFileSync(at(file), "utf8");
 
 export async function checkLocks() {
   /** @type {[string, { link?: boolean, integrity?: string }][]} */
-  const npm = Object.entries(JSON.parse(read("package-lock.json")).packages);
+  const npm = ["package-lock.json", "tools/page-imports/package-lock.json"].flatMap((file) =>
+    Object.entries(JSON.parse(read(file)).packages),
+  );
   const cargo = ["Cargo.lock", "fuzz/Cargo.lock", "tools/wasm-tests/Cargo.lock"]
     .flatMap((file) => read(file).split("[[package]]"))
     .filter((text) => text.includes("\nsource = "));

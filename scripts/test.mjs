@@ -1,13 +1,13 @@
 // `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { at, env, Failure, filesUnder, main, output, run, runModule, seconds } from "./run.mjs";
+import { at, env, Failure, filesUnder, main, output, root, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { compileTests, NATIVE } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLocks } from "./locks.mjs";
 import { weigh } from "./site.mjs";
-import { installTools, oldestRust } from "./tools.mjs";
+import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
 
 /** In rustdoc's list of all items of the library. */
 const MOST_PUBLIC_ITEMS = 120;
@@ -16,7 +16,7 @@ const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
-/** So many files at a time: a browser's tests mostly wait. */
+/** Runs `files` test files at a time: tests in a browser mostly wait. */
 const nodeTests = (/** @type {string} */ folder, files = 1) =>
   run(
     process.execPath,
@@ -27,20 +27,22 @@ const nodeTests = (/** @type {string} */ folder, files = 1) =>
     ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
   );
 
-/** A step may return a note. One that begins with "skipped: " says why this machine cannot do the step. */
-/** @type {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }[]} */
+/**
+ * A step may return a note. A note that begins with "skipped: " says why this machine cannot do the step.
+ * @type {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }[]}
+ */
 const STEPS = [
   { name: "format", what: "rustfmt and Biome", work: format },
   { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
-  { name: "house", what: "the order of the rooms", work: () => nodeTests("house") },
+  { name: "imports", what: "order and circles of imports", work: imports },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
   {
     name: "clippy",
     what: "clippy, native",
     work: async () => {
       await clippy(...NATIVE, "--all-targets", "--all-features");
-      await clippy("--package", "bindgen");
+      await clippy("--package", "bindgen", "--package", "rust-imports", "--all-targets");
     },
   },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
@@ -68,15 +70,25 @@ const STEPS = [
   { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
 ];
 
+/** Which files may use each other: the rules are in tools/page-imports and tools/rust-imports. */
+async function imports() {
+  await installNpmPackages("tools/page-imports");
+  const cruiser = "tools/page-imports/node_modules/dependency-cruiser/bin/dependency-cruise.mjs";
+  await run(process.execPath, at(cruiser), "--config", at("tools/page-imports/order.cjs"), "www/src");
+  await run("cargo", "run", "--quiet", "--locked", "--profile", "tools", "--package", "rust-imports", root);
+}
+
 async function format() {
   await run("cargo", "fmt", "--all", "--check");
   await biome("format");
 }
 
-/** With all features on, code that only compiles beside another feature's would go unseen. The program uses `threads`, and
- * the wasm package `speed`: the library's only ones. */
+/**
+ * Each feature must compile without the others. The program uses the library's feature `threads`, the wasm
+ * package its feature `speed`.
+ */
 async function features() {
-  // Alone, the library is compiled without what the other packages ask of it.
+  // The library alone: without the features that the other packages turn on.
   await clippy("--package", "vcgpdm");
   await clippy(...NATIVE, "--all-targets");
   await clippy(...WASM, "--no-default-features");
@@ -84,8 +96,10 @@ async function features() {
     await clippy(...WASM, "--no-default-features", "--features", feature);
 }
 
-/** With the examples, because the packages then are those of clippy, compiled already. Then the public library
- * alone, whose items are few and have names that nothing else here has. */
+/**
+ * All documentation, with the examples because clippy has compiled the crates with them already. Then the
+ * public library alone: its items are few, and no two public items have the same name.
+ */
 async function docs() {
   const doc = (/** @type {string[]} */ ...what) =>
     run("cargo", "doc", "--no-deps", "--config", 'build.rustdocflags = ["-D", "warnings"]', ...what);
@@ -109,7 +123,7 @@ function documentedItems(/** @type {string} */ crate) {
   return [...list.matchAll(/<li><a href="[^"]+">([^<]+)<\/a>/g)].map(([, path = ""]) => path);
 }
 
-/** Tests and examples may ask for more: the promise is for those who use the library or the program. */
+/** Only the library and the program promise the oldest Rust; tests and examples may need a newer one. */
 async function msrv() {
   const version = oldestRust();
   const toolchains = (output("rustup", "toolchain", "list") ?? "").split("\n");
@@ -147,7 +161,7 @@ async function rustInWasm() {
 }
 
 async function files() {
-  // As for the Rust tests: those have compiled it already.
+  // The step of the Rust tests has compiled the program already.
   await compileTests();
   await nodeTests("files");
 }

@@ -1,5 +1,6 @@
 // What has to be on the machine beside rustup and Node; whatever is missing is installed.
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { at, Failure, filesUnder, output, run, step, whenChanged } from "./run.mjs";
 
 const NODE = [20, 19];
@@ -43,14 +44,16 @@ async function toolchain(/** @type {"target" | "component"} */ kind, /** @type {
   return missing.length > 0 ? undefined : "there";
 }
 
-async function npmPackages() {
-  const inputs = filesUnder(
-    ["package.json", "package-lock.json", "www/package.json"].map((file) => at(file)),
-  );
-  return whenChanged("npm", { inputs, outputs: [at("node_modules", ".package-lock.json")] }, async () => {
-    // npm is a script on Windows and a program elsewhere; npm itself says where it is when it runs us.
+/** Installs what the lock file of a folder names; without a folder, that of the project. */
+export function installNpmPackages(folder = "") {
+  const files = ["package.json", "package-lock.json", ...(folder ? [] : ["www/package.json"])];
+  const inputs = filesUnder(files.map((file) => at(folder, file)));
+  const outputs = [at(folder, "node_modules", ".package-lock.json")];
+  return whenChanged(join("npm", folder), { inputs, outputs }, async () => {
+    // npm is a script on Windows and a program elsewhere; npm itself names its file when it runs us.
     const npm = process.env.npm_execpath;
-    await (npm ? run(process.execPath, npm, "ci") : run("npm", "ci"));
+    const ci = ["ci", "--prefix", at(folder)];
+    await (npm ? run(process.execPath, npm, ...ci) : run("npm", ...ci));
   });
 }
 
@@ -63,5 +66,5 @@ export async function installTools({ forTests = false, meanwhile } = {}) {
   await step("Rust and Node", rust);
   await step("Rust's wasm target", () => toolchain("target", "wasm32-unknown-unknown"));
   if (forTests) await step("rustfmt and clippy", () => toolchain("component", "rustfmt", "clippy"));
-  await Promise.all([step("npm packages", npmPackages), meanwhile?.()]);
+  await Promise.all([step("npm packages", installNpmPackages), meanwhile?.()]);
 }
