@@ -72,6 +72,9 @@ describe("the declared types", () => {
     const cost = installed.vcgpdm.trainingCost(size, 100, [30, 33]);
     hold("trainingCost", cost);
     assert.ok(cost.seconds > 0 && cost.bytes > 0);
+    const { documentKind } = installed.vcgpdm;
+    for (const text of ["[]", "{}", '{ "version": 1, "format": "vcgpdm model" }'])
+      hold("documentKind", documentKind(text));
     const trainer = new Trainer(clips, settings);
     const phases = new Set();
     for (let done = false; !done; ) {

@@ -10,7 +10,6 @@ use std::collections::HashMap;
 use thiserror::Error;
 use vcgpdm::models::ModelKind;
 
-const FORMAT: &str = "vcgpdm-evaluation";
 const VERSION: u32 = 1;
 
 /// Why results cannot be used.
@@ -21,7 +20,7 @@ pub enum ResultsError {
     #[error("expected the results of an evaluation: {0}")]
     Json(String),
     /// Another document.
-    #[error("expected {FORMAT} version {VERSION}, found {format:?} version {version}")]
+    #[error("expected {} version {VERSION}, found {format:?} version {version}", Results::FORMAT)]
     Format {
         /// What the document calls itself.
         format: String,
@@ -101,9 +100,12 @@ pub struct Results {
 }
 
 impl Results {
+    /// The field "format" of a document of results.
+    pub const FORMAT: &'static str = "vcgpdm-evaluation";
+
     /// No job finished yet.
     pub fn new(setting: Setting) -> Self {
-        Self { format: FORMAT.to_owned(), version: VERSION, setting, finished: Vec::new() }
+        Self { format: Self::FORMAT.to_owned(), version: VERSION, setting, finished: Vec::new() }
     }
 
     /// Reads a document.
@@ -130,7 +132,7 @@ impl Results {
     /// # Errors
     /// It is another document, or its results do not fit its setting.
     pub fn check(&self) -> Result<(), ResultsError> {
-        if self.format != FORMAT || self.version != VERSION {
+        if self.format != Self::FORMAT || self.version != VERSION {
             return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
         }
         self.setting.check()?;

@@ -3,7 +3,7 @@
 use thiserror::Error;
 use vcgpdm::internals::json::{FieldError, HeadingError, JsonError};
 
-/// What a document says that it is.
+/// The field "format" of a study's document.
 pub(super) const FORMAT: &str = "vcgpdm study";
 /// Raised whenever an older program could no longer read the document.
 pub(super) const VERSION: usize = 1;

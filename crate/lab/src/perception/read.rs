@@ -1,7 +1,7 @@
 //! From the tree of a document to a study: every field is checked where it is read.
 
 use crate::perception::design::Design;
-use crate::perception::error::{FORMAT, StudyError, VERSION};
+use crate::perception::error::{StudyError, VERSION};
 use crate::perception::movement::FigureMovement;
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
@@ -26,7 +26,7 @@ const TEXT: usize = 20_000;
 
 pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
     let mut document = Field::root(value).object()?;
-    check_heading(&mut document, FORMAT, VERSION..=VERSION)?;
+    check_heading(&mut document, Study::FORMAT, VERSION..=VERSION)?;
     let title = short(&document.get("title")?, TITLE)?;
     let look = document.get("look")?;
     let look = Look::from_id(look.text()?).ok_or_else(|| look.error("expected figure or points"))?;

@@ -1,7 +1,7 @@
 //! A study: movements, who made them, and how they are shown.
 
 use crate::perception::design::{Design, Preset};
-use crate::perception::error::StudyError;
+use crate::perception::error::{FORMAT, StudyError};
 use crate::perception::stimulus::Stimulus;
 use std::ops::RangeInclusive;
 use vcgpdm::motion::landmarks::Landmarks;
@@ -109,6 +109,9 @@ pub struct Study {
 }
 
 impl Study {
+    /// The field "format" of a study's document.
+    pub const FORMAT: &'static str = FORMAT;
+
     /// Seconds that movements can be shown.
     pub const SECONDS: RangeInclusive<f64> = 0.1..=60.0;
 

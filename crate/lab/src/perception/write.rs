@@ -1,7 +1,7 @@
 //! From a study to the tree of its document.
 
 use crate::perception::design::Design;
-use crate::perception::error::{FORMAT, VERSION};
+use crate::perception::error::VERSION;
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Study, Texts};
 use vcgpdm::internals::json::Value;
@@ -21,7 +21,7 @@ pub(super) fn document(study: &Study) -> Value {
         seed,
     } = &study.design;
     Value::object([
-        ("format", Value::text(FORMAT)),
+        ("format", Value::text(Study::FORMAT)),
         ("version", Value::whole(VERSION)),
         ("title", Value::text(&study.title)),
         ("look", Value::text(study.look.id())),

@@ -5,8 +5,8 @@ use crate::json::{FieldError, HeadingError, JsonError};
 use crate::motion::parts::PartsError;
 use thiserror::Error;
 
-/// What a document says that it is.
-pub(super) const FORMAT: &str = "vcgpdm model";
+/// The field "format" of a model's or a library's document.
+pub const FORMAT: &str = "vcgpdm model";
 /// The first knows one kind of model, the variational one, and does not name it; the second says its "kind".
 /// A document is written in the earliest version that can say it. Raised whenever an older program could no
 /// longer read the document.
@@ -14,8 +14,8 @@ pub(super) const SECOND: usize = 2;
 /// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and
 /// models that are combinations of these.
 pub(super) const VERSION: usize = 3;
-/// What a library says that it is, beside the kinds of models.
-pub(super) const LIBRARY: &str = "library";
+/// The field "kind" of a library; that of a model is a `ModelKind`.
+pub const LIBRARY: &str = "library";
 /// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
 pub(super) const MOST_BYTES: usize = 32 << 20;
 

@@ -13,7 +13,7 @@ mod read;
 mod subject;
 mod write;
 
-pub use error::DocumentError;
+pub use error::{DocumentError, FORMAT, LIBRARY};
 
 use crate::json::{Field, FieldError, NotFinite, Value};
 use crate::models::library::TrainedLibrary;

@@ -12,7 +12,7 @@ mod write;
 
 pub use field::{Field, FieldError, Object, place};
 pub use heading::{HeadingError, check_heading};
-pub use parse::{JsonError, parse};
+pub use parse::{JsonError, outline, parse};
 pub use value::Value;
 pub use write::{NotFinite, write};
 

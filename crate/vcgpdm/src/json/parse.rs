@@ -22,14 +22,25 @@ pub struct JsonError {
 
 /// Reads a text that holds one value.
 pub fn parse(text: &str) -> Result<Value, JsonError> {
-    // Some editors write a byte-order mark, which means nothing in UTF-8.
-    let at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-    let mut parser = Parser { text, at };
+    let mut parser = Parser::new(text);
     let value = parser.value(0)?;
     match parser.peek() {
         None => Ok(value),
         Some(_) => Err(parser.wrong("the end of the text")),
     }
+}
+
+/// The fields of the object that a text holds: the value of those that are strings, null for all others,
+/// which are skipped without being read.
+pub fn outline(text: &str) -> Result<Vec<(String, Value)>, JsonError> {
+    let mut parser = Parser::new(text);
+    if parser.peek() != Some(b'{') {
+        return Err(parser.wrong("\"{\""));
+    }
+    parser.fields(|parser| match parser.peek() {
+        Some(b'"') => Ok(Value::Text(parser.string()?)),
+        _ => parser.skip(),
+    })
 }
 
 struct Parser<'a> {
@@ -38,7 +49,13 @@ struct Parser<'a> {
     at: usize,
 }
 
-impl Parser<'_> {
+impl<'a> Parser<'a> {
+    fn new(text: &'a str) -> Self {
+        // Some editors write a byte-order mark, which means nothing in UTF-8.
+        let at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        Self { text, at }
+    }
+
     /// The next byte that is not blank, without taking it.
     fn peek(&mut self) -> Option<u8> {
         while let Some(b' ' | b'\t' | b'\n' | b'\r') = self.byte() {
@@ -122,11 +139,19 @@ impl Parser<'_> {
     }
 
     fn object(&mut self, depth: usize) -> Result<Value, JsonError> {
+        self.fields(|parser| parser.value(depth + 1)).map(Value::Object)
+    }
+
+    /// The names of the fields of an object, with the values that `read` makes of them.
+    fn fields(
+        &mut self,
+        read: impl Fn(&mut Self) -> Result<Value, JsonError>,
+    ) -> Result<Vec<(String, Value)>, JsonError> {
         self.at += 1;
         let mut fields = Vec::new();
         if self.peek() == Some(b'}') {
             self.at += 1;
-            return Ok(Value::Object(fields));
+            return Ok(fields);
         }
         loop {
             if self.peek() != Some(b'"') {
@@ -137,15 +162,34 @@ impl Parser<'_> {
             if !self.take(b':') {
                 return Err(self.wrong("\":\""));
             }
-            fields.push((name, self.value(depth + 1)?));
+            fields.push((name, read(self)?));
             self.peek();
             if self.take(b'}') {
-                return Ok(Value::Object(fields));
+                return Ok(fields);
             }
             if !self.take(b',') {
                 return Err(self.wrong("\",\" or \"}\""));
             }
         }
+    }
+
+    /// Moves to the end of a value; only strings and brackets are looked at.
+    fn skip(&mut self) -> Result<Value, JsonError> {
+        let mut depth = 0_usize;
+        while let Some(byte) = self.byte() {
+            match byte {
+                b',' | b'}' | b']' if depth == 0 => break,
+                b'"' => {
+                    self.string()?;
+                    continue;
+                }
+                b'{' | b'[' => depth += 1,
+                b'}' | b']' => depth -= 1,
+                _ => {}
+            }
+            self.at += 1;
+        }
+        Ok(Value::Null)
     }
 
     fn number(&mut self) -> Result<Value, JsonError> {

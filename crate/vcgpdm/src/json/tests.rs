@@ -85,6 +85,19 @@ proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
         prop_assert_eq!(parse(&text).is_ok(), serde_json::from_str::<serde_json::Value>(&text).is_ok());
+        let _ = outline(&text);
+    }
+
+    #[test]
+    fn an_outline_names_the_fields_that_are_read(value in value()) {
+        let text = write(&value).unwrap();
+        let names = |fields: Vec<(String, Value)>| fields.into_iter().map(|(name, _)| name).collect();
+        let found: Option<Vec<String>> = outline(&text).ok().map(names);
+        let expected = match value {
+            Value::Object(fields) => Some(names(fields)),
+            _ => None,
+        };
+        prop_assert_eq!(found, expected, "{}", text);
     }
 }
 
@@ -125,6 +138,22 @@ fn refusals_say_where_what_and_what_instead() {
 fn a_byte_order_mark_is_passed_over() {
     assert_eq!(parse("\u{feff} [1]"), parse("[1]"));
     assert!(parse("[\u{feff}1]").is_err());
+}
+
+#[test]
+fn an_outline_has_the_texts_of_the_outermost_fields_alone() {
+    let text = r#"{"a": [{"kind": "x]}"}, "\"}"], "format": "b\n", "c": -1.5e3, "d": {"kind": []}}"#;
+    let field = |name: &str, value| (name.to_owned(), value);
+    let expected = [
+        field("a", Value::Null),
+        field("format", Value::text("b\n")),
+        field("c", Value::Null),
+        field("d", Value::Null),
+    ];
+    assert_eq!(outline(text).unwrap(), expected);
+    for text in ["", "[]", "{\"a\": [1, 2", "{\"a\": {\"b\": \"", "{\"a\": 1]"] {
+        assert!(outline(text).is_err(), "{text}");
+    }
 }
 
 #[test]

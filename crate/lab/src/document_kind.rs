@@ -1,0 +1,90 @@
+//! Which of the project's documents a JSON text is.
+
+use crate::evaluation::Results;
+use crate::perception::Study;
+use serde::Serialize;
+use vcgpdm::internals::json::{Value, outline};
+
+/// A kind of JSON document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DocumentKind {
+    /// A model of a body.
+    Model,
+    /// A model of tables.
+    SeriesModel,
+    /// A library of primitives.
+    Library,
+    /// The results of a comparison.
+    Results,
+    /// A study for the graphics Turing test.
+    Study,
+    /// A list, as the answers to a study are.
+    List,
+    /// Anything else, and a text that is not JSON.
+    Unknown,
+}
+
+impl DocumentKind {
+    /// Reads only the names of the outermost fields and their texts, wherever these stand, so a document that
+    /// is damaged further inside has a kind as well.
+    pub fn from_json(text: &str) -> Self {
+        if text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with('[') {
+            return Self::List;
+        }
+        let fields = outline(text).unwrap_or_default();
+        let field = |name: &str| fields.iter().find(|(found, _)| found == name).map(|(_, value)| value);
+        let text = |name: &str| match field(name) {
+            Some(Value::Text(text)) => text.as_str(),
+            _ => "",
+        };
+        match text("format") {
+            Study::FORMAT => Self::Study,
+            Results::FORMAT => Self::Results,
+            vcgpdm::document::FORMAT if text("kind") == vcgpdm::document::LIBRARY => Self::Library,
+            vcgpdm::document::FORMAT if field("columns").is_some() => Self::SeriesModel,
+            vcgpdm::document::FORMAT => Self::Model,
+            _ => Self::Unknown,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DocumentKind::{self, *};
+
+    #[test]
+    fn a_document_is_known_wherever_its_keys_stand() {
+        for (file, kind) in [
+            ("crate/vcgpdm/tests/library/documents/vcgpdm.json", Model),
+            ("crate/vcgpdm/tests/library/documents/tmp.json", Model),
+            ("crate/vcgpdm/tests/library/documents/series.json", SeriesModel),
+            ("crate/vcgpdm/tests/library/documents/library.json", Library),
+            ("crate/vcgpdm/tests/library/documents/primitives.json", Library),
+            ("www/public/comparison/walks.results.json", Results),
+            ("www/public/study/walks.study.json", Study),
+            ("www/first/presets.json", Unknown),
+        ] {
+            let path = format!("{}/../../{file}", env!("CARGO_MANIFEST_DIR"));
+            let text = std::fs::read_to_string(path).unwrap();
+            let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+            // A map of serde_json sorts its keys.
+            let sorted = serde_json::to_string_pretty(&value).unwrap();
+            assert_eq!([&text, &sorted].map(|text| DocumentKind::from_json(text)), [kind; 2], "{file}");
+        }
+    }
+
+    #[test]
+    fn other_texts_are_lists_or_unknown() {
+        for (text, kind) in [
+            ("\u{feff}\n [{\"trial_type\": 1}]", List),
+            ("", Unknown),
+            ("HIERARCHY", Unknown),
+            ("{\"format\": \"vcgpdm study\"", Unknown),
+            ("{\"inner\": {\"format\": \"vcgpdm study\"}}", Unknown),
+            ("{\"format\": 3, \"kind\": \"library\"}", Unknown),
+        ] {
+            assert_eq!(DocumentKind::from_json(text), kind, "{text}");
+        }
+    }
+}
