@@ -63,7 +63,7 @@ mod tests {
             ("crate/vcgpdm/tests/library/documents/primitives.json", Library),
             ("www/public/comparison/walks.results.json", Results),
             ("www/public/study/walks.study.json", Study),
-            ("www/first/presets.json", Unknown),
+            ("docs/model.schema.json", Unknown),
         ] {
             let path = format!("{}/../../{file}", env!("CARGO_MANIFEST_DIR"));
             let text = std::fs::read_to_string(path).unwrap();
