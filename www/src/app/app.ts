@@ -6,6 +6,7 @@ import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import type { SupervisedEvents } from "../engine/supervised";
+import { wholeWorkers } from "../engine/whole-workers";
 import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
@@ -34,8 +35,6 @@ export class App {
   readonly predictions: PredictionsStore;
   readonly training: TrainingStore;
 
-  readonly #whole = new Lazy(async () => new (await import("../engine/whole-engine")).WholeEngine());
-
   readonly live = new Lazy(async () => {
     const { LiveStore } = await import("../live/live-store");
     return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
@@ -43,7 +42,7 @@ export class App {
 
   readonly comparison = new Lazy(async () => {
     const { ComparisonStore } = await import("../comparison/comparison-store");
-    const comparison = new ComparisonStore(this.engine, this.settings, this.clips, await this.#whole.get());
+    const comparison = new ComparisonStore(this.engine, this.settings, this.clips, wholeWorkers());
     comparison.on(this.#touched);
     return comparison;
   });
@@ -63,25 +62,19 @@ export class App {
 
   readonly primitives = new Lazy(async () => {
     const { openPrimitives } = await import("../primitives/primitives");
-    const primitives = openPrimitives(
-      await this.#whole.get(),
-      this.engine,
-      this.settings,
-      this.clips,
-      this.notices,
-    );
+    const primitives = openPrimitives(wholeWorkers(), this.engine, this.settings, this.clips, this.notices);
     primitives.library.on(this.#touched);
     return primitives;
   });
 
   readonly series = new Lazy(async () => {
     const { openSeries } = await import("../series/series");
-    return openSeries(await this.#whole.get(), this.settings);
+    return openSeries(wholeWorkers(), this.settings);
   });
 
   readonly experiment = new Lazy(async () => {
     const { ExperimentStore } = await import("../experiment/experiment-store");
-    return new ExperimentStore(this.settings, await this.#whole.get());
+    return new ExperimentStore(this.settings, wholeWorkers());
   });
 
   readonly perception = new Lazy(async () => {
@@ -91,15 +84,24 @@ export class App {
       // A browser that keeps nothing is no reason to ask nobody.
       this.#answers.get().catch(() => null),
     ]);
-    return new PerceptionStore(await this.#whole.get(), shelf, studyOfThePage);
+    return new PerceptionStore(wholeWorkers(), shelf, studyOfThePage);
   });
 
   readonly analysis = new Lazy(async () => {
     const { AnalysisStore } = await import("../perception/analysis-store");
-    return new AnalysisStore(await this.#whole.get());
+    return new AnalysisStore(wholeWorkers());
   });
 
   readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+
+  /** Keeps what this visit holds, where the browser can, and loads the page again. */
+  async reload(): Promise<void> {
+    await this.session.get().then(
+      (session) => session.keepNow(),
+      () => {},
+    );
+    location.reload();
+  }
 
   /** Shows a study, of which this is the text. `made`: it was made here. */
   async openStudy(text: string, made = false): Promise<void> {
@@ -115,9 +117,7 @@ export class App {
 
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");
-    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, () =>
-      this.#whole.get(),
-    );
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, wholeWorkers());
     return { store, behindPath };
   });
 
@@ -164,7 +164,7 @@ export class App {
     const events: SupervisedEvents = {
       restarted: (why) =>
         this.notices.addError("The program was started again", `${why}. Clips and model are as they were.`),
-      failed: (problem) => this.engine.fail(problem),
+      stopped: (problem) => this.engine.stop(problem),
     };
     const started = () => startEngine(events);
     await this.engine.start(started, async () => {

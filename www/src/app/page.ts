@@ -352,6 +352,12 @@ export class PageView extends View {
             ? html`<p class="banner" role="alert">The model cannot run here: ${engine.problem} The walk below is a stored rollout; sliders and training need the model.</p>`
             : nothing
         }
+        ${
+          engine.state === "stopped"
+            ? html`<p class="banner" role="alert" data-testid="stopped">${engine.problem} Load the page again: it then offers to bring back your clips and models.
+              <button class="small" @click=${() => void this.app.reload()}>Keep everything and reload</button></p>`
+            : nothing
+        }
         ${isPlayView || view === "play" ? nothing : html`<main class="on-demand">${this.onDemand(view)}</main>`}
         <main ?hidden=${!isPlayView}>
           ${this.stageArea()}

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { ClipEntry } from "../clips/clips-store";
 import type { PartSpec } from "../engine/protocol";
-import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-engine.fake";
+import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-workers.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
 import { visitor } from "../ui/unsaved-dialog.fake";

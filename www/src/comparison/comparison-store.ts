@@ -3,8 +3,7 @@
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import type { Evaluated, PlannedComparison } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
@@ -73,7 +72,7 @@ export class ComparisonStore extends Store {
   readonly #engine: EngineState;
   readonly #settings: SettingsNow;
   readonly #clips: ClipsNow;
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #entries = new Map<string, ComparisonEntry>();
   readonly #planning: Latest<Asked, PlannedComparison>;
   #shown: ComparisonEntry | null = null;
@@ -90,7 +89,7 @@ export class ComparisonStore extends Store {
   /** Outcomes are added one after the other: each goes on with the text of the one before. */
   #adding: Promise<unknown> = Promise.resolve();
 
-  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeProgram) {
+  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeWorkers) {
     super();
     this.#engine = engine;
     this.#settings = settings;
@@ -98,8 +97,8 @@ export class ComparisonStore extends Store {
     this.#whole = whole;
     this.#planning = new Latest(
       async (asked) => {
-        this.#width = (await whole.load()).pool.width;
-        return askDesk(whole, (worker) => plan(worker, asked));
+        this.#width = whole.pool.width;
+        return whole.desk.run((worker) => plan(worker, asked));
       },
       (planned, asked) => this.#answered({ asked, planned }, ""),
       // A program that was not loaded or a worker that died says nothing about the plan: Compare can be
@@ -134,7 +133,7 @@ export class ComparisonStore extends Store {
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error("No model was trained here yet.");
-    return askDesk(this.#whole, (worker) => worker.makeStudy(request));
+    return this.#whole.desk.run((worker) => worker.makeStudy(request));
   }
 
   get failed(): boolean {
@@ -215,7 +214,7 @@ export class ComparisonStore extends Store {
     const { signal } = this.#stop;
     this.changed();
     try {
-      const { pool, desk } = await this.#whole.load();
+      const { pool, desk } = this.#whole;
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
@@ -273,7 +272,7 @@ export class ComparisonStore extends Store {
    */
   async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
-    const results = await askDesk(this.#whole, (worker) => worker.openResults(text));
+    const results = await this.#whole.desk.run((worker) => worker.openResults(text));
     if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results, onDisk ? results.text : "");
@@ -287,7 +286,7 @@ export class ComparisonStore extends Store {
     const isFree = () => this.#shown === null && !this.busy;
     if (!isFree()) return;
     const given = await text();
-    const results = await askDesk(this.#whole, (worker) => worker.openResults(given));
+    const results = await this.#whole.desk.run((worker) => worker.openResults(given));
     if (!isFree()) return;
     this.#shown = givenEntry(results);
     this.#askAnew();
@@ -391,8 +390,7 @@ export class ComparisonStore extends Store {
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<Evaluated | null> {
-    const { pool } = await this.#whole.load();
-    return pool.run((worker) => {
+    return this.#whole.pool.run((worker) => {
       progress.state = "running";
       const start = performance.now();
       const report = (fraction: number) => {
@@ -406,7 +404,7 @@ export class ComparisonStore extends Store {
 
   #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
     const added = this.#adding.then(async () => {
-      const add = () => askDesk(this.#whole, (worker) => worker.addOutcome(entry.results.text, job, outcome));
+      const add = () => this.#whole.desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
       // The worker may have died: a fresh one needs nothing but the text.
       entry.results = await add().catch(add);
     });
@@ -415,7 +413,7 @@ export class ComparisonStore extends Store {
   }
 }
 
-function plan(worker: WholeProgramWorker, { question, text }: Asked): Promise<PlannedComparison> {
+function plan(worker: WholeCalls, { question, text }: Asked): Promise<PlannedComparison> {
   return worker.planComparison(question.clips, question.settings, question.plan, text);
 }
 

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { clip, evaluated, resultsOf } from "../engine/whole-engine.fake";
+import { clip, evaluated, resultsOf } from "../engine/whole-workers.fake";
 import type { Job } from "../engine/whole-protocol";
 import { keepMotions, newEntry } from "./comparison-entry";
 import type { Question } from "./question";

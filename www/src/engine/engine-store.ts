@@ -1,20 +1,24 @@
 // Whether the model can be computed here, and by whom.
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import type { StartedEngine, TrainingWorker } from "./engine";
+import type { StartedEngine } from "./engine";
 import type { Pool } from "./pool";
 import type { Engine, SampleInfo } from "./protocol";
+import type { TrainingWorker } from "./whole-workers";
+
+/** "stopped": it worked, but the program cannot be started again in this visit. */
+export type EngineState = "loading" | "ready" | "failed" | "stopped";
 
 export class EngineStore extends Store {
-  #state: "loading" | "ready" | "failed" = "loading";
+  #state: EngineState = "loading";
   #problem = "";
   #started: StartedEngine | null = null;
 
-  get state(): "loading" | "ready" | "failed" {
+  get state(): EngineState {
     return this.#state;
   }
 
-  /** Why it cannot be computed here, in words for a person. */
+  /** Why it cannot be computed here, as a sentence for the visitor. */
   get problem(): string {
     return this.#problem;
   }
@@ -51,7 +55,15 @@ export class EngineStore extends Store {
   }
 
   fail(problem: unknown): void {
-    this.#state = "failed";
+    this.#end("failed", problem);
+  }
+
+  stop(problem: unknown): void {
+    this.#end("stopped", problem);
+  }
+
+  #end(state: EngineState, problem: unknown): void {
+    this.#state = state;
     this.#problem = messageOf(problem);
     this.changed();
   }

@@ -1,6 +1,7 @@
 // For tests: an engine and a pool that compute nothing, and answer when they are told to.
-import type { StartedEngine, TrainingWorker } from "./engine";
+import type { StartedEngine } from "./engine";
 import { Pool } from "./pool";
+import type { TrainingWorker } from "./whole-workers";
 import type {
   Clash,
   ClipInfo,
@@ -18,6 +19,7 @@ import type {
   Report,
   RolloutRequest,
   RolloutResult,
+  TrainedModel,
   TrainingCost,
   TrainingJob,
   TrainingOutcome,
@@ -124,7 +126,7 @@ interface HeldCall {
   fail(problem: Error): void;
 }
 
-export class FakeEngine implements Engine {
+export class FakeEngine implements Partial<Engine> {
   /** Calls of these are held back until the test ends them. */
   readonly holding = new Set<keyof Engine>();
   readonly held: HeldCall[] = [];
@@ -322,12 +324,13 @@ export class FakeTrainers {
     const number = this.hired;
     this.hired += 1;
     let last: TrainingJob | null = null;
-    const hold = (job: TrainingJob, more: number | null, send: Report, signal: AbortSignal) =>
+    const hold = (job: TrainingJob, more: number | null, send: Report<TrainedModel>, signal: AbortSignal) =>
       new Promise<TrainingOutcome>((end, fail) => {
         last = job;
         const report = (iteration: number, bound: number, text?: string, health: Health = MOVES_ON) => {
-          const model = text === undefined ? null : { text, latents: [], health };
-          return send({ steps: [progress(iteration, bound)], elapsed: iteration, model }) === true;
+          const found = text === undefined ? null : { text, latents: [], health };
+          const step = progress(iteration, bound);
+          return send({ steps: [step], progress: step, elapsed: iteration, found }) === true;
         };
         this.trainings.push({ job, worker: number, more, signal, report, end, fail, die });
       });
@@ -372,7 +375,7 @@ export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): Sta
     title: id,
     movement: id.split("-")[0] ?? "",
   }));
-  return { engine, pool: trainers.pool, version: "1.2.3", samples };
+  return { engine: engine as unknown as Engine, pool: trainers.pool, version: "1.2.3", samples };
 }
 
 /** Lets everything happen that waits for nothing but its turn. */

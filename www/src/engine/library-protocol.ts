@@ -9,14 +9,7 @@ import type {
   ModularityOutcome,
   PartMotion,
 } from "vcgpdm";
-import type {
-  Couplings,
-  Motion,
-  TrainingClip,
-  TrainingOutcome,
-  TrainingProgress,
-  TrainingSettings,
-} from "./protocol";
+import type { Couplings, Motion, Report, TrainingClip, TrainingOutcome, TrainingSettings } from "./protocol";
 
 export type {
   CouplingsFrom,
@@ -46,15 +39,6 @@ export type WalkChange =
 export interface LearningJob extends LibraryPlan {
   clips: TrainingClip[];
   settings: TrainingSettings;
-}
-
-/** Sent about ten times a second while something is learned or fitted, and when it ends. */
-export interface LibraryReport<Found> {
-  progress: TrainingProgress;
-  /** Seconds since the start. */
-  elapsed: number;
-  /** The best so far: with the last report. */
-  found: Found | null;
 }
 
 /** Couplings that were fitted, and where they come from. */
@@ -136,10 +120,7 @@ export interface LibraryWorker {
   primitivesText(primitives: number[]): string;
   /** Adds the primitives of another library; the walk goes on. Where they do not fit, nothing changes. */
   addPrimitives(text: string): Addition;
-  importPrimitives(
-    job: ImportJob,
-    report: (report: LibraryReport<Imported>) => void,
-  ): Promise<TrainingOutcome>;
+  importPrimitives(job: ImportJob, report: Report<Imported>, signal: AbortSignal): Promise<TrainingOutcome>;
   /** Begins an endless walk in the place of the one before. */
   startWalk(uses: number[]): void;
   /**
@@ -147,14 +128,14 @@ export interface LibraryWorker {
    * the next frames. Throws when there is no walk.
    */
   advanceWalk(back: number, changes: WalkChange[], frames: number): Motion;
-  learnLibrary(job: LearningJob, report: (report: LibraryReport<string>) => void): Promise<TrainingOutcome>;
-  fitCouplings(job: FittingJob, report: (report: LibraryReport<Fitted>) => void): Promise<TrainingOutcome>;
-  /** One trial held out: what came of it comes with the last report, where it was not cancelled. */
+  learnLibrary(job: LearningJob, report: Report<string>, signal: AbortSignal): Promise<TrainingOutcome>;
+  fitCouplings(job: FittingJob, report: Report<Fitted>, signal: AbortSignal): Promise<TrainingOutcome>;
+  /** Trains without one trial. The last report brings the outcome, unless the training was cancelled. */
   holdOut(
     fold: ModularityFold,
-    report: (report: LibraryReport<ModularityOutcome>) => void,
+    report: Report<ModularityOutcome>,
+    signal: AbortSignal,
   ): Promise<TrainingOutcome>;
-  cancelLibrary(): void;
   /** How well the target is locked to the source at each coupling, 0 to 1. */
   lockingRow(job: LockingJob): Float64Array;
 }

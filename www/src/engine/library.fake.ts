@@ -7,7 +7,7 @@ import type {
   Imported,
   LearningJob,
   LibraryInfo,
-  LibraryReport,
+  LibraryWorker,
   LockingJob,
   Misfit,
   ModularityFold,
@@ -16,31 +16,13 @@ import type {
   PrimitiveOrigin,
   WalkChange,
 } from "./library-protocol";
-import type { Couplings, Motion, TrainingOutcome } from "./protocol";
-import type { WholeProgramWorker } from "./whole-engine";
-
-type LibraryCalls =
-  | "openLibrary"
-  | "isWholeLibrary"
-  | "combinationMoves"
-  | "nearestCouplings"
-  | "combinationMotion"
-  | "combinationText"
-  | "addCombination"
-  | "primitivesText"
-  | "addPrimitives"
-  | "importPrimitives"
-  | "startWalk"
-  | "advanceWalk"
-  | "learnLibrary"
-  | "fitCouplings"
-  | "holdOut"
-  | "lockingRow";
+import type { Couplings, Motion, Report, TrainingOutcome, TrainingReport } from "./protocol";
+import type { Calls } from "./calls";
 
 /** Training that a test brings to its end. */
 export interface PendingTraining<Job, Found> {
   job: Job;
-  report(report: LibraryReport<Found>): void;
+  report(report: TrainingReport<Found>): unknown;
   end(outcome: TrainingOutcome): void;
 }
 
@@ -138,7 +120,7 @@ export class FakeLibraries {
   broken = "";
 
   /** A worker that has just started: it holds nothing. */
-  worker(): Pick<WholeProgramWorker, LibraryCalls> {
+  worker(): Calls<LibraryWorker> {
     let held: string | null = null;
     let uses: readonly number[] | null = null;
     /** Where the walk began, and its primitives in each frame. */
@@ -222,7 +204,7 @@ export class FakeLibraries {
 function pending<Job, Found>(
   list: PendingTraining<Job, Found>[],
   job: Job,
-  report: (report: LibraryReport<Found>) => void,
+  report: Report<Found>,
   signal: AbortSignal,
 ): Promise<TrainingOutcome> {
   return new Promise((end) => {

@@ -57,6 +57,21 @@ const settle = async () => {
 
 afterEach(() => void vi.useRealTimers());
 
+it("gives a free worker to the task that has the fewest", async () => {
+  const { ask, begun, at } = scene(2);
+  const [comparison, training] = [new AbortController().signal, new AbortController().signal];
+  for (const job of "abcd") ask(job, comparison);
+  for (const job of "xy") ask(job, training);
+  await settle();
+  expect(begun()).toBe("ab");
+  at("a").end("A");
+  await settle();
+  expect(begun()).toBe("abx");
+  at("b").end("B");
+  await settle();
+  expect(begun()).toBe("abxc");
+});
+
 it("works in the order of asking, on no more workers than it is wide, and starts none before it has work", async () => {
   const { workers, ask, begun, at, ends } = scene(2);
   expect(workers).toHaveLength(0);

@@ -1,5 +1,8 @@
-// Work for several workers: in the order in which it was asked for, on as many at once as the pool is wide.
-// Knows no model.
+// Work for several workers, on as many at once as the pool is wide. Knows no model.
+//
+// Work with the same signal is one task, such as a comparison of a hundred jobs. A free worker goes to the
+// task with the fewest workers, so that a training does not wait for all jobs of a comparison; among equals
+// the order is that of asking.
 
 /** A worker that the pool has started. */
 export interface Hired<Worker> {
@@ -26,23 +29,30 @@ interface Waiting<Worker> {
 const GRACE = 30_000;
 
 export class Pool<Worker> {
-  private readonly idle: Hired<Worker>[] = [];
-  private waiting: Waiting<Worker>[] = [];
-  private busy = 0;
+  readonly #idle: Hired<Worker>[] = [];
+  #waiting: Waiting<Worker>[] = [];
+  /** The signal of each work under way. */
+  readonly #tasks: (AbortSignal | undefined)[] = [];
   /**
    * What the death of a worker at work fails. Its promise is listened to once: listeners of every piece of
    * work would stay, and with them what came of it, for as long as the worker lives.
    */
-  private readonly atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
+  readonly #atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
   /** Workers that hold something that may be asked for again. */
-  private readonly kept = new Set<Worker>();
+  readonly #kept = new Set<Worker>();
+
+  readonly #hire: () => Hired<Worker>;
+  readonly #grace: number;
 
   constructor(
     /** How many workers work at once. */
     readonly width: number,
-    private readonly hire: () => Hired<Worker>,
-    private readonly grace = GRACE,
-  ) {}
+    hire: () => Hired<Worker>,
+    grace = GRACE,
+  ) {
+    this.#hire = hire;
+    this.#grace = grace;
+  }
 
   /**
    * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work
@@ -57,7 +67,7 @@ export class Pool<Worker> {
     return new Promise<Result>((resolve, reject) => {
       if (signal?.aborted) return reject(signal.reason);
       if (on !== null && !this.keeps(on)) return reject(new Error("the worker that held it is gone."));
-      const aborted = () => this.drop(job);
+      const aborted = () => this.#drop(job);
       const begun = () => signal?.removeEventListener("abort", aborted);
       const job: Waiting<Worker> = {
         work,
@@ -67,106 +77,111 @@ export class Pool<Worker> {
         done: resolve as (result: unknown) => void,
         failed: reject,
       };
-      this.waiting.push(job);
+      this.#waiting.push(job);
       signal?.addEventListener("abort", aborted, { once: true });
-      this.next();
+      this.#next();
     });
   }
 
   /** The worker does no other work and stays, until it is let go. */
   keep(worker: Worker): void {
-    this.kept.add(worker);
+    this.#kept.add(worker);
   }
 
   /** Whether the worker is kept, and still there. */
   keeps(worker: Worker): boolean {
-    return this.kept.has(worker);
+    return this.#kept.has(worker);
   }
 
   letGo(worker: Worker): void {
-    this.kept.delete(worker);
-    this.next();
+    this.#kept.delete(worker);
+    this.#next();
   }
 
-  private drop(job: Waiting<Worker>): void {
-    if (!this.waiting.includes(job)) return;
-    this.waiting = this.waiting.filter((other) => other !== job);
+  /** The work that begins next. Work for a worker that is busy does not keep other work waiting. */
+  #choose(): Waiting<Worker> | undefined {
+    const workers = ({ signal }: Waiting<Worker>) => this.#tasks.filter((task) => task === signal).length;
+    return this.#waiting
+      .filter(({ on }) => on === null || this.#idle.some(({ worker }) => worker === on))
+      .reduce<Waiting<Worker> | undefined>(
+        (best, job) => (best && workers(best) <= workers(job) ? best : job),
+        undefined,
+      );
+  }
+
+  #drop(job: Waiting<Worker>): void {
+    if (!this.#waiting.includes(job)) return;
+    this.#waiting = this.#waiting.filter((other) => other !== job);
     job.failed(job.signal?.reason);
   }
 
-  private next(): void {
-    while (this.busy < this.width) {
-      // What waits for one worker that is at work does not keep others waiting.
-      const at = this.waiting.findIndex(
-        ({ on }) => on === null || this.idle.some(({ worker }) => worker === on),
-      );
-      const [job] = at < 0 ? [] : this.waiting.splice(at, 1);
+  #next(): void {
+    while (this.#tasks.length < this.width) {
+      const job = this.#choose();
       if (!job) break;
+      this.#waiting.splice(this.#waiting.indexOf(job), 1);
       job.begun();
-      void this.attend(job);
+      void this.#attend(job);
     }
-    if (this.busy > 0) return;
+    if (this.#tasks.length > 0) return;
     // One stays for the next work; the memory of the others that are not kept is given back.
-    const [, ...spare] = this.idle.filter(({ worker }) => !this.kept.has(worker));
-    for (const hired of spare) this.forget(hired);
+    const [, ...spare] = this.#idle.filter(({ worker }) => !this.#kept.has(worker));
+    for (const hired of spare) this.#forget(hired);
   }
 
-  private forget(hired: Hired<Worker>): void {
-    this.kept.delete(hired.worker);
-    this.atWork.delete(hired);
-    const at = this.idle.indexOf(hired);
-    if (at >= 0) this.idle.splice(at, 1);
+  #forget(hired: Hired<Worker>): void {
+    this.#kept.delete(hired.worker);
+    this.#atWork.delete(hired);
+    const at = this.#idle.indexOf(hired);
+    if (at >= 0) this.#idle.splice(at, 1);
     hired.dismiss();
   }
 
   /** An idle worker: this one, or any that is not kept. */
-  private take(on: Worker | null): Hired<Worker> | null {
-    const fits = ({ worker }: Hired<Worker>) => (on === null ? !this.kept.has(worker) : worker === on);
-    const at = this.idle.findLastIndex(fits);
-    return at < 0 ? null : (this.idle.splice(at, 1)[0] ?? null);
+  #take(on: Worker | null): Hired<Worker> | null {
+    const fits = ({ worker }: Hired<Worker>) => (on === null ? !this.#kept.has(worker) : worker === on);
+    const at = this.#idle.findLastIndex(fits);
+    return at < 0 ? null : (this.#idle.splice(at, 1)[0] ?? null);
   }
 
-  private async attend({ work, on, signal, done, failed }: Waiting<Worker>): Promise<void> {
-    this.busy += 1;
-    const silence = patience(signal, this.grace);
+  async #attend({ work, on, signal, done, failed }: Waiting<Worker>): Promise<void> {
+    this.#tasks.push(signal);
+    const silence = patience(signal, this.#grace);
     let hired: Hired<Worker> | null = null;
     try {
-      hired = this.take(on) ?? this.open();
-      const result = await Promise.race([this.workOn(hired, work), silence.promise]);
-      this.idle.push(hired);
+      hired = this.#take(on) ?? this.#open();
+      const result = await Promise.race([this.#workOn(hired, work), silence.promise]);
+      this.#idle.push(hired);
       done(result);
     } catch (problem) {
       // A worker whose work failed is not trusted again: the next work gets a fresh one.
-      if (hired) this.forget(hired);
+      if (hired) this.#forget(hired);
       failed(problem);
     } finally {
       silence.end();
-      this.busy -= 1;
-      this.next();
+      this.#tasks.splice(this.#tasks.indexOf(signal), 1);
+      this.#next();
     }
   }
 
   /** Fails when the worker dies. */
-  private async workOn<Result>(
-    hired: Hired<Worker>,
-    work: (worker: Worker) => Promise<Result>,
-  ): Promise<Result> {
+  async #workOn<Result>(hired: Hired<Worker>, work: (worker: Worker) => Promise<Result>): Promise<Result> {
     try {
       return await new Promise<Result>((resolve, reject) => {
-        this.atWork.set(hired, reject);
+        this.#atWork.set(hired, reject);
         hired.ready.then(() => work(hired.worker)).then(resolve, reject);
       });
     } finally {
-      this.atWork.delete(hired);
+      this.#atWork.delete(hired);
     }
   }
 
-  private open(): Hired<Worker> {
-    const hired = this.hire();
+  #open(): Hired<Worker> {
+    const hired = this.#hire();
     hired.broken.catch((problem) => {
       // One that is at work is dismissed where its work fails.
-      if (this.idle.includes(hired)) this.forget(hired);
-      else this.atWork.get(hired)?.(problem);
+      if (this.#idle.includes(hired)) this.#forget(hired);
+      else this.#atWork.get(hired)?.(problem);
     });
     return hired;
   }

@@ -1,5 +1,5 @@
-// The two wasm programs: one that shows, for the first visit, and the whole one, which trains and compares.
-// No wasm import.
+// The two wasm programs: the player, for the first visit, and the whole program, which also trains and
+// compares. No wasm import.
 import { messageOf } from "../ui/format";
 import { whenIdle } from "../ui/idle";
 
@@ -7,7 +7,7 @@ import { whenIdle } from "../ui/idle";
 async function compile(place: URL): Promise<WebAssembly.Module> {
   const answer = await fetch(place);
   if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
-  // Not every host knows what a .wasm file is.
+  // Some hosts send .wasm files with another type.
   const named = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
@@ -17,7 +17,7 @@ export const loadPlayer = () =>
 
 let whole: Promise<WebAssembly.Module> | null = null;
 
-/** Loads the whole program at the first time, and again after a download that failed. */
+/** Loads the whole program on the first call, and again after a failed download. */
 export function loadWhole(): Promise<WebAssembly.Module> {
   whole ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).catch(
     (problem: unknown) => {
@@ -29,10 +29,7 @@ export function loadWhole(): Promise<WebAssembly.Module> {
   return whole;
 }
 
-/**
- * Loads the whole program when the page has nothing else to do; not where the visitor's connection is to be
- * spared.
- */
+/** Loads the whole program when the page is idle, unless the browser is set to save data. */
 export function loadWholeWhenIdle(): void {
   const { connection } = navigator as Navigator & { connection?: { saveData?: boolean } };
   if (connection?.saveData) return;

@@ -10,6 +10,7 @@ import type {
   TrainingSettings,
   VariationalSettings,
 } from "vcgpdm";
+import type { Calls } from "./calls";
 
 export type {
   ClipInfo,
@@ -196,18 +197,20 @@ export interface TrainedModel {
   health: Health | null;
 }
 
-/** Sent about ten times a second while training. */
-export interface TrainingReport {
+/** Sent about ten times a second while something is trained, and when the training ends. */
+export interface TrainingReport<Found> {
   /** One entry for each iteration since the last report. */
   steps: TrainingProgress[];
+  /** The newest iteration. */
+  progress: TrainingProgress;
   /** Seconds since it began, or since it went on. */
   elapsed: number;
-  /** The best model so far: with the last report, and where the answer to an earlier one asked for it. */
-  model: TrainedModel | null;
+  /** The best so far: with the last report, and where the answer to an earlier one asked for it. */
+  found: Found | null;
 }
 
-/** Answers whether the next report is to bring the best model so far. */
-export type Report = (report: TrainingReport) => boolean | Promise<boolean>;
+/** May answer that the next report is to bring the best so far. */
+export type Report<Found> = (report: TrainingReport<Found>) => unknown;
 
 export interface TrainingOutcome {
   /** The best so far is kept. */
@@ -232,17 +235,19 @@ export interface TrainingJob {
   frames: number;
 }
 
-/** The face of a worker that trains, one model at a time. */
+/**
+ * A worker that trains, one model at a time. Here and in the other workers, a signal ends a training early: the
+ * best so far is kept.
+ */
 export interface Trainee {
   start(wasm: WebAssembly.Module): Promise<unknown>;
-  /** The worker holds what it trained until the next training. */
-  train(job: TrainingJob, report: Report): Promise<TrainingOutcome>;
-  /** Goes on with what it holds, for so many iterations more. */
-  goOn(iterations: number, report: Report): Promise<TrainingOutcome>;
-  cancelTraining(): void;
+  /** The worker keeps what it trained until the next training. */
+  train(job: TrainingJob, report: Report<TrainedModel>, signal: AbortSignal): Promise<TrainingOutcome>;
+  /** Continues the training that the worker keeps, for at most this many more iterations. */
+  goOn(iterations: number, report: Report<TrainedModel>, signal: AbortSignal): Promise<TrainingOutcome>;
 }
 
-/** The face of the worker that shows; every call answers with a promise on the page's side. */
+/** The worker that shows clips and models. */
 export interface Workbench {
   start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
@@ -261,7 +266,7 @@ export interface Workbench {
   bestToShow(ranks: number[], bounds: number[]): number;
   /** What a training would cost here. */
   trainingCost(question: CostQuestion): TrainingCost;
-  /** `revision` is the number that the model and its rollouts go by. */
+  /** The model and its rollouts carry the number `revision`. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
@@ -281,9 +286,7 @@ export interface Workbench {
   clipBvh(id: number, first: number, end: number): string;
 }
 
-/** What the page asks of the worker that shows, whichever it is. */
-export type Engine = {
-  [Call in Exclude<keyof Workbench, "start" | "openModel">]: (
-    ...args: Parameters<Workbench[Call]>
-  ) => Promise<ReturnType<Workbench[Call]>>;
-} & { openModel(text: string, frames: number): Promise<OpenedModel> };
+/** The calls of the page to the worker that shows, whichever worker that is now. */
+export type Engine = Calls<Omit<Workbench, "start" | "openModel">> & {
+  openModel(text: string, frames: number): Promise<OpenedModel>;
+};

@@ -1,8 +1,7 @@
 // What the page and the workers of the whole program say to each other about time series that are no body.
 // Types only.
 import type { AnyModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
-import type { LibraryReport } from "./library-protocol";
-import type { Couplings, Reading, TrainingOutcome } from "./protocol";
+import type { Couplings, Reading, Report, TrainingOutcome } from "./protocol";
 
 export type { TableInfo, TablePart } from "vcgpdm";
 export type SeriesInfo = AnyModelInfo;
@@ -33,8 +32,6 @@ export interface TrainedSeries {
 }
 
 export interface SeriesRequest {
-  /** The model's document. */
-  text: string;
   frames: number;
   /** The training table whose start begins it. */
   sequence: number;
@@ -52,19 +49,19 @@ export interface SeriesRollout {
   weights: Couplings | null;
 }
 
-/** What a worker does for time series. It keeps nothing that is missed when it dies. */
+/** Time series. The worker keeps one model open, for rollouts. */
 export interface SeriesWorker {
   readTable(source: TableSource): Promise<ReadTable>;
   /** Why these tables cannot be trained on together; empty when they can. */
   checkTables(tables: TableSource[]): Promise<string>;
-  /** Throws with the reason when the text is no model of tables. */
+  /**
+   * Keeps the model open in the place of the one before. Throws with the reason when the text is no model of
+   * tables.
+   */
   openSeries(text: string): SeriesInfo;
+  /** A rollout of the open model. */
   rolloutSeries(request: SeriesRequest): SeriesRollout;
-  /** The rollout as CSV: frame, time in seconds, and a column for each. */
+  /** A rollout of the open model as CSV: frame, time in seconds, and a column for each. */
   seriesCsv(request: SeriesRequest): string;
-  trainSeries(
-    job: SeriesJob,
-    report: (report: LibraryReport<TrainedSeries>) => void,
-  ): Promise<TrainingOutcome>;
-  cancelSeries(): void;
+  trainSeries(job: SeriesJob, report: Report<TrainedSeries>, signal: AbortSignal): Promise<TrainingOutcome>;
 }

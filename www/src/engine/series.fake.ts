@@ -1,5 +1,5 @@
 // For tests: a worker that reads tables and takes texts for models of two parts, and computes nothing.
-import type { LibraryReport } from "./library-protocol";
+import type { Calls } from "./calls";
 import type { PendingTraining } from "./library.fake";
 import type { Couplings } from "./protocol";
 import type {
@@ -7,12 +7,10 @@ import type {
   SeriesInfo,
   SeriesJob,
   SeriesRequest,
+  SeriesWorker,
   TableSource,
   TrainedSeries,
 } from "./series-protocol";
-import type { WholeProgramWorker } from "./whole-engine";
-
-type SeriesCalls = "readTable" | "checkTables" | "openSeries" | "rolloutSeries" | "seriesCsv" | "trainSeries";
 
 const LEARNED: Couplings = [
   [1, 2],
@@ -54,25 +52,35 @@ async function read({ name, file }: TableSource): Promise<ReadTable> {
 
 export class FakeSeries {
   /** All rollouts that were asked for. */
-  readonly rollouts: Omit<SeriesRequest, "text">[] = [];
+  readonly rollouts: SeriesRequest[] = [];
   readonly trainings: PendingTraining<SeriesJob, TrainedSeries>[] = [];
   /** Why tables do not go together; empty when they do. */
   clash = "";
 
-  worker(): Pick<WholeProgramWorker, SeriesCalls> {
+  /** The documents that were opened, in order. */
+  readonly opened: string[] = [];
+
+  /** A worker that has just started: no model is open. */
+  worker(): Calls<SeriesWorker> {
+    let open = "";
     return {
       readTable: read,
       checkTables: async () => this.clash,
-      openSeries: async (text) => infoOf(text),
-      rolloutSeries: async ({ text, ...asked }) => {
+      openSeries: async (text) => {
+        const info = infoOf(text);
+        this.opened.push(text);
+        open = text;
+        return info;
+      },
+      rolloutSeries: async (asked) => {
         this.rollouts.push(asked);
-        const { alpha } = infoOf(text);
+        const { alpha } = infoOf(open);
         const values = new Float64Array(3 * asked.frames).fill(asked.alpha?.[0]?.[1] ?? 0);
         const latents = alpha ? [new Float64Array(2 * asked.frames), new Float64Array(asked.frames)] : [];
         return { values, latents, weights: alpha && (asked.alpha ?? alpha) };
       },
       seriesCsv: async ({ alpha }) => `csv of ${JSON.stringify(alpha)}`,
-      trainSeries: (job, report: (report: LibraryReport<TrainedSeries>) => void, signal) =>
+      trainSeries: (job, report, signal) =>
         new Promise((end) => {
           this.trainings.push({ job, report, end });
           signal.addEventListener("abort", () => end({ cancelled: true, reason: null }), { once: true });

@@ -1,85 +1,53 @@
-// The worker that shows, kept alive: when it dies it is started anew, with the clips and the model that it
-// held. Knows no worker.
+// The worker that shows, kept alive: when it dies another takes over, with the same clips and model. Knows no
+// worker itself.
+import { messageOf } from "../ui/format";
+import { callsBy } from "./calls";
 import type { Engine, LoadedClip, Workbench } from "./protocol";
+import type { Running } from "./running";
+import { isTrap } from "./traps";
 
-/** Each call to the worker answers with a promise. */
-export type RemoteWorkbench = {
-  [Call in Exclude<keyof Workbench, "start">]: (
-    ...args: Parameters<Workbench[Call]>
-  ) => Promise<ReturnType<Workbench[Call]>>;
-};
-
-/** A worker that has started. */
-export interface RunningWorkbench {
-  remote: RemoteWorkbench;
-  /** Fails, with words for a person, when the worker dies. */
-  broken: Promise<never>;
-  dismiss(): void;
-}
+export type RunningWorkbench = Running<Omit<Workbench, "start">>;
+type Remote = RunningWorkbench["calls"];
 
 export interface SupervisedEvents {
-  /** The worker stopped, for this reason; another has taken its place and holds what it held. */
+  /** The worker stopped, for this reason; another has taken over, with the same clips and model. */
   restarted(why: string): void;
-  /** No other worker could take its place. */
-  failed(problem: unknown): void;
+  /** No other worker could take over. */
+  stopped(problem: unknown): void;
 }
 
-/** A program that has stopped in the middle of something: what it holds is no longer to be trusted. */
-export const isTrap = (problem: unknown): problem is Error =>
-  problem instanceof Error &&
-  (problem.name === "RuntimeError" || (problem.name === "RangeError" && /call stack/.test(problem.message)));
+/** So many workers in a row may die while they take over. */
+const TAKE_OVERS = 3;
 
-/** The worker died while it was asked. */
+/** The worker died during a call. */
 class Died extends Error {}
 
-/** What is passed on as it is; the others are about what the worker holds. */
-const STATELESS: Record<
-  Exclude<keyof Engine, "readClip" | "sampleClip" | "dropClip" | "checkTogether" | "clipBvh" | "openModel">,
-  true
-> = {
-  freshSeed: true,
-  bestToShow: true,
-  trainingCost: true,
-  rollout: true,
-  inducing: true,
-  modelJson: true,
-  rolloutBvh: true,
-  bodyReport: true,
-  predictions: true,
-  futures: true,
-  startLive: true,
-  advanceLive: true,
-  endLive: true,
-};
+interface OpenClip {
+  /** The worker's number of the clip. */
+  inWorker: number;
+  read(remote: Remote): Promise<LoadedClip>;
+}
 
 export class SupervisedEngine {
   readonly engine: Engine;
   readonly #start: () => Promise<RunningWorkbench>;
   readonly #events: SupervisedEvents;
   #worker: Promise<RunningWorkbench>;
-  /** The clips by the page's numbers, which stay when another worker gives them others. */
-  readonly #clips = new Map<
-    number,
-    { inWorker: number; read(remote: RemoteWorkbench): Promise<LoadedClip> }
-  >();
+  /** The clips by the page's numbers, which stay when another worker gives them other numbers. */
+  readonly #clips = new Map<number, OpenClip>();
   #lastClip = 0;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
-  /** The questions under way, which fail when the worker dies. */
-  readonly #asked = new Set<(problem: Died) => void>();
+  /** The calls under way, which fail when the worker dies. */
+  readonly #underWay = new Set<(problem: Died) => void>();
 
   constructor(first: RunningWorkbench, start: () => Promise<RunningWorkbench>, events: SupervisedEvents) {
     this.#start = start;
     this.#events = events;
     this.#worker = Promise.resolve(first);
     this.#watch(first);
-    const ask =
-      (call: keyof typeof STATELESS) =>
-      (...given: unknown[]) =>
-        this.#ask((remote) => (remote[call] as (...given: unknown[]) => Promise<unknown>)(...given));
-    const calls = Object.keys(STATELESS) as (keyof typeof STATELESS)[];
-    this.engine = {
-      ...(Object.fromEntries(calls.map((call) => [call, ask(call)])) as Pick<Engine, keyof typeof STATELESS>),
+    // Calls about clips and the model are written out: another worker needs the same clips and model.
+    const own: Partial<Engine> = {
       readClip: (name, bytes) => {
         const file = new Blob([bytes as Uint8Array<ArrayBuffer>]);
         return this.#addClip(async (remote) =>
@@ -88,20 +56,26 @@ export class SupervisedEngine {
       },
       sampleClip: (id) => this.#addClip((remote) => remote.sampleClip(id)),
       dropClip: async (id) => {
-        const known = this.#clips.get(id);
+        const clip = this.#clips.get(id);
+        if (!clip) return;
+        await this.#ask((remote) => remote.dropClip(clip.inWorker));
         this.#clips.delete(id);
-        if (known) await this.#ask((remote) => remote.dropClip(known.inWorker));
       },
       checkTogether: (ids, firstBones) =>
         this.#ask((remote) => remote.checkTogether(ids.map(this.#inWorker), firstBones)),
       clipBvh: (id, first, end) => this.#ask((remote) => remote.clipBvh(this.#inWorker(id), first, end)),
       openModel: (text, frames) => this.#openModel(text, frames),
     };
+    type Call = (...given: unknown[]) => Promise<unknown>;
+    this.engine = callsBy<Engine>((name, given) => {
+      const call = own[name] as Call | undefined;
+      return call ? call(...given) : this.#ask((remote) => (remote[name] as Call)(...given));
+    }) as Engine;
   }
 
   readonly #inWorker = (id: number): number => this.#clips.get(id)?.inWorker ?? id;
 
-  async #addClip(read: (remote: RemoteWorkbench) => Promise<LoadedClip>): Promise<LoadedClip> {
+  async #addClip(read: OpenClip["read"]): Promise<LoadedClip> {
     const loaded = await this.#ask(read);
     this.#lastClip += 1;
     const id = this.#lastClip;
@@ -113,32 +87,28 @@ export class SupervisedEngine {
     this.#revision += 1;
     const model = { text, frames, revision: this.#revision };
     const opened = await this.#ask((remote) => remote.openModel(text, frames, model.revision));
-    // What is asked for later and answered earlier stays.
+    // A model that was opened later may have been answered earlier.
     if (!this.#model || this.#model.revision < model.revision) this.#model = model;
     return opened;
   }
 
-  /**
-   * Asks the worker. A question during which it dies is asked once more; one that stops the program is not.
-   */
-  async #ask<Answer>(question: (remote: RemoteWorkbench) => Promise<Answer>, again = true): Promise<Answer> {
+  /** Asks the worker. A call during which it dies is made once more; one that stops the program is not. */
+  async #ask<Answer>(call: (remote: Remote) => Promise<Answer>, again = true): Promise<Answer> {
     const worker = await this.#worker;
     let fail: (problem: Died) => void = () => {};
     const died = new Promise<never>((_, reject) => {
       fail = reject;
     });
-    this.#asked.add(fail);
+    this.#underWay.add(fail);
     try {
-      return await Promise.race([question(worker.remote), died]);
+      return await Promise.race([call(worker.calls), died]);
     } catch (problem) {
-      if (problem instanceof Died && again) return await this.#ask(question, false);
+      if (problem instanceof Died && again) return await this.#ask(call, false);
       if (problem instanceof Died) throw new Error(`the program stopped twice: ${problem.message}`);
-      if (!isTrap(problem)) throw problem;
-      const why = `the program stopped (${problem.message}), perhaps for want of memory`;
-      this.#replace(worker, why);
-      throw new Error(`${why}.`);
+      if (isTrap(problem)) this.#replace(worker, problem.message);
+      throw problem;
     } finally {
-      this.#asked.delete(fail);
+      this.#underWay.delete(fail);
     }
   }
 
@@ -148,7 +118,7 @@ export class SupervisedEngine {
 
   readonly #replaced = new WeakSet<RunningWorkbench>();
 
-  /** Another worker takes over; questions wait for it. */
+  /** Another worker takes over; calls wait for it. */
   #replace(dead: RunningWorkbench, why: string): void {
     if (this.#replaced.has(dead)) return;
     this.#replaced.add(dead);
@@ -156,17 +126,41 @@ export class SupervisedEngine {
     this.#worker = this.#takeOver();
     this.#worker.then(
       () => this.#events.restarted(why),
-      (problem: unknown) => this.#events.failed(problem),
+      (problem: unknown) => this.#events.stopped(problem),
     );
-    for (const fail of [...this.#asked]) fail(new Died(why));
+    for (const fail of [...this.#underWay]) fail(new Died(why));
   }
 
   async #takeOver(): Promise<RunningWorkbench> {
+    let problem: unknown;
+    for (let attempt = 0; attempt < TAKE_OVERS; attempt += 1) {
+      try {
+        return await this.#successor();
+      } catch (failure) {
+        problem = failure;
+      }
+    }
+    throw new Error(
+      `The program could not be started again: ${TAKE_OVERS} workers in a row failed (${messageOf(problem)}).`,
+    );
+  }
+
+  /** A new worker with the same clips and model. It may die at each step of this. */
+  async #successor(): Promise<RunningWorkbench> {
     const worker = await this.#start();
-    for (const clip of this.#clips.values()) clip.inWorker = (await clip.read(worker.remote)).id;
-    const model = this.#model;
-    if (model) await worker.remote.openModel(model.text, model.frames, model.revision);
+    try {
+      await Promise.race([this.#fill(worker.calls), worker.broken]);
+    } catch (problem) {
+      worker.dismiss();
+      throw problem;
+    }
     this.#watch(worker);
     return worker;
+  }
+
+  async #fill(remote: Remote): Promise<void> {
+    for (const clip of this.#clips.values()) clip.inWorker = (await clip.read(remote)).id;
+    const model = this.#model;
+    if (model) await remote.openModel(model.text, model.frames, model.revision);
   }
 }

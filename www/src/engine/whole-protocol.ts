@@ -22,7 +22,7 @@ import type {
   TrainingCost,
 } from "vcgpdm";
 import type { LibraryWorker } from "./library-protocol";
-import type { RolloutRequest, Trainee, TrainingClip, TrainingOutcome, TrainingProgress } from "./protocol";
+import type { Report, RolloutRequest, Trainee, TrainingClip, TrainingOutcome } from "./protocol";
 import type { SeriesWorker } from "./series-protocol";
 
 export type {
@@ -101,23 +101,17 @@ export interface Experiment {
   driving: boolean;
 }
 
-/** Sent about ten times a second while an experiment trains, and when it ends. */
-export interface ExperimentReport {
-  progress: TrainingProgress;
-  /** Seconds since the start. */
-  elapsed: number;
-  /** At the best bound so far. */
-  findings: SyntheticFindings;
-}
-
 /**
  * What a worker does for comparisons. It keeps nothing between two calls, so that one that dies loses
  * nothing.
  */
 export interface ComparisonWorker {
-  /** Answers null when it was cancelled. `report` is told the share of the training that is done. */
-  evaluate(job: EvaluationJob, report: (fraction: number) => void): Promise<Evaluated | null>;
-  cancelEvaluation(): void;
+  /** Answers null when it was cancelled. `report` gets the share of the training that is done. */
+  evaluate(
+    job: EvaluationJob,
+    report: (fraction: number) => void,
+    signal: AbortSignal,
+  ): Promise<Evaluated | null>;
   /**
    * The jobs of a plan on these clips. `known`: the text of results that are gone on with if they are of the
    * same setting.
@@ -138,12 +132,12 @@ export interface ComparisonWorker {
 export interface ExperimentWorker {
   /** The data of an experiment, and the truth about them. */
   drawExperiment(experiment: Experiment): SyntheticTruth;
-  /** Trains until it is done or cancelled; the best so far comes with the last report. */
+  /** Trains until it is done or cancelled. */
   trainExperiment(
     experiment: Experiment,
-    report: (report: ExperimentReport) => void,
+    report: Report<SyntheticFindings>,
+    signal: AbortSignal,
   ): Promise<TrainingOutcome>;
-  cancelExperiment(): void;
 }
 
 /** What is known of the latents of one part in each frame of a rollout, as a Gaussian. */
@@ -218,7 +212,7 @@ export interface PerceptionWorker {
   makeStudy(request: StudyRequest): Promise<string>;
 }
 
-/** The face of a worker of the whole program. */
+/** A worker of the whole program. */
 export interface WholeWorker
   extends Trainee,
     ComparisonWorker,

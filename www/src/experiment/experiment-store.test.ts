@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
-import type { ExperimentReport, SyntheticTruth } from "../engine/whole-protocol";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import type { TrainingReport } from "../engine/protocol";
+import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
 import { ExperimentStore } from "./experiment-store";
@@ -23,7 +24,11 @@ beforeEach(() => {
 
 const truth = (frames: number) => ({ frames }) as SyntheticTruth;
 const report = (iteration: number) =>
-  ({ progress: { iteration, fraction: 0.1 }, elapsed: 1, findings: {} }) as unknown as ExperimentReport;
+  ({
+    progress: { iteration, fraction: 0.1 },
+    elapsed: 1,
+    found: {},
+  }) as unknown as TrainingReport<SyntheticFindings>;
 const seeds = (...numbers: number[]) => numbers.map((seed) => ({ seed, driving: true }));
 const states = () => experiments.runs.map(({ seed, state }) => `${seed} ${state}`);
 const finished = { cancelled: false, reason: null };

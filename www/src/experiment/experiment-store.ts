@@ -1,7 +1,6 @@
 // The synthetic experiments of this visit: the data of the one that is looked at, and the trainings on them.
 import { Latest } from "../engine/latest";
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { endingWords } from "../training/words";
@@ -11,7 +10,7 @@ import { type ExperimentRun, isSame, newRun } from "./experiments";
 
 export class ExperimentStore extends Store {
   readonly #settings: Pick<SettingsStore, "values" | "on">;
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #drawing: Latest<Experiment, SyntheticTruth>;
   #runs: readonly ExperimentRun[] = [];
   #asked: readonly ExperimentRun[] = [];
@@ -23,12 +22,12 @@ export class ExperimentStore extends Store {
   #stop = new AbortController();
   #width = 1;
 
-  constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeProgram) {
+  constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeWorkers) {
     super();
     this.#settings = settings;
     this.#whole = whole;
     this.#drawing = new Latest(
-      (experiment) => askDesk(whole, (worker) => worker.drawExperiment(experiment)),
+      (experiment) => whole.desk.run((worker) => worker.drawExperiment(experiment)),
       (truth, experiment) => {
         this.#drawn = { experiment, truth };
         this.#problem = "";
@@ -141,15 +140,17 @@ export class ExperimentStore extends Store {
   async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
     const { seed, driving } = run;
     try {
-      const { pool } = await this.#whole.load();
+      const { pool } = this.#whole;
       this.#width = pool.width;
       const outcome = await pool.run((worker) => {
         run.state = "running";
         return worker.trainExperiment(
           { seed, driving },
-          ({ progress: { iteration, fraction }, elapsed, findings }) => {
-            Object.assign(run, { iteration, fraction, elapsed, findings });
+          ({ progress: { iteration, fraction }, elapsed, found }) => {
+            Object.assign(run, { iteration, fraction, elapsed });
+            if (found) run.findings = found;
             this.changedSoon();
+            return true;
           },
           signal,
         );

@@ -2,7 +2,7 @@ import { beforeEach, expect, it } from "vitest";
 import { ModelStore } from "../couplings/model-store";
 import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
 import { EngineStore } from "../engine/engine-store";
-import { FakeProgram } from "../engine/whole-engine.fake";
+import { FakeProgram } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -24,7 +24,7 @@ beforeEach(async () => {
   const store = new EngineStore();
   stage = new StageStore(new Playback(settings));
   model = new ModelStore(store, settings, stage, notices);
-  outlook = new OutlookStore(store, model, stage, notices, () => Promise.resolve(whole));
+  outlook = new OutlookStore(store, model, stage, notices, whole);
   await store.start(
     () => Promise.resolve(started(engine)),
     () => model.open(modelText(1)),

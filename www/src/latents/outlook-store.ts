@@ -3,8 +3,7 @@ import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { RolloutRequest, RolloutResult } from "../engine/protocol";
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { PartMoments } from "../engine/whole-protocol";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
@@ -29,7 +28,7 @@ export class OutlookStore extends Store {
   readonly #model: ModelStore;
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
-  readonly #whole: () => Promise<WholeProgram>;
+  readonly #whole: Pick<WholeWorkers, "desk">;
   readonly #shown = new Set<Outlook>();
   /** The document of the model of this revision. */
   #text: { revision: number; text: Promise<string> } | null = null;
@@ -41,13 +40,13 @@ export class OutlookStore extends Store {
   readonly #futuresAsked: Latest<{ rollout: RolloutResult; seed: number }, RolloutResult[]>;
   readonly #momentsAsked: Latest<RolloutResult, Known>;
 
-  /** `whole`: the program with moment matching, which is loaded when it is asked for. */
+  /** `whole`: its workers match moments. */
   constructor(
     engine: EngineStore,
     model: ModelStore,
     stage: StageStore,
     notices: NoticesStore,
-    whole: () => Promise<WholeProgram>,
+    whole: Pick<WholeWorkers, "desk">,
   ) {
     super();
     this.#engine = engine;
@@ -120,8 +119,12 @@ export class OutlookStore extends Store {
   }
 
   async #match({ revision, request }: RolloutResult): Promise<Known> {
-    const [whole, text] = await Promise.all([this.#whole(), this.#textOf(revision)]);
-    return { revision, request, parts: await askDesk(whole, (worker) => worker.moments(text, request)) };
+    const text = await this.#textOf(revision);
+    return {
+      revision,
+      request,
+      parts: await this.#whole.desk.run((worker) => worker.moments(text, request)),
+    };
   }
 
   #textOf(revision: number): Promise<string> {

@@ -1,6 +1,6 @@
 import { beforeEach, expect, it } from "vitest";
 import type { PerceptionResults } from "../engine/whole-protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { AnalysisStore } from "./analysis-store";
 
 let program: FakeProgram;

@@ -1,12 +1,11 @@
 // What people's answers say: the files of participants, and what the library finds in them.
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { AnswersFile, PerceptionResults } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 
 export class AnalysisStore extends Store {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   #files: readonly AnswersFile[] = [];
   #results: PerceptionResults | null = null;
   #busy = false;
@@ -14,7 +13,7 @@ export class AnalysisStore extends Store {
   /** Grows with every question: only the answer to the newest counts. */
   #asked = 0;
 
-  constructor(whole: WholeProgram) {
+  constructor(whole: WholeWorkers) {
     super();
     this.#whole = whole;
   }
@@ -52,7 +51,7 @@ export class AnalysisStore extends Store {
 
   /** What came of it, as the file that the terminal writes too. */
   json(study: string): Promise<string> {
-    return askDesk(this.#whole, (worker) => worker.perceptionJson(study, [...this.#files]));
+    return this.#whole.desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
   }
 
   /** Analyses these files and no others. */
@@ -66,7 +65,7 @@ export class AnalysisStore extends Store {
     let found: PerceptionResults | null = null;
     let problem = "";
     try {
-      found = await askDesk(this.#whole, (worker) => worker.analysePerception(study, [...files]));
+      found = await this.#whole.desk.run((worker) => worker.analysePerception(study, [...files]));
     } catch (failure) {
       problem = messageOf(failure);
     }

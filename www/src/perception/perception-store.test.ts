@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeProgram } from "../engine/whole-engine.fake";
+import { FakeProgram } from "../engine/whole-workers.fake";
 import { type AnswerShelf, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
 import { download } from "../ui/download";

@@ -1,7 +1,6 @@
 // The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering
 // now.
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
@@ -33,7 +32,7 @@ export interface Sitting {
 }
 
 export class PerceptionStore extends Store {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #shelf: AnswerShelf | null;
   readonly #studyOfThePage: () => Promise<string>;
   #study: StudyView | null = null;
@@ -52,7 +51,7 @@ export class PerceptionStore extends Store {
   #changing: Promise<void> = Promise.resolve();
 
   /** Without a shelf answers last as long as the visit. */
-  constructor(whole: WholeProgram, shelf: AnswerShelf | null, studyOfThePage: () => Promise<string>) {
+  constructor(whole: WholeWorkers, shelf: AnswerShelf | null, studyOfThePage: () => Promise<string>) {
     super();
     [this.#whole, this.#shelf, this.#studyOfThePage] = [whole, shelf, studyOfThePage];
   }
@@ -107,7 +106,7 @@ export class PerceptionStore extends Store {
 
   async #open(text: () => Promise<string>, made = false): Promise<void> {
     const opened = await text();
-    const study = await askDesk(this.#whole, (worker) => worker.openStudy(opened));
+    const study = await this.#whole.desk.run((worker) => worker.openStudy(opened));
     if (!(await mayLose(this.unsaved))) return;
     this.#study = study;
     this.#onDisk = made ? "" : study.text;
@@ -137,14 +136,14 @@ export class PerceptionStore extends Store {
     return this.#next(async () => {
       const { text } = this.#study ?? {};
       if (text !== undefined)
-        this.#study = await askDesk(this.#whole, (worker) => worker.changeStudy(text, change));
+        this.#study = await this.#whole.desk.run((worker) => worker.changeStudy(text, change));
     });
   }
 
   /** Places of the figure's nodes in each movement of the study that is open [frames x nodes x 3]. */
   async movements(): Promise<readonly Float32Array[]> {
     const { text } = this.#study ?? {};
-    return text === undefined ? [] : askDesk(this.#whole, (worker) => worker.movements(text));
+    return text === undefined ? [] : this.#whole.desk.run((worker) => worker.movements(text));
   }
 
   /** A new participant of the study. */
@@ -153,7 +152,7 @@ export class PerceptionStore extends Store {
       const { text, info } = this.#study ?? {};
       if (text === undefined || !info || this.#sitting) return;
       const seed = newSeed();
-      const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
+      const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
       const free = freeName(
         name.trim() || newName(),
         new Set(this.#kept.map(({ participant }) => participant)),
@@ -164,7 +163,7 @@ export class PerceptionStore extends Store {
         seed,
         simulated,
       });
-      const movements = await askDesk(this.#whole, (worker) => worker.movements(text));
+      const movements = await this.#whole.desk.run((worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
       await this.#kindly(() => this.#shelf?.begin(participation, text));
       this.#kept = [{ ...participation, rows: [] }, ...this.#kept];
@@ -191,9 +190,9 @@ export class PerceptionStore extends Store {
       try {
         if (typeof text !== "string")
           throw new Error("The study that it belongs to is not on this machine any more.");
-        const { info } = await askDesk(this.#whole, (worker) => worker.openStudy(text));
-        const trials = await askDesk(this.#whole, (worker) => worker.drawTrials(text, seed));
-        const movements = await askDesk(this.#whole, (worker) => worker.movements(text));
+        const { info } = await this.#whole.desk.run((worker) => worker.openStudy(text));
+        const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
+        const movements = await this.#whole.desk.run((worker) => worker.movements(text));
         this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
       } catch (problem) {
         this.#release();

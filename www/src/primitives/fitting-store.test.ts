@@ -2,9 +2,10 @@ import { beforeEach, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { libraryText } from "../engine/library.fake";
-import type { Fitted, LibraryReport } from "../engine/library-protocol";
+import type { Fitted } from "../engine/library-protocol";
+import type { TrainingReport } from "../engine/protocol";
 import type { Couplings } from "../engine/protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { FittingStore } from "./fitting-store";
 import { LibraryStore } from "./library-store";
@@ -35,7 +36,7 @@ async function end(alpha: Couplings): Promise<void> {
     progress: { ...progress(9), fraction: 1 },
     elapsed: 1.5,
     found,
-  } as LibraryReport<Fitted>);
+  } as TrainingReport<Fitted>);
   training?.end({ cancelled: false, reason: "settled" });
 }
 

@@ -1,19 +1,18 @@
 // Couplings of the combination that walks, fitted to a clip while the primitives stay as they are.
 import type { ClipsStore } from "../clips/clips-store";
 import type { Fitted } from "../engine/library-protocol";
-import { workInPool } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
 
 const MOST_ITERATIONS = 100;
 
 export class FittingStore extends ProgressStore<Fitted> {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
 
-  constructor(whole: WholeProgram, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
+  constructor(whole: WholeWorkers, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
     super();
     this.#whole = whole;
     this.#clips = clips;
@@ -33,7 +32,7 @@ export class FittingStore extends ProgressStore<Fitted> {
       maxIterations: MOST_ITERATIONS,
     };
     const fitted = await this.run((report, signal) =>
-      workInPool(this.#whole, signal, (worker) => worker.fitCouplings(job, report, signal)),
+      this.#whole.pool.run((worker) => worker.fitCouplings(job, report, signal), signal),
     );
     if (fitted && this.#library.known === known) this.#library.takeFitted(uses, fitted);
   }

@@ -2,7 +2,7 @@ import { beforeEach, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { SampleInfo } from "../engine/protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { Store } from "../ui/store";
 import { FoldStore } from "./fold-store";
 
@@ -28,7 +28,7 @@ beforeEach(() => {
 });
 const end = async (which: number, found: ModularityOutcome | null) => {
   const training = program.libraries.folds[which];
-  training?.report({ progress: { ...progress(3), fraction: 1 }, elapsed: 2, found });
+  training?.report({ steps: [], progress: { ...progress(3), fraction: 1 }, elapsed: 2, found });
   training?.end({ cancelled: found === null, reason: found ? "settled" : null });
   await settled();
 };
@@ -43,6 +43,7 @@ it("trains a library and a model alone, side by side, and has the errors of both
     { sample: "w2", alone: true },
   ]);
   program.libraries.folds[0]?.report({
+    steps: [],
     progress: { ...progress(3), fraction: 0.5 },
     elapsed: 2,
     found: null,

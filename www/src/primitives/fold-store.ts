@@ -3,8 +3,7 @@
 import type { EngineStore } from "../engine/engine-store";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { SampleInfo } from "../engine/protocol";
-import { workInPool } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import { ProgressStore } from "../training/progress-store";
 import { Store } from "../ui/store";
 
@@ -23,13 +22,13 @@ export class FoldStore extends Store {
   /** The two trainings, which run beside each other where there are cores for both. */
   readonly library = new ProgressStore<ModularityOutcome>();
   readonly alone = new ProgressStore<ModularityOutcome>();
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #engine: Pick<EngineStore, "samples" | "on">;
   #chosen: string | null = null;
   #quick = false;
   #outcome: FoldOutcome | null = null;
 
-  constructor(whole: WholeProgram, engine: Pick<EngineStore, "samples" | "on">) {
+  constructor(whole: WholeWorkers, engine: Pick<EngineStore, "samples" | "on">) {
     super();
     this.#whole = whole;
     this.#engine = engine;
@@ -81,7 +80,7 @@ export class FoldStore extends Store {
     const train = (store: ProgressStore<ModularityOutcome>, alone: boolean) =>
       store.run((report, signal) => {
         const fold = { sample: trial.id, alone, ...(quick && { maxIterations: QUICK_ITERATIONS }) };
-        return workInPool(this.#whole, signal, (worker) => worker.holdOut(fold, report, signal));
+        return this.#whole.pool.run((worker) => worker.holdOut(fold, report, signal), signal);
       });
     const [library, alone] = await Promise.all([train(this.library, false), train(this.alone, true)]);
     if (library && alone) this.#outcome = { trial, quick, library, alone };

@@ -1,14 +1,14 @@
 // The library that a worker holds for the page. A worker that had to be replaced is given it again.
 import type { Addition, CouplingsFrom, LibraryInfo } from "../engine/library-protocol";
 import type { Couplings } from "../engine/protocol";
-import type { WholeProgram, WholeProgramWorker } from "../engine/whole-engine";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 
 export class HeldLibrary {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   #text = "";
-  #holder: WholeProgramWorker | null = null;
+  #holder: WholeCalls | null = null;
 
-  constructor(whole: WholeProgram) {
+  constructor(whole: WholeWorkers) {
     this.#whole = whole;
   }
 
@@ -19,9 +19,8 @@ export class HeldLibrary {
 
   /** Takes another library up; the one before stays where that fails. */
   async open(text: string): Promise<LibraryInfo> {
-    const { library } = await this.#whole.load();
     this.#holder = null;
-    const info = await library.run(async (worker) => {
+    const info = await this.#whole.library.run(async (worker) => {
       const info = await worker.openLibrary(text);
       this.#holder = worker;
       return info;
@@ -50,9 +49,8 @@ export class HeldLibrary {
   }
 
   /** Asks the worker that holds the library. */
-  async ask<Answer>(question: (worker: WholeProgramWorker) => Promise<Answer>): Promise<Answer> {
-    const { library } = await this.#whole.load();
-    return library.run(async (worker) => {
+  async ask<Answer>(question: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
+    return this.#whole.library.run(async (worker) => {
       if (worker !== this.#holder) {
         await worker.openLibrary(this.#text);
         this.#holder = worker;

@@ -2,8 +2,9 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { armsText, libraryText } from "../engine/library.fake";
-import type { Imported, LibraryReport } from "../engine/library-protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import type { Imported } from "../engine/library-protocol";
+import type { TrainingReport } from "../engine/protocol";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { ImportStore } from "./import-store";
 import { LibraryStore } from "./library-store";
@@ -28,7 +29,7 @@ async function end(found: Imported | null): Promise<void> {
     progress: { ...progress(9), fraction: 1 },
     elapsed: 1.5,
     found,
-  } as LibraryReport<Imported>);
+  } as TrainingReport<Imported>);
   training?.end({ cancelled: false, reason: "settled" });
 }
 

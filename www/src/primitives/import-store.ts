@@ -1,8 +1,7 @@
 // Primitives of another file: added where they fit the library, or learned again under its pose maps.
 import type { ClipsStore } from "../clips/clips-store";
 import type { Addition, Imported, LibraryInfo, Misfit } from "../engine/library-protocol";
-import { workInPool } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import { percent } from "../figures/numbers";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
@@ -20,13 +19,13 @@ export interface Offer {
 const isAdded = (addition: Addition): addition is Extract<Addition, { added: number }> => "added" in addition;
 
 export class ImportStore extends ProgressStore<Imported> {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
   #offer: Offer | null = null;
   #words = "";
 
-  constructor(whole: WholeProgram, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
+  constructor(whole: WholeWorkers, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
     super();
     this.#whole = whole;
     this.#clips = clips;
@@ -78,7 +77,7 @@ export class ImportStore extends ProgressStore<Imported> {
       .map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end }));
     const job = { library: known.text, other: offer.text, clips, maxIterations: MOST_ITERATIONS, seed };
     const found = await this.run((report, signal) =>
-      workInPool(this.#whole, signal, (worker) => worker.importPrimitives(job, report, signal)),
+      this.#whole.pool.run((worker) => worker.importPrimitives(job, report, signal), signal),
     );
     if (!found) return;
     const before = this.#library.known?.info;

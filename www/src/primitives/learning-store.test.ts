@@ -2,9 +2,9 @@ import { beforeEach, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { libraryText } from "../engine/library.fake";
-import type { LibraryReport } from "../engine/library-protocol";
+import type { TrainingReport } from "../engine/protocol";
 import type { ClipInfo, SampleInfo } from "../engine/protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
@@ -46,7 +46,7 @@ beforeEach(() => {
 const chosen = () =>
   learning.clips.filter(({ chosen }) => chosen).map(({ key, movement }) => `${key} ${movement}`);
 const report = (found: string | null) =>
-  ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as LibraryReport<string>;
+  ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as TrainingReport<string>;
 
 it("puts made clips into the groups of their movements, a few of each, and own clips into groups of their names", () => {
   expect(chosen()).toEqual(["w1 walk", "w2 walk", "v1 wave"]);

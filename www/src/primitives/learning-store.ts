@@ -4,8 +4,7 @@ import type { ClipEntry, ClipsStore } from "../clips/clips-store";
 import { partsFor } from "../clips/parts";
 import type { EngineStore } from "../engine/engine-store";
 import type { PartSpec } from "../engine/protocol";
-import { workInPool } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
@@ -22,7 +21,7 @@ export interface LearningClip {
 }
 
 export class LearningStore extends ProgressStore<string> {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #engine: Pick<EngineStore, "samples">;
   readonly #settings: Pick<SettingsStore, "values" | "on">;
   readonly #clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">;
@@ -34,7 +33,7 @@ export class LearningStore extends ProgressStore<string> {
   readonly #shared = new Set<string>();
 
   constructor(
-    whole: WholeProgram,
+    whole: WholeWorkers,
     engine: Pick<EngineStore, "samples">,
     settings: Pick<SettingsStore, "values" | "on">,
     clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">,
@@ -132,7 +131,7 @@ export class LearningStore extends ProgressStore<string> {
       shared: parts.map(({ name }) => this.isShared(name)),
     };
     const text = await this.run((report, signal) =>
-      workInPool(this.#whole, signal, (worker) => worker.learnLibrary(job, report, signal)),
+      this.#whole.pool.run((worker) => worker.learnLibrary(job, report, signal), signal),
     );
     if (text !== null) await this.#library.open(text, "The library learned here", true);
   }

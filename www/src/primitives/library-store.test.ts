@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { libraryText } from "../engine/library.fake";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { LibraryStore } from "./library-store";
 import { SEAM_FRAMES } from "./seam";

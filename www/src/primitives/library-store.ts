@@ -3,7 +3,7 @@ import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { Addition, CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, Motion } from "../engine/protocol";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { Body } from "../scene/columns";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -72,7 +72,7 @@ export class LibraryStore extends Store {
   readonly #movesOf: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
 
   /** `fetchFirst`: the document of the library that comes with the page. */
-  constructor(whole: WholeProgram, notices: NoticesStore, fetchFirst: () => Promise<string>) {
+  constructor(whole: WholeWorkers, notices: NoticesStore, fetchFirst: () => Promise<string>) {
     super();
     this.#held = new HeldLibrary(whole);
     this.walk = new WalkStore(this.#held, notices);

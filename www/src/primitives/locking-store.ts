@@ -1,7 +1,7 @@
 // The map of tempo and coupling: how firmly one part is locked to another, for each tempo of the one and each
 // strength of the coupling.
 import type { Couplings } from "../engine/protocol";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { isSame } from "./combinations";
@@ -24,7 +24,7 @@ export interface LockingMap {
 }
 
 export class LockingStore extends Store {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #library: LibraryStore;
   #source = 0;
   #target = 1;
@@ -33,7 +33,7 @@ export class LockingStore extends Store {
   #problem = "";
   #stop = new AbortController();
 
-  constructor(whole: WholeProgram, library: LibraryStore) {
+  constructor(whole: WholeWorkers, library: LibraryStore) {
     super();
     this.#whole = whole;
     this.#library = library;
@@ -90,7 +90,7 @@ export class LockingStore extends Store {
       const alpha = await this.#library.nearestTo(uses);
       const map: LockingMap = { uses, source, target, alpha, rows: TEMPOS.map(() => null) };
       this.#map = map;
-      const { pool } = await this.#whole.load();
+      const { pool } = this.#whole;
       const job = { library: known.text, uses: [...uses], source, target, strengths: [...STRENGTHS] };
       const row = async (tempo: number, index: number) => {
         map.rows[index] = await pool.run((worker) => worker.lockingRow({ ...job, tempo }), stop.signal);

@@ -1,7 +1,7 @@
 // The stores of this room, which belong together.
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { NoticesStore } from "../ui/notices-store";
 import { FittingStore } from "./fitting-store";
@@ -22,7 +22,7 @@ async function fetchLibrary(): Promise<string> {
 }
 
 export function openPrimitives(
-  whole: WholeProgram,
+  whole: WholeWorkers,
   engine: EngineStore,
   settings: SettingsStore,
   clips: ClipsStore,

@@ -2,8 +2,8 @@
 import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
 import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import { OpenDocument } from "../engine/open-document";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
@@ -17,9 +17,6 @@ import type { TableEntry, TablesStore } from "./tables-store";
  */
 const AS_LONG = 1.5;
 
-/** What a rollout is asked for, without the document. */
-type Asked = Omit<SeriesRequest, "text">;
-
 interface Known {
   text: string;
   info: SeriesInfo;
@@ -30,7 +27,7 @@ interface Known {
 }
 
 interface Rolled {
-  asked: Asked;
+  asked: SeriesRequest;
   rollout: SeriesRollout;
   /** The same start as learned. */
   learned: SeriesRollout;
@@ -40,17 +37,17 @@ export class SeriesStore extends Store {
   readonly clock = new SeriesClock();
   /** Empty for a model of another kind than vCGPDM and vGPDM. */
   readonly couplings = new CouplingsStore(() => this.#request());
-  readonly #whole: WholeProgram;
+  readonly #document: OpenDocument<WholeCalls, SeriesInfo>;
   readonly #tables: TablesStore;
-  readonly #rollouts: Latest<Asked, Rolled>;
+  readonly #rollouts: Latest<SeriesRequest, Rolled>;
   #known: Known | null = null;
   #sequence = 0;
   #rolled: Rolled | null = null;
   #problem = "";
 
-  constructor(whole: WholeProgram, tables: TablesStore) {
+  constructor({ desk }: Pick<WholeWorkers, "desk">, tables: TablesStore) {
     super();
-    this.#whole = whole;
+    this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
     this.#tables = tables;
     // The table that a rollout begins as may have been opened, or be gone.
     tables.on(() => this.changed());
@@ -128,7 +125,7 @@ export class SeriesStore extends Store {
     text: string,
     training: TrainedSeries["latents"] | null,
   ): Promise<{ known: Known; rolled: Rolled }> {
-    const info = await askDesk(this.#whole, (worker) => worker.openSeries(text));
+    const info = await this.#document.open(text);
     const known = { text, info, training, unsaved: training !== null };
     return { known, rolled: await this.#roll(asLearned(info, 0), known) };
   }
@@ -151,7 +148,7 @@ export class SeriesStore extends Store {
   async csv(): Promise<string> {
     const [known, rolled] = [this.#known, this.#rolled];
     if (!known || !rolled) throw new Error("There is no model yet: train one or open one.");
-    return askDesk(this.#whole, (worker) => worker.seriesCsv({ ...rolled.asked, text: known.text }));
+    return this.#document.ask(known.text, (worker) => worker.seriesCsv(rolled.asked));
   }
 
   #request(): void {
@@ -163,10 +160,10 @@ export class SeriesStore extends Store {
     this.#rollouts.request(altered ? { ...asked, alpha, reading } : asked);
   }
 
-  async #roll(asked: Asked, known = this.#known): Promise<Rolled> {
+  async #roll(asked: SeriesRequest, known = this.#known): Promise<Rolled> {
     if (!known) throw new Error("There is no model yet: train one or open one.");
     const { text, info } = known;
-    const ask = (asked: Asked) => askDesk(this.#whole, (worker) => worker.rolloutSeries({ ...asked, text }));
+    const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
     const before =
       known === this.#known && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
     const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
@@ -181,7 +178,7 @@ export class SeriesStore extends Store {
   }
 }
 
-function asLearned({ sequences }: SeriesInfo, sequence: number): Asked {
+function asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
   const frames = Math.max(2, Math.round(AS_LONG * (sequences[sequence]?.frames ?? 0)));
   return { frames, sequence, alpha: null, reading: "as learned" };
 }

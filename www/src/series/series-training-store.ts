@@ -1,7 +1,6 @@
 // A training on the ticked tables, with the settings that trainings on clips have too.
 import type { TrainedSeries } from "../engine/series-protocol";
-import { workInPool } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import { ProgressStore } from "../training/progress-store";
 import { mayLose } from "../ui/unsaved";
@@ -9,13 +8,13 @@ import type { SeriesStore } from "./series-store";
 import type { TablesStore } from "./tables-store";
 
 export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   readonly #settings: Pick<SettingsStore, "values">;
   readonly #tables: TablesStore;
   readonly #series: SeriesStore;
 
   constructor(
-    whole: WholeProgram,
+    whole: WholeWorkers,
     settings: Pick<SettingsStore, "values">,
     tables: TablesStore,
     series: SeriesStore,
@@ -45,7 +44,7 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
       settings: { parts, latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations },
     };
     const found = await this.run((report, signal) =>
-      workInPool(this.#whole, signal, (worker) => worker.trainSeries(job, report, signal)),
+      this.#whole.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
     );
     if (found) await this.#series.takeTrained(found);
   }

@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { progress } from "../engine/engine.fake";
-import type { LibraryReport } from "../engine/library-protocol";
+import type { TrainingReport } from "../engine/protocol";
 import { seriesText } from "../engine/series.fake";
 import type { TrainedSeries } from "../engine/series-protocol";
-import { FakeProgram, settled } from "../engine/whole-engine.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
@@ -70,7 +70,7 @@ describe("tables", () => {
 
 describe("a training", () => {
   const report = (found: TrainedSeries | null) =>
-    ({ progress: { ...progress(50), fraction: 1 }, elapsed: 2, found }) as LibraryReport<TrainedSeries>;
+    ({ progress: { ...progress(50), fraction: 1 }, elapsed: 2, found }) as TrainingReport<TrainedSeries>;
 
   it("is asked for with the parts that have columns, and its model is looked at", async () => {
     const { tables, model, training } = series;

@@ -1,5 +1,5 @@
 // The stores of this room, which belong together.
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import { SeriesStore } from "./series-store";
 import { SeriesTrainingStore } from "./series-training-store";
@@ -8,7 +8,7 @@ import { TablesStore } from "./tables-store";
 /** All stores of the view. */
 export type Series = ReturnType<typeof openSeries>;
 
-export function openSeries(whole: WholeProgram, settings: SettingsStore) {
+export function openSeries(whole: WholeWorkers, settings: SettingsStore) {
   const tables = new TablesStore(whole);
   const model = new SeriesStore(whole, tables);
   return { tables, model, training: new SeriesTrainingStore(whole, settings, tables, model) };

@@ -1,7 +1,6 @@
 // Tables that the visitor has opened, a trial each: which of them are trained on, and which columns are which
 // part's.
-import { askDesk } from "../engine/whole-desk";
-import type { WholeProgram } from "../engine/whole-engine";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
 import { messageOf } from "../ui/format";
 import { renamed, whyNotName } from "../ui/part-names";
@@ -15,7 +14,7 @@ export interface TableEntry extends ReadTable {
 }
 
 export class TablesStore extends Store {
-  readonly #whole: WholeProgram;
+  readonly #whole: WholeWorkers;
   #tables: readonly TableEntry[] = [];
   #parts: readonly TablePart[] = [];
   /** The columns that the parts are of. */
@@ -24,7 +23,7 @@ export class TablesStore extends Store {
   #refused = "";
   #checks = 0;
 
-  constructor(whole: WholeProgram) {
+  constructor(whole: WholeWorkers) {
     super();
     this.#whole = whole;
   }
@@ -60,7 +59,7 @@ export class TablesStore extends Store {
   /** Opens a file; one that is open already stays as it is. */
   async open(file: File): Promise<void> {
     const source: TableSource = { name: file.name, file };
-    const read = await askDesk(this.#whole, (worker) => worker.readTable(source));
+    const read = await this.#whole.desk.run((worker) => worker.readTable(source));
     if (this.#tables.some(({ info }) => info.sha256 === read.info.sha256)) return;
     this.#tables = [...this.#tables, { ...read, source, ticked: true }];
     await this.#changedTables();
@@ -116,7 +115,7 @@ export class TablesStore extends Store {
     const clash =
       sources.length < 2
         ? ""
-        : await askDesk(this.#whole, (worker) => worker.checkTables(sources)).catch(messageOf);
+        : await this.#whole.desk.run((worker) => worker.checkTables(sources)).catch(messageOf);
     // Others may have been ticked meanwhile.
     if (check !== this.#checks) return;
     this.#clash = clash;

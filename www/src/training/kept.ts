@@ -1,13 +1,13 @@
 // Runs that stopped before their bound had settled: each can go on in the worker that trained it, which is
 // kept for it.
-import type { TrainingWorker } from "../engine/engine";
+import type { TrainingWorker } from "../engine/whole-workers";
 import type { EngineStore } from "../engine/engine-store";
-import type { Report, TrainingOutcome } from "../engine/protocol";
+import type { Report, TrainedModel, TrainingOutcome } from "../engine/protocol";
 import type { Run } from "./runs";
 
 /** What a training under way needs of the page. */
 export interface Send {
-  report: Report;
+  report: Report<TrainedModel>;
   signal: AbortSignal;
   /** The worker begins now. */
   begun(): void;

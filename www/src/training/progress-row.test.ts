@@ -11,9 +11,9 @@ describe("the words of a training that is under way", () => {
     await store.run(async (report) => {
       told.push(goingWords(store));
       const halfway = { ...progress(7), fraction: 0.5 };
-      report({ progress: halfway, elapsed: 0.2, found: null });
+      report({ steps: [], progress: halfway, elapsed: 0.2, found: null });
       told.push(goingWords(store));
-      report({ progress: halfway, elapsed: 8, found: "this" });
+      report({ steps: [], progress: halfway, elapsed: 8, found: "this" });
       told.push(goingWords(store));
       store.cancel();
       told.push(goingWords(store));

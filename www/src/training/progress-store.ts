@@ -1,19 +1,18 @@
 // One training that a view of its own does: how far it is, and how it ended.
-import type { LibraryReport } from "../engine/library-protocol";
-import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import type { TrainingOutcome, TrainingProgress, TrainingReport } from "../engine/protocol";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { endingWords } from "./words";
 
 /** Carries the training out, and tells how far it is. */
 export type Work<Found> = (
-  report: (report: LibraryReport<Found>) => void,
+  report: (report: TrainingReport<Found>) => void,
   signal: AbortSignal,
 ) => Promise<TrainingOutcome>;
 
 export class ProgressStore<Found> extends Store {
   #status: "idle" | "running" | "cancelling" = "idle";
-  #report: LibraryReport<Found> | null = null;
+  #report: TrainingReport<Found> | null = null;
   #ending = { words: "", failed: false };
   #stop = new AbortController();
 

@@ -2,7 +2,7 @@
 import type { ClipsStore } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
+import type { TrainedModel, TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -349,13 +349,13 @@ export class TrainingStore extends Store {
     const before = run.elapsed;
     const anew = run.catchingUp;
     const known = run.steps.at(-1)?.iteration ?? 0;
-    const report: Report = ({ steps, elapsed, model }) => {
+    const report: Report<TrainedModel> = ({ steps, elapsed, found }) => {
       if (run.state !== "running") return false;
       // What is known of an earlier course comes out the same again.
       run.steps.push(...steps.filter(({ iteration }) => iteration > known));
       run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < known;
       run.elapsed = anew ? Math.max(before, elapsed) : before + elapsed;
-      if (model && !run.catchingUp) run.model = model;
+      if (found && !run.catchingUp) run.model = found;
       this.changedSoon();
       return this.#follow(run);
     };

@@ -1,61 +1,49 @@
-// What a worker does for comparisons: trains and scores one model in one fold, and answers questions about
-// results. No DOM.
-import * as Comlink from "comlink";
-import { Clip, Evaluation, Fold, Results, TrainingSet } from "vcgpdm";
+// Comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
+import { Evaluation, Fold, Results } from "vcgpdm";
 import type { ComparisonWorker, Evaluated, EvaluationJob, ResultsView } from "../engine/whole-protocol";
-import { ClipReader } from "./clip-reader";
-import { OneTask, type Task } from "./slices";
+import { clips } from "./clips";
+import { inSlices } from "./slices";
+import { transfer } from "./transfer";
 import { using } from "./using";
-
-const clips = new ClipReader({ Clip, TrainingSet });
-const evaluation = new OneTask();
-
-async function usingAsync<Value extends { free(): void }, Result>(
-  value: Value,
-  use: (value: Value) => Promise<Result>,
-): Promise<Result> {
-  try {
-    return await use(value);
-  } finally {
-    value.free();
-  }
-}
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
   return using(await clips.set(chosen), (set) => new Fold(set, settings, heldOut, trainingTrials));
 }
 
 async function evaluate(
+  fold: Fold,
   job: EvaluationJob,
   report: (fraction: number) => void,
-  task: Task,
+  signal: AbortSignal,
 ): Promise<Evaluated | null> {
-  return usingAsync(await foldOf(job), (fold) => {
-    const start = performance.now();
-    return usingAsync(new Evaluation(fold, job.candidate, job.seed), async (training) => {
-      let fraction = 0;
-      const step = () => {
-        const progress = training.step();
-        fraction = progress.fraction;
-        return progress.done;
-      };
-      // The next slice does not wait for the page: that would be no training, and is not to count as its
-      // time.
-      const done = await task.inSlices(step, () => void report(fraction));
-      if (!done) return null;
-      return using(training.prediction(), (prediction) => {
-        const seconds = (performance.now() - start - task.paused) / 1000;
-        const outcome = prediction.outcome(seconds);
-        const [predicted, actual] = [prediction.positions(), fold.actual()];
-        const evaluated = { outcome, predicted, actual, frameTime: fold.frameTime };
-        return Comlink.transfer(evaluated, [predicted.buffer, actual.buffer]);
-      });
+  let start = performance.now();
+  return using(new Evaluation(fold, job.candidate, job.seed), async (training) => {
+    let fraction = 0;
+    const step = () => {
+      const progress = training.step();
+      fraction = progress.fraction;
+      return progress.done;
+    };
+    // The next slice does not wait for the page, and pauses do not count as time of the training.
+    const done = await inSlices(
+      signal,
+      step,
+      () => void report(fraction),
+      (milliseconds) => {
+        start += milliseconds;
+      },
+    );
+    if (!done) return null;
+    return using(training.prediction(), (prediction) => {
+      const outcome = prediction.outcome((performance.now() - start) / 1000);
+      const [predicted, actual] = [prediction.positions(), fold.actual()];
+      return transfer({ outcome, predicted, actual, frameTime: fold.frameTime }, predicted, actual);
     });
   });
 }
 
-/** Whether the known results are of the same setting, and so have been merged in. */
-function takeOver(results: Results, known: string | null): boolean {
+/** Adds the known results, if they are of the same setting; answers whether they were. */
+function addKnown(results: Results, known: string | null): boolean {
   if (known === null) return false;
   return using(Results.fromJson(known), (other) => {
     try {
@@ -74,13 +62,24 @@ const view = (results: Results): ResultsView => ({
   comparison: results.comparison(),
 });
 
+/** The results that grow: each job of a comparison adds its outcome to the same ones. */
+let growing: { text: string; results: Results } | null = null;
+
+function resultsOf(text: string): Results {
+  if (growing?.text === text) return growing.results;
+  const results = Results.fromJson(text);
+  growing?.results.free();
+  growing = { text, results };
+  return results;
+}
+
 export const comparisonWorker: ComparisonWorker = {
-  evaluate: (job, report) => evaluation.run((task) => evaluate(job, report, task)),
-  cancelEvaluation: () => evaluation.cancel(),
+  evaluate: async (job, report, signal) =>
+    using(await foldOf(job), (fold) => evaluate(fold, job, report, signal)),
   planComparison: async (chosen, settings, plan, known) =>
     using(await clips.set(chosen), (set) =>
       using(Results.empty(set, settings), (results) => {
-        const goesOn = takeOver(results, known);
+        const goesOn = addKnown(results, known);
         const jobs = results.jobs(plan);
         return {
           results: view(results),
@@ -90,10 +89,13 @@ export const comparisonWorker: ComparisonWorker = {
         };
       }),
     ),
-  addOutcome: (text, job, outcome) =>
-    using(Results.fromJson(text), (results) => {
-      results.add(job, outcome);
-      return view(results);
-    }),
+  addOutcome(text, job, outcome) {
+    const results = resultsOf(text);
+    growing = null;
+    results.add(job, outcome);
+    const added = view(results);
+    growing = { text: added.text, results };
+    return added;
+  },
   openResults: (text) => using(Results.fromJson(text), view),
 };

@@ -1,29 +1,44 @@
-// How a worker takes the steps of a training and tells how far it is. No DOM.
-import type { LibraryReport } from "../engine/library-protocol";
-import type { TrainingOutcome, TrainingProgress } from "../engine/protocol";
-import type { Task } from "./slices";
+// How a worker takes the steps of a training and reports its progress. No DOM.
+import type { Report, TrainingOutcome, TrainingProgress } from "../engine/protocol";
+import { inSlices } from "./slices";
 
-interface Steps {
+interface Training<Found> {
   step(): TrainingProgress;
-  /** What was more than the data allow, and was reduced. */
+  /** Settings that were more than the data allow, and were reduced. */
   notices?(): string[];
+  /** The best so far; null while there is nothing worth showing. */
+  find(): Found | null;
 }
 
-/** Takes steps until they are over or cancelled; the last report brings what was found. */
+/** Trains to the end, or until the signal is aborted. `start`: when the work began. */
 export async function follow<Found>(
-  { trainer, find }: { trainer: Steps; find(): Found | null },
-  report: (report: LibraryReport<Found>) => void,
-  task: Task,
+  training: Training<Found>,
+  report: Report<Found>,
+  signal: AbortSignal,
+  start = performance.now(),
 ): Promise<TrainingOutcome> {
-  const start = performance.now();
-  const elapsed = () => (performance.now() - start) / 1000;
-  let progress = trainer.step();
+  let progress = training.step();
+  let steps = [progress];
+  let wanted = false;
+  const send = async (withBest: boolean) => {
+    const found = withBest ? training.find() : null;
+    const answer = report({ steps, progress, elapsed: (performance.now() - start) / 1000, found });
+    steps = [];
+    wanted = false;
+    wanted = (await answer) === true;
+  };
   const step = () => {
-    if (!progress.done) progress = trainer.step();
+    if (progress.done) return true;
+    progress = training.step();
+    steps.push(progress);
     return progress.done;
   };
-  const done = await task.inSlices(step, () => report({ progress, elapsed: elapsed(), found: null }));
-  // Waits until the page has it: reports and the outcome travel on different ports.
-  await report({ progress, elapsed: elapsed(), found: find() });
-  return { cancelled: !done, reason: done ? progress.reason : null, notices: trainer.notices?.() ?? [] };
+  // The next slice does not wait for the page.
+  const done = await inSlices(signal, step, (last) => {
+    if (!last) void send(wanted);
+  });
+  // Waits until the page has the report: reports and the outcome travel on different ports.
+  await send(true);
+  const reason = done ? progress.reason : null;
+  return { cancelled: !done, reason, notices: training.notices?.() ?? [] };
 }

@@ -1,7 +1,6 @@
 // What a worker does for libraries of primitives: holds one with its endless walk, learns libraries, fits
 // couplings. No DOM.
 import {
-  Clip,
   CouplingTrainer,
   ImportTrainer,
   Library,
@@ -9,30 +8,20 @@ import {
   LibraryTrainer,
   type LibraryWalk,
   ModularityTraining,
-  TrainingSet,
 } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type {
-  Fitted,
   FittingJob,
   ImportJob,
-  Imported,
   LearningJob,
-  LibraryReport,
   LibraryWorker,
-  ModularityFold,
-  ModularityOutcome,
   WalkChange,
 } from "../engine/library-protocol";
-import type { Motion, TrainingOutcome } from "../engine/protocol";
-import { ClipReader } from "./clip-reader";
+import type { Motion } from "../engine/protocol";
+import { clips } from "./clips";
 import { follow } from "./follow";
-import { handOver } from "./hand-over";
-import { OneTask, type Task } from "./slices";
+import { transfer } from "./transfer";
 import { using } from "./using";
-
-const clips = new ClipReader({ Clip, TrainingSet });
-const training = new OneTask();
 
 /** The library that the page shows. */
 let held: { library: Library; nodes: number; frameTime: number } | null = null;
@@ -51,7 +40,7 @@ function endWalk(): void {
 /** Frames on their way to the page. */
 function motionOf(positions: Float32Array, frames: number): Motion {
   const { nodes, frameTime } = current();
-  return handOver({ positions, frames, nodes, frameTime }, positions);
+  return transfer({ positions, frames, nodes, frameTime }, positions);
 }
 
 /**
@@ -80,90 +69,27 @@ function change(walk: LibraryWalk, change: WalkChange): void {
   }
 }
 
-async function learn(
-  { clips: chosen, settings, movements, shared }: LearningJob,
-  report: (report: LibraryReport<string>) => void,
-  task: Task,
-): Promise<TrainingOutcome> {
-  const trainer = using(
-    await clips.set(chosen),
-    (set) => new LibraryTrainer(set, settings, { movements, shared }),
-  );
-  try {
-    const find = () => using(trainer.library(), (library) => library.toJson());
-    return await follow({ trainer, find }, report, task);
-  } finally {
-    trainer.free();
-  }
+async function learner({ clips: chosen, settings, movements, shared }: LearningJob): Promise<LibraryTrainer> {
+  return using(await clips.set(chosen), (set) => new LibraryTrainer(set, settings, { movements, shared }));
 }
 
-async function fitCouplings(
-  { library, uses, clips: chosen, maxIterations }: FittingJob,
-  report: (report: LibraryReport<Fitted>) => void,
-  task: Task,
-): Promise<TrainingOutcome> {
-  const set = await clips.set(chosen);
-  const trainer = using(set, () =>
+async function fitter({ library, uses, clips: chosen, maxIterations }: FittingJob): Promise<CouplingTrainer> {
+  return using(await clips.set(chosen), (set) =>
     using(Library.fromJson(library), (known) => new CouplingTrainer(known, uses, set, maxIterations)),
   );
-  try {
-    const find = () =>
-      using(trainer.library(""), (fitted) => {
-        const { alpha, couplings: from } = fitted.info().movements.at(-1) ?? {
-          alpha: [],
-          couplings: { from: "nothing" },
-        };
-        return { alpha, from };
-      });
-    return await follow({ trainer, find }, report, task);
-  } finally {
-    trainer.free();
-  }
 }
 
-async function importPrimitives(
-  { library, other, clips: chosen, maxIterations, seed }: ImportJob,
-  report: (report: LibraryReport<Imported>) => void,
-  task: Task,
-): Promise<TrainingOutcome> {
+async function importer(job: ImportJob): Promise<ImportTrainer> {
+  const { library, other, clips: chosen, maxIterations, seed } = job;
   const set = chosen.length > 0 ? await clips.set(chosen) : null;
   const request = { maxIterations, seed };
   const begin = (host: Library, donor: Library) =>
     set
       ? using(set, () => ImportTrainer.fromClips(host, donor, set, request))
       : new ImportTrainer(host, donor, request);
-  const trainer = using(Library.fromJson(library), (host) =>
+  return using(Library.fromJson(library), (host) =>
     using(Library.fromJson(other), (donor) => begin(host, donor)),
   );
-  try {
-    const find = () => ({
-      text: using(trainer.library(), (found) => found.toJson()),
-      lost: [...trainer.lost()],
-    });
-    return await follow({ trainer, find }, report, task);
-  } finally {
-    trainer.free();
-  }
-}
-
-async function holdOut(
-  fold: ModularityFold,
-  report: (report: LibraryReport<ModularityOutcome>) => void,
-  task: Task,
-): Promise<TrainingOutcome> {
-  const training = new ModularityTraining(fold);
-  let done = false;
-  const step = () => {
-    const progress = training.step();
-    done = progress.done;
-    return progress;
-  };
-  try {
-    // A training that was broken off is no measurement.
-    return await follow({ trainer: { step }, find: () => (done ? training.outcome() : null) }, report, task);
-  } finally {
-    training.free();
-  }
 }
 
 /**
@@ -219,7 +145,14 @@ export const libraryWorker: LibraryWorker = {
       const { text, info } = exchange(library.add(other));
       return { text, info, added: info.primitives.length - before };
     }),
-  importPrimitives: (job, report) => training.run((task) => importPrimitives(job, report, task)),
+  importPrimitives: async (job, report, signal) =>
+    using(await importer(job), (trainer) => {
+      const find = () => ({
+        text: using(trainer.library(), (found) => found.toJson()),
+        lost: [...trainer.lost()],
+      });
+      return follow({ step: () => trainer.step(), find }, report, signal);
+    }),
   startWalk(uses) {
     const next = current().library.walk(uses);
     endWalk();
@@ -231,14 +164,39 @@ export const libraryWorker: LibraryWorker = {
     for (const one of changes) change(walk, one);
     return using(walk.advance(frames), (next) => motionOf(next.positions(), frames));
   },
-  learnLibrary: (job, report) => training.run((task) => learn(job, report, task)),
-  fitCouplings: (job, report) => training.run((task) => fitCouplings(job, report, task)),
-  holdOut: (fold, report) => training.run((task) => holdOut(fold, report, task)),
-  cancelLibrary: () => training.cancel(),
+  learnLibrary: async (job, report, signal) =>
+    using(await learner(job), (trainer) => {
+      const find = () => using(trainer.library(), (library) => library.toJson());
+      const notices = () => trainer.notices();
+      return follow({ step: () => trainer.step(), notices, find }, report, signal);
+    }),
+  fitCouplings: async (job, report, signal) =>
+    using(await fitter(job), (trainer) => {
+      const find = () =>
+        using(trainer.library(""), (fitted) => {
+          const { alpha, couplings: from } = fitted.info().movements.at(-1) ?? {
+            alpha: [],
+            couplings: { from: "nothing" },
+          };
+          return { alpha, from };
+        });
+      return follow({ step: () => trainer.step(), find }, report, signal);
+    }),
+  holdOut: (fold, report, signal) =>
+    using(new ModularityTraining(fold), (training) => {
+      let done = false;
+      const step = () => {
+        const progress = training.step();
+        done = progress.done;
+        return progress;
+      };
+      // The outcome of a cancelled training is no measurement.
+      return follow({ step, find: () => (done ? training.outcome() : null) }, report, signal);
+    }),
   lockingRow({ library, uses, source, target, tempo, strengths }) {
     const row = using(Library.fromJson(library), (known) =>
       known.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths)),
     );
-    return handOver(row, row);
+    return transfer(row, row);
   },
 };

@@ -1,7 +1,7 @@
 // A rollout that never ends, of the model that the page shows. No DOM.
 import { LiveRollout } from "vcgpdm/player";
 import type { LiveChange, LiveFrames, ModelInfo, RolloutRequest } from "../engine/protocol";
-import { handOver } from "./hand-over";
+import { transfer } from "./transfer";
 import type { ShownModel } from "./shown-model";
 import { using } from "./using";
 
@@ -35,7 +35,7 @@ export class Live {
       };
       const latents = info.parts.map((_, part) => next.latents(part));
       const result = { motion, latents, phases: next.phases(), distances: next.distances() };
-      return handOver(result, motion.positions, ...latents, result.phases, result.distances);
+      return transfer(result, motion.positions, ...latents, result.phases, result.distances);
     });
   }
 

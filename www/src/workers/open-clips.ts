@@ -1,7 +1,7 @@
 // The clips that the worker holds for the page, each under a number. No DOM.
 import { type Clip, TrainingSet, type VcgpdmError } from "vcgpdm/player";
 import type { Clash, LoadedClip } from "../engine/protocol";
-import { handOver } from "./hand-over";
+import { transfer } from "./transfer";
 import { using } from "./using";
 
 export class OpenClips {
@@ -18,7 +18,7 @@ export class OpenClips {
     };
     this.#lastId += 1;
     this.#clips.set(this.#lastId, clip);
-    return handOver({ id: this.#lastId, info, motion }, motion.positions);
+    return transfer({ id: this.#lastId, info, motion }, motion.positions);
   }
 
   drop(id: number): void {

@@ -1,8 +1,8 @@
 // What a worker does for the graphics Turing test: reads studies, draws trials, and analyses answers. No DOM.
-import * as Comlink from "comlink";
 import { analysePerception, Clip, perceptionJson, Study, StudyMaker } from "vcgpdm";
 import type { PerceptionWorker, StudyChange, StudyView } from "../engine/whole-protocol";
 import { readClip } from "./clip-reader";
+import { transfer } from "./transfer";
 import { using } from "./using";
 
 /** What a study has that is made here. */
@@ -30,10 +30,7 @@ export const perceptionWorker: PerceptionWorker = {
   movements: (text) =>
     using(Study.fromJson(text), (study) => {
       const movements = study.info.stimuli.map((_, stimulus) => study.positions(stimulus));
-      return Comlink.transfer(
-        movements,
-        movements.map(({ buffer }) => buffer),
-      );
+      return transfer(movements, ...movements);
     }),
   analysePerception: (text, answers) => analysePerception(text, answers),
   perceptionJson: (text, answers) => perceptionJson(text, answers),

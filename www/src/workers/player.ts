@@ -1,10 +1,9 @@
 // The worker that shows, with the clips and the model. No DOM.
-import * as Comlink from "comlink";
 import init, { bestToShow, Clip, freshSeed, trainingCost, version } from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
-import { showLife } from "./life";
 import { OpenClips } from "./open-clips";
+import { serve, start } from "./serve";
 import { ShownModel } from "./shown-model";
 
 const clips = new OpenClips();
@@ -13,7 +12,7 @@ const live = new Live(model);
 
 const workbench: Workbench = {
   async start(wasm) {
-    await Promise.all([init({ module_or_path: wasm }), showLife()]);
+    await start(init, wasm);
     return { version: version(), samples: Clip.samples() };
   },
   freshSeed: () => freshSeed(),
@@ -37,4 +36,4 @@ const workbench: Workbench = {
   clipBvh: (id, first, end) => clips.toBvh(id, first, end),
 };
 
-Comlink.expose(workbench);
+serve(workbench);

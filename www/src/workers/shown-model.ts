@@ -14,7 +14,7 @@ import type {
   RolloutRequest,
   RolloutResult,
 } from "../engine/protocol";
-import { handOver } from "./hand-over";
+import { transfer } from "./transfer";
 import { using } from "./using";
 
 /** A model with what is asked of it again and again. */
@@ -54,7 +54,7 @@ export class ShownModel {
 
   rollout(request: RolloutRequest): RolloutResult {
     const result = roll(this.#current(), request);
-    return handOver(result, result.motion.positions, ...result.latents);
+    return transfer(result, result.motion.positions, ...result.latents);
   }
 
   rolloutBvh(request: RolloutRequest): string {
@@ -86,7 +86,7 @@ export class ShownModel {
         }));
         const all = parts.flatMap(({ experts, product }): Predictions[] => [...experts, product]);
         const arrays = all.flatMap(({ means, variances }) => [means, variances]);
-        return handOver({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
+        return transfer({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
       },
     );
   }
@@ -95,7 +95,7 @@ export class ShownModel {
     const held = this.#current();
     const sampled = held.model.sampledRollouts(request, count, seed);
     const results = sampled.map((rollout) => result(held, rollout, request));
-    return handOver(results, ...results.flatMap(({ motion, latents }) => [motion.positions, ...latents]));
+    return transfer(results, ...results.flatMap(({ motion, latents }) => [motion.positions, ...latents]));
   }
 
   /** What `look` finds in a rollout of the model, which is let go afterwards. */

@@ -1,33 +1,18 @@
-// What a worker of the pool does: trains one model at a time, on clips that it reads itself. No DOM.
-import { Clip, type Model, Trainer, TrainingSet } from "vcgpdm";
-import type {
-  Health,
-  Report,
-  TrainedModel,
-  Trainee,
-  TrainingJob,
-  TrainingOutcome,
-  TrainingProgress,
-} from "../engine/protocol";
-import { ClipReader } from "./clip-reader";
-import { OneTask, type Task } from "./slices";
+// Trains one model at a time, and keeps the training until the next. No DOM.
+import { type Model, Trainer } from "vcgpdm";
+import type { Health, Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome } from "../engine/protocol";
+import { clips } from "./clips";
+import { follow } from "./follow";
 import { using } from "./using";
 
-const clips = new ClipReader({ Clip, TrainingSet });
-const training = new OneTask();
-
-async function prepare(job: TrainingJob): Promise<Trainer> {
-  return using(await clips.set(job.clips), (set) => new Trainer(set, job.settings));
-}
-
-/** What the worker trained last: it can go on. */
-let held: { trainer: Trainer; job: TrainingJob } | null = null;
+/** The newest training, which can continue. */
+let kept: { trainer: Trainer; job: TrainingJob } | null = null;
 
 function healthOf(model: Model, frames: number): Health | null {
   try {
     return using(model.rollout({ frames, sequence: 0 }), (rollout) => rollout.health());
   } catch {
-    // What is not finite has no poses.
+    // A rollout with numbers that are not finite has no poses.
     return null;
   }
 }
@@ -39,54 +24,32 @@ function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob): Trained
   });
 }
 
-async function train(job: TrainingJob, report: Report, task: Task): Promise<TrainingOutcome> {
-  const start = performance.now();
-  held?.trainer.free();
-  held = null;
-  held = { trainer: await prepare(job), job };
-  return follow(held, start, report, task);
-}
-
-async function goOn(iterations: number, report: Report, task: Task): Promise<TrainingOutcome> {
-  if (!held) throw new Error("There is no training to go on with.");
-  held.trainer.extend(iterations);
-  return follow(held, performance.now(), report, task);
-}
-
-/** Trains to the end, or until a cancel comes. */
-async function follow(
-  { trainer, job }: NonNullable<typeof held>,
-  start: number,
-  report: Report,
-  task: Task,
+function carryOut(
+  report: Report<TrainedModel>,
+  signal: AbortSignal,
+  start?: number,
 ): Promise<TrainingOutcome> {
-  let steps: TrainingProgress[] = [];
-  let reason: TrainingProgress["reason"] = null;
-  let modelWanted = false;
-  const send = async (withModel: boolean) => {
-    const model = withModel ? bestSoFar(trainer, job) : null;
-    const sent = report({ steps, elapsed: (performance.now() - start) / 1000, model });
-    steps = [];
-    modelWanted = false;
-    modelWanted = await sent;
+  if (!kept) throw new Error("There is no training to go on with.");
+  const { trainer, job } = kept;
+  const training = {
+    step: () => trainer.step(),
+    notices: () => trainer.notices(),
+    find: () => bestSoFar(trainer, job),
   };
-  const step = () => {
-    const progress = trainer.step();
-    steps.push(progress);
-    reason = progress.reason;
-    return progress.done;
-  };
-  // The next slice does not wait for the page; the last report brings the model in any case.
-  const done = await task.inSlices(step, (last) => {
-    if (!last) void send(modelWanted);
-  });
-  // Waits until the page has it: reports and the outcome travel on different ports.
-  await send(true);
-  return { cancelled: !done, reason, notices: trainer.notices() };
+  return follow(training, report, signal, start);
 }
 
 export const trainee: Omit<Trainee, "start"> = {
-  train: (job, report) => training.run((task) => train(job, report, task)),
-  goOn: (iterations, report) => training.run((task) => goOn(iterations, report, task)),
-  cancelTraining: () => training.cancel(),
+  async train(job, report, signal) {
+    const start = performance.now();
+    kept?.trainer.free();
+    kept = null;
+    const trainer = using(await clips.set(job.clips), (set) => new Trainer(set, job.settings));
+    kept = { trainer, job };
+    return carryOut(report, signal, start);
+  },
+  async goOn(iterations, report, signal) {
+    kept?.trainer.extend(iterations);
+    return carryOut(report, signal);
+  },
 };

@@ -1,7 +1,7 @@
 // What a worker does for the uncertainty of a rollout: moment matching through time. No DOM.
 import { Model } from "vcgpdm";
 import type { UncertaintyWorker } from "../engine/whole-protocol";
-import { handOver } from "./hand-over";
+import { transfer } from "./transfer";
 import { using } from "./using";
 
 export const uncertaintyWorker: UncertaintyWorker = {
@@ -12,7 +12,7 @@ export const uncertaintyWorker: UncertaintyWorker = {
           means: moments.means(part),
           covariances: moments.covariances(part),
         }));
-        return handOver(parts, ...parts.flatMap(({ means, covariances }) => [means, covariances]));
+        return transfer(parts, ...parts.flatMap(({ means, covariances }) => [means, covariances]));
       }),
     ),
 };

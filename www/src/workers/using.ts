@@ -1,13 +1,19 @@
-// How a worker uses values of the wasm program.
+// How a worker uses objects of the wasm.
 
-/** Uses a value and gives its memory back. */
-export function using<Value extends { free(): void }, Result>(
-  value: Value,
-  use: (value: Value) => Result,
-): Result {
+interface Freed {
+  free(): void;
+}
+
+/** Uses an object and frees its memory, after the promise where the use returns one. */
+export function using<Value extends Freed, Result>(value: Value, use: (value: Value) => Result): Result {
+  let result: Result;
   try {
-    return use(value);
-  } finally {
+    result = use(value);
+  } catch (problem) {
     value.free();
+    throw problem;
   }
+  if (result instanceof Promise) return result.finally(() => value.free()) as Result;
+  value.free();
+  return result;
 }

@@ -1,16 +1,15 @@
 // For tests: a whole program without wasm, whose workers do what the test says.
 import { FakeLibraries } from "./library.fake";
 import { type Hired, Pool } from "./pool";
-import type { RolloutRequest, TrainingClip, TrainingOutcome } from "./protocol";
+import type { RolloutRequest, TrainingClip, TrainingOutcome, TrainingReport } from "./protocol";
 import { FakeSeries } from "./series.fake";
-import type { WholeProgram, WholeProgramWorker } from "./whole-engine";
+import type { WholeCalls, WholeWorkers } from "./whole-workers";
 import type {
   AnswersFile,
   ComparisonSettings,
   Evaluated,
   EvaluationJob,
   Experiment,
-  ExperimentReport,
   FinishedJob,
   Job,
   ModelKind,
@@ -23,6 +22,7 @@ import type {
   StudyInfo,
   StudyTrial,
   StudyView,
+  SyntheticFindings,
   SyntheticTruth,
 } from "./whole-protocol";
 
@@ -132,12 +132,12 @@ export interface FakeStudies {
   trials: StudyTrial[];
 }
 
-export class FakeProgram implements WholeProgram {
+export class FakeProgram implements WholeWorkers {
   /** Null: no text is a study. */
   studies: FakeStudies | null = null;
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
-  readonly trainings: Pending<Experiment, ExperimentReport, TrainingOutcome>[] = [];
+  readonly trainings: Pending<Experiment, TrainingReport<SyntheticFindings>, TrainingOutcome>[] = [];
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
   readonly libraries = new FakeLibraries();
@@ -149,16 +149,11 @@ export class FakeProgram implements WholeProgram {
   /** Why the program cannot be loaded; empty when it can. */
   unreachable = "";
   plans = 0;
-  readonly #pool = new Pool(2, () => this.#hire());
-  readonly #desk = new Pool(1, () => this.#hire());
-  readonly #library = new Pool(1, () => this.#hire());
+  readonly pool = new Pool(2, () => this.#hire());
+  readonly desk = new Pool(1, () => this.#hire());
+  readonly library = new Pool(1, () => this.#hire());
 
-  async load() {
-    if (this.unreachable) throw new Error(this.unreachable);
-    return { pool: this.#pool, desk: this.#desk, library: this.#library };
-  }
-
-  #hire(): Hired<WholeProgramWorker> {
+  #hire(): Hired<WholeCalls> {
     let die: (problem: Error) => void = () => {};
     const broken = new Promise<never>((_, fail) => {
       die = fail;
@@ -168,7 +163,8 @@ export class FakeProgram implements WholeProgram {
       request: Request,
       report: (report: Report) => void,
     ) => new Promise<Result>((end, fail) => list.push({ request, report, end, fail, die }));
-    return { worker: this.#worker(pending), ready: Promise.resolve(), broken, dismiss: () => {} };
+    const ready = this.unreachable ? Promise.reject(new Error(this.unreachable)) : Promise.resolve();
+    return { worker: this.#worker(pending) as WholeCalls, ready, broken, dismiss: () => {} };
   }
 
   #study(text: string): StudyView {
@@ -182,7 +178,7 @@ export class FakeProgram implements WholeProgram {
       request: Request,
       report: (report: Report) => void,
     ) => Promise<Result>,
-  ): WholeProgramWorker {
+  ): Partial<WholeCalls> {
     const failing = () => {
       const problem = this.failures.shift();
       if (problem) throw problem;

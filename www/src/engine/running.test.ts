@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { workerTrouble } from "./engine";
+import { workerTrouble } from "./running";
 
 it("tells a worker that could not be loaded from one that stopped", () => {
   // A browser reports a script that it could not fetch with an event that has neither message nor line.
