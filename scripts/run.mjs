@@ -12,7 +12,8 @@ export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 /** A failure whose message is all that a person needs. */
 export class Failure extends Error {}
 
-const exe = process.platform === "win32" ? ".exe" : "";
+/** What the file name of a program ends with. */
+export const executable = process.platform === "win32" ? ".exe" : "";
 
 // wasm-pack looks for its tools on the PATH. Cargo's own folder: a fresh rustup is not yet on the PATH of an
 // open shell.
@@ -27,7 +28,7 @@ export const env = { ...process.env, PATH: path.join(delimiter) };
 /** Where a program stands on the PATH, or null. */
 export function which(/** @type {string} */ program) {
   for (const folder of env.PATH.split(delimiter)) {
-    const file = join(folder, program + exe);
+    const file = join(folder, program + executable);
     if (folder && existsSync(file) && statSync(file).isFile()) return file;
   }
   return null;

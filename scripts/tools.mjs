@@ -1,7 +1,7 @@
 // What has to be on the machine beside rustup and Node; whatever is missing is installed.
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { at, Failure, filesUnder, output, run, step, whenChanged } from "./run.mjs";
+import { delimiter, join } from "node:path";
+import { at, env, executable, Failure, filesUnder, output, run, step, whenChanged } from "./run.mjs";
 
 const NODE = [20, 19];
 
@@ -55,6 +55,16 @@ export function installNpmPackages(folder = "") {
     const ci = ["ci", "--prefix", at(folder)];
     await (npm ? run(process.execPath, npm, ...ci) : run("npm", ...ci));
   });
+}
+
+/** Compiles a program of crates.io into .tools, once for each version, and puts it on the PATH. */
+export async function installCargoTool(/** @type {string} */ name, /** @type {string} */ version) {
+  const folder = at(".tools", name);
+  const program = join(folder, "bin", name + executable);
+  env.PATH = [join(folder, "bin"), env.PATH].join(delimiter);
+  return whenChanged(name, { inputs: [], outputs: [program], salt: version }, () =>
+    run("cargo", "install", name, "--version", version, "--locked", "--debug", "--root", folder),
+  );
 }
 
 /**
