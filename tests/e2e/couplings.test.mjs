@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import { barriers, draws, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
 
 /**
  * @typedef {import("playwright-core").Page} Page
@@ -231,10 +231,7 @@ describe("both readings", () => {
       "Experts re-inferred",
     ]);
     assert.ok(!(await page.getByTestId("stage").isVisible()));
-    await page.waitForFunction(
-      () =>
-        Number(document.querySelector("[data-testid=stage-columns]")?.getAttribute("data-frames-drawn")) > 2,
-    );
+    await draws(canvas);
     assert.match(await page.locator(".readings").innerText(), /Left: .*Right: /s);
     await page.getByTestId("coupling-1-1").press("ArrowLeft");
     await measured(page);

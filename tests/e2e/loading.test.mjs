@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
-import { changes, openSite, ready, rests } from "./site.mjs";
+import { changes, draws, openSite, ready, rests } from "./site.mjs";
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
@@ -44,7 +44,7 @@ describe("a first visit", () => {
     });
     const { page, problems, leave } = await site.visit({ moving: true, seen: true });
     const stage = page.getByTestId("stage");
-    await page.waitForFunction(() => Number(document.querySelector("canvas")?.dataset.framesDrawn) > 5);
+    await draws(stage);
     assert.ok(await changes(stage), "the figure moves");
     await page.getByTestId("play").click();
     assert.ok(await rests(stage), "Pause stops it");

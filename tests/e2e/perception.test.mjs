@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, changes, drop, keepsNobodyOut, oneVisitor, openSite, saved } from "./site.mjs";
+import { barriers, changes, draws, drop, keepsNobodyOut, oneVisitor, openSite, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -161,9 +161,9 @@ describe("a study", () => {
     await page.getByTestId(`look-${id}`).click();
     const look = page.getByTestId("look");
     await look.getByRole("heading", { name: id ?? "" }).waitFor({ timeout: 30_000 });
-    await look.locator("canvas[data-frames-drawn]").waitFor();
     // Twice, not equally far apart: what repeats itself looks the same after its period.
     const canvas = look.locator("canvas");
+    await draws(canvas);
     assert.ok((await changes(canvas, 1000)) || (await changes(canvas, 700)), "it moves");
     await look.getByRole("button", { name: "Close" }).click();
     await mark.check();

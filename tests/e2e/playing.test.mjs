@@ -1,7 +1,7 @@
 // Play, step and scrub; couplings and what they do to the motion.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { openSite, ready, saved } from "./site.mjs";
+import { draws, openSite, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -43,12 +43,7 @@ describe("the stage", () => {
     await page.getByTestId("coupling-0-1").press("ArrowLeft");
     await page.evaluate(() => /** @type {any} */ (window).taken.restoreContext());
     await page.getByRole("alert").filter({ hasText: "3-D graphics" }).waitFor({ state: "detached" });
-    const drawn = () => page.evaluate(() => Number(document.querySelector("canvas")?.dataset.framesDrawn));
-    const before = await drawn();
-    await page.waitForFunction(
-      (before) => Number(document.querySelector("canvas")?.dataset.framesDrawn) > before + 3,
-      before,
-    );
+    await draws(page.getByTestId("stage"));
     await leave();
   });
 });

@@ -5,10 +5,10 @@ import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { oneVisitor, openSite, ready, readyVisitor } from "./site.mjs";
+import { oneVisitor, openSite, ready, readyVisitor, rests } from "./site.mjs";
 
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
-/** @typedef {{ frame: number, experts: Ellipse[], product: Ellipse, step: [number, number][] }} Drawn */
+/** @typedef {{ call: "ellipse" | "arc" | "lineTo", at: number[] }} Call */
 
 /** @type {typeof import("vcgpdm")} */
 const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
@@ -29,19 +29,54 @@ after(() => site?.close());
 const close = (a, b, tolerance) =>
   assert.ok(Math.abs((a ?? Number.NaN) - (b ?? Number.NaN)) <= tolerance, `${a} and ${b}`);
 
-/** @param {import("playwright-core").Page} page */
+/**
+ * Writes down what the latent plots draw from now on.
+ * @param {import("playwright-core").Page} page
+ */
+async function recordDrawings(page) {
+  await page.evaluate(() => {
+    /** @type {Map<string, Call[]>} The newest picture of each plot. */
+    const pictures = new Map();
+    const { prototype } = CanvasRenderingContext2D;
+    const plotOf = (/** @type {CanvasRenderingContext2D} */ { canvas }) =>
+      canvas.closest("[data-testid^=latent-]")?.getAttribute("data-testid") ?? "";
+    const { clearRect } = prototype;
+    prototype.clearRect = function (...box) {
+      pictures.set(plotOf(this), []);
+      clearRect.apply(this, box);
+    };
+    for (const call of /** @type {const} */ (["ellipse", "arc", "lineTo"])) {
+      const draw = /** @type {(...at: any[]) => void} */ (prototype[call]);
+      /** @this {CanvasRenderingContext2D} */
+      prototype[call] = function (/** @type {any[]} */ ...at) {
+        pictures.get(plotOf(this))?.push({ call, at });
+        draw.apply(this, at);
+      };
+    }
+    Object.assign(window, { pictures });
+  });
+}
+
+/**
+ * The experts, their product and the step that a plot shows; null without predictions.
+ * @param {import("playwright-core").Page} page
+ */
 async function drawn(page, /** @type {number} */ part) {
-  const canvas = page.locator(`[data-testid=latent-${part}] canvas`);
-  await page.waitForFunction(
-    ([part, frame]) => {
-      const text = document
-        .querySelector(`[data-testid=latent-${part}] canvas`)
-        ?.getAttribute("data-predictions");
-      return text && JSON.parse(text).frame === frame;
-    },
-    [part, FRAME],
-  );
-  return /** @type {Drawn} */ (JSON.parse((await canvas.getAttribute("data-predictions")) ?? ""));
+  // The plot is painted before the second display frame from now.
+  /** @type {Call[]} */
+  const calls = await page.evaluate(async (plot) => {
+    for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    return /** @type {any} */ (window).pictures.get(plot) ?? [];
+  }, `latent-${part}`);
+  const ellipses = calls.filter(({ call }) => call === "ellipse");
+  const [product, ...experts] = ellipses
+    .map(({ at: [x = 0, y = 0, major = 0, minor = 0] }) => ({ x, y, major, minor }))
+    .reverse();
+  if (!product) return null;
+  // The step is drawn after the last expert, and before the product.
+  const before = calls.slice(0, calls.lastIndexOf(/** @type {Call} */ (ellipses.at(-1))));
+  const lastExpert = before.findLastIndex(({ call }) => call !== "lineTo");
+  return { product, experts: experts.reverse(), step: before[lastExpert + 1]?.at ?? [] };
 }
 
 describe("the product of experts", () => {
@@ -49,6 +84,7 @@ describe("the product of experts", () => {
     const settings = `alpha=${ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",")}&reading=learned`;
     const { page, problems, leave } = await site.visit({ settings });
     await ready(page);
+    await recordDrawings(page);
     await page.getByTestId("scrub").fill(String(FRAME));
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
     const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
@@ -60,7 +96,10 @@ describe("the product of experts", () => {
     for (const plot of ["2-D", "3-D"]) {
       await page.getByRole("button", { name: plot }).click();
       for (const [part] of model.info().parts.entries()) {
-        const { experts, product, step } = await drawn(page, part);
+        const picture = await drawn(page, part);
+        assert.ok(picture, "predictions are drawn");
+        const { experts, product, step } = picture;
+        assert.equal(experts.length, 2);
         const scale = product.major / Math.sqrt(said.variances(part)[row] ?? Number.NaN);
         const sum = { x: 0, y: 0 };
         for (const [source, { x, y, major, minor }] of experts.entries()) {
@@ -78,8 +117,8 @@ describe("the product of experts", () => {
         // However the plot is turned: the product lies at the weighted mean, and there the step goes.
         close(product.x, sum.x, 0.01);
         close(product.y, sum.y, 0.01);
-        close(step[1]?.[0], product.x, 0.01);
-        close(step[1]?.[1], product.y, 0.01);
+        close(step[0], product.x, 0.01);
+        close(step[1], product.y, 0.01);
         // The distance of two centres is that of the means, seen in full where a plot has as many axes as the
         // part.
         const [one, two] = [0, 1].map((source) => [
@@ -97,9 +136,7 @@ describe("the product of experts", () => {
       }
     }
     await page.getByRole("button", { name: "predictions", exact: true }).click();
-    await page.waitForFunction(
-      () => !document.querySelector("[data-testid=latent-0] canvas[data-predictions]"),
-    );
+    assert.equal(await drawn(page, 0), null);
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -129,9 +166,9 @@ describe("what may come", () => {
       document.adoptedStyleSheets = [sheet];
     });
     await page.getByTestId("scrub").fill(String(FRAME));
-    await drawn(page, 1);
     const plot = page.getByTestId("latent-1");
     await page.mouse.move(0, 0);
+    assert.ok(await rests(plot));
     const before = await plot.screenshot();
     assert.ok(before.equals(await plot.screenshot()), "the plot stands still");
     await page.getByRole("button", { name: "uncertainty", exact: true }).click();

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, keepsNobodyOut, openSite, ready, recolour, saved } from "./site.mjs";
+import { barriers, draws, keepsNobodyOut, openSite, ready, recolour, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -173,7 +173,7 @@ describe("a library of primitives", () => {
     const after = await walked(page);
     assert.ok(after.last > before.last + 100, "the same walk");
     assert.ok(after.largest < LARGEST_STEP, `a step of ${after.largest} m`);
-    assert.ok(Number(await page.getByTestId("walk").getAttribute("data-frames-drawn")) > 10);
+    await draws(page.getByTestId("walk"));
 
     // All combinations, and what is dragged onto the body.
     await page.getByTestId("combination").first().click();

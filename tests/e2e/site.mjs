@@ -46,6 +46,18 @@ function noDrawing() {
       if (draw in prototype) Object.assign(prototype, { [draw]() {} });
 }
 
+/** Runs in the page: counts for each canvas how many times it was cleared for another picture. */
+function countPictures() {
+  const times = new WeakMap();
+  const { prototype } = WebGL2RenderingContext;
+  const { clear } = prototype;
+  prototype.clear = function (mask) {
+    times.set(this.canvas, (times.get(this.canvas) ?? 0) + 1);
+    clear.call(this, mask);
+  };
+  Object.assign(window, { timesCleared: times });
+}
+
 /**
  * @typedef {object} Visit
  * @property {string} [settings] as in the page's address
@@ -98,6 +110,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
         cores,
       );
     if (moving) await context.addInitScript(slowDisplay, pictures);
+    await context.addInitScript(countPictures);
     if (!seen) await context.addInitScript(noDrawing);
     if (!idle)
       await context.addInitScript(() =>
@@ -150,6 +163,16 @@ export async function changes(/** @type {import("playwright-core").Locator} */ e
   const before = await element.screenshot();
   await element.page().waitForTimeout(milliseconds);
   return !before.equals(await element.screenshot());
+}
+
+/** How many times a canvas was cleared for another picture of its figures, or for the shadows in it. */
+export const cleared = (/** @type {import("playwright-core").Locator} */ canvas) =>
+  canvas.evaluate((canvas) => Number(/** @type {any} */ (window).timesCleared.get(canvas) ?? 0));
+
+/** Waits until a canvas has shown three more pictures of its figures. */
+export async function draws(/** @type {import("playwright-core").Locator} */ canvas) {
+  const end = (await cleared(canvas)) + 6;
+  while ((await cleared(canvas)) < end) await canvas.page().waitForTimeout(50);
 }
 
 /**

@@ -215,7 +215,7 @@ export class SideBySide extends View {
     return html`
       ${this.#choices(shown, folds, fold, chosen)}
       <div class="columns" style=${styled({ "--columns": chosen.length })}>
-        <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="compare-stage"
+        <canvas class="stage-canvas" tabindex="0" role="img" data-testid="compare-stage"
           aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         <ol class="column-heads">

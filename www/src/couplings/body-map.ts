@@ -28,13 +28,13 @@ export interface HoldCoupling {
 export class BodyMap extends View {
   declare model: ModelStore;
   declare settings: SettingsStore;
-  private drag: { source: number; target: number; y: number; alpha: number } | null = null;
+  #drag: { source: number; target: number; y: number; alpha: number } | null = null;
   /** Waits whether the pointer rests on an arrow. */
-  private resting = 0;
-  private held: { source: number; target: number } | null = null;
-  private body: Body = { spots: [], bones: [] };
+  #resting = 0;
+  #held: { source: number; target: number } | null = null;
+  #body: Body = { spots: [], bones: [] };
   /** What the body was laid out for. */
-  private laidOut = "";
+  #laidOut = "";
 
   protected override stores() {
     return [this.model, this.settings];
@@ -45,54 +45,54 @@ export class BodyMap extends View {
     if (!model || !learned) return;
     const { sequences, parts } = model.info;
     const key = JSON.stringify([sequences[0]?.sha256, parts]);
-    if (this.laidOut === key) return;
-    this.laidOut = key;
-    this.body = bodyOf(model.info, learned.motion);
+    if (this.#laidOut === key) return;
+    this.#laidOut = key;
+    this.#body = bodyOf(model.info, learned.motion);
   }
 
-  private grab(source: number, target: number) {
+  #grab(source: number, target: number) {
     return (event: PointerEvent) => {
       event.preventDefault();
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
-      this.drag = { source, target, y: event.clientY, alpha: this.model.couplings.alphaOf(source, target) };
-      this.resting = window.setTimeout(() => {
-        this.drag = null;
-        this.hold({ source, target }, true);
+      this.#drag = { source, target, y: event.clientY, alpha: this.model.couplings.alphaOf(source, target) };
+      this.#resting = window.setTimeout(() => {
+        this.#drag = null;
+        this.#hold({ source, target }, true);
       }, HOLD);
     };
   }
 
-  private hold(coupling: { source: number; target: number }, held: boolean): void {
-    this.held = held ? coupling : null;
+  #hold(coupling: { source: number; target: number }, held: boolean): void {
+    this.#held = held ? coupling : null;
     const detail: HoldCoupling = { ...coupling, held };
     this.dispatchEvent(new CustomEvent("hold-coupling", { detail, bubbles: true }));
     this.requestUpdate();
   }
 
-  private move(event: PointerEvent): void {
-    const { drag } = this;
-    if (!drag || (this.resting && Math.abs(event.clientY - drag.y) < STILL)) return;
-    this.rests();
+  #move(event: PointerEvent): void {
+    const drag = this.#drag;
+    if (!drag || (this.#resting && Math.abs(event.clientY - drag.y) < STILL)) return;
+    this.#rests();
     const alpha = drag.alpha * 10 ** ((event.clientY - drag.y) / DECADE);
     this.model.couplings.set(drag.source, drag.target, Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha)));
   }
 
-  private drop(): void {
-    this.rests();
-    this.drag = null;
-    if (this.held) this.hold(this.held, false);
+  #drop(): void {
+    this.#rests();
+    this.#drag = null;
+    if (this.#held) this.#hold(this.#held, false);
   }
 
   /** The pointer no longer rests. */
-  private rests(): void {
-    clearTimeout(this.resting);
-    this.resting = 0;
+  #rests(): void {
+    clearTimeout(this.#resting);
+    this.#resting = 0;
   }
 
-  private arrow(source: number, target: number) {
+  #arrow(source: number, target: number) {
     const { model } = this;
     const w = model.couplings.weight(source, target);
-    const [a, b] = [this.body.spots[source], this.body.spots[target]];
+    const [a, b] = [this.#body.spots[source], this.#body.spots[target]];
     if (!a || !b) return svg``;
     const width = 1 + 6.5 * w;
     const path = source === target ? loopPath(a) : bowPath(a, b);
@@ -100,8 +100,8 @@ export class BodyMap extends View {
     const alpha = model.couplings.alphaOf(source, target);
     const head = `head-${source}-${target}`;
     return svg`
-      <g class=${this.held?.source === source && this.held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(partColour(source))} @pointerdown=${this.grab(source, target)} @pointermove=${this.move}
-        @pointerup=${this.drop} @pointercancel=${this.drop}
+      <g class=${this.#held?.source === source && this.#held.target === target ? "arrow cut" : "arrow"} data-testid="arrow-${source}-${target}" style=${partStyle(partColour(source))} @pointerdown=${this.#grab(source, target)} @pointermove=${this.#move}
+        @pointerup=${this.#drop} @pointercancel=${this.#drop}
         @dblclick=${() => model.couplings.reset(source, target)}>
         <title>${name(source)} to ${name(target)}: weight ${weightText(w)}, alpha ${short(alpha)}. Drag up for stronger, down for weaker; hold to cut it.</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
@@ -112,13 +112,13 @@ export class BodyMap extends View {
   }
 
   protected override render() {
-    const { spots, bones } = this.body;
+    const { spots, bones } = this.#body;
     const parts = this.model.model?.info.parts ?? [];
     return html`
       <svg class="body-map" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" data-testid="body-map"
         aria-label="Body map: an arrow for each coupling, as thick as its weight. The sliders in the table change the same couplings.">
         ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${partStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
-        ${parts.flatMap((_, source) => parts.map((__, target) => this.arrow(source, target)))}
+        ${parts.flatMap((_, source) => parts.map((__, target) => this.#arrow(source, target)))}
         ${parts.map(({ name }, part) =>
           spots[part]
             ? svg`

@@ -29,7 +29,7 @@ export class CouplingsView extends View {
     return [this.model, this.settings, this.engine];
   }
 
-  private table(info: ModelInfo) {
+  #table(info: ModelInfo) {
     const bar = (target: number) =>
       html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
     return couplingsTable({
@@ -39,7 +39,7 @@ export class CouplingsView extends View {
     });
   }
 
-  private starts({ sequences }: ModelInfo) {
+  #starts({ sequences }: ModelInfo) {
     const { start, startFrame } = this.settings.values;
     const last = this.model.startFrames(start) - 1;
     const frame = Math.min(startFrame, last);
@@ -70,7 +70,7 @@ export class CouplingsView extends View {
         <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
         <p class="hint">Which <pg-term of="part" text="part"></pg-term> decides about which. Right is strong: small
           <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
-        ${info ? this.starts(info) : nothing}
+        ${info ? this.#starts(info) : nothing}
       </header>
       ${
         info
@@ -78,7 +78,7 @@ export class CouplingsView extends View {
           <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body}></pg-presets>
           <div class="couplings-body">
             ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
-            ${this.table(info)}
+            ${this.#table(info)}
             <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
           </div>`
           : html`<p class="empty">${

@@ -24,7 +24,7 @@ export class PresetsView extends View {
     return [this.model, this.settings, this.body];
   }
 
-  private buttons() {
+  #buttons() {
     const { model } = this;
     const now = model.preset;
     return model.presets.map(
@@ -34,7 +34,7 @@ export class PresetsView extends View {
     );
   }
 
-  private measured() {
+  #measured() {
     const { reports, isCurrent } = this.body;
     if (!reports) return nothing;
     const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
@@ -58,10 +58,10 @@ export class PresetsView extends View {
     const { model } = this;
     if (model.presets.length === 0) return nothing;
     return html`
-      <div class="presets" role="group" aria-label="Presets" ?data-many=${model.presets.length > ONE_ROW}>${this.buttons()}</div>
+      <div class="presets" role="group" aria-label="Presets" ?data-many=${model.presets.length > ONE_ROW}>${this.#buttons()}</div>
       <div class="effect">
         <p data-testid="preset-sentence">${model.preset?.sentence ?? ownWords(this.settings.values.reading)}</p>
-        ${this.measured()}
+        ${this.#measured()}
       </div>`;
   }
 }

@@ -37,20 +37,20 @@ interface Drag {
 export class ShareBar extends View {
   declare model: ModelStore;
   declare target: number;
-  private drag: Drag | null = null;
+  #drag: Drag | null = null;
 
   protected override stores() {
     return [this.model];
   }
 
-  private placeOf({ clientX, currentTarget }: PointerEvent): number {
+  #placeOf({ clientX, currentTarget }: PointerEvent): number {
     const { left, width } = (currentTarget as Element).getBoundingClientRect();
     return (clientX - left) / width;
   }
 
-  private grab(event: PointerEvent): void {
+  #grab(event: PointerEvent): void {
     const places = dividers(this.model.couplings.weightsInto(this.target));
-    const from = this.placeOf(event);
+    const from = this.#placeOf(event);
     const distances = places.map((place) => Math.abs(place - from));
     const place = places[distances.indexOf(Math.min(...distances))];
     if (place === undefined) return;
@@ -58,30 +58,30 @@ export class ShareBar extends View {
     const bar = event.currentTarget as HTMLElement;
     bar.setPointerCapture(event.pointerId);
     const near = (other: number) => Math.abs(other - place) < ONE_SPOT;
-    this.drag = {
+    this.#drag = {
       first: places.findIndex(near),
       last: places.findLastIndex(near),
       divider: null,
       from,
       place,
     };
-    bar.querySelectorAll<HTMLElement>(".divider")[this.drag.first]?.focus();
+    bar.querySelectorAll<HTMLElement>(".divider")[this.#drag.first]?.focus();
   }
 
-  private move(event: PointerEvent): void {
-    const { drag } = this;
+  #move(event: PointerEvent): void {
+    const drag = this.#drag;
     if (!drag) return;
-    const by = this.placeOf(event) - drag.from;
+    const by = this.#placeOf(event) - drag.from;
     if (by === 0) return;
     drag.divider ??= by < 0 ? drag.first : drag.last;
     this.model.couplings.moveDivider(this.target, drag.divider, drag.place + by);
   }
 
-  private drop(): void {
-    this.drag = null;
+  #drop(): void {
+    this.#drag = null;
   }
 
-  private keys(divider: number, place: number) {
+  #keys(divider: number, place: number) {
     return (event: KeyboardEvent) => {
       const step = STEPS[event.key];
       if (step !== undefined) this.model.couplings.moveDivider(this.target, divider, place + step);
@@ -99,7 +99,7 @@ export class ShareBar extends View {
     const said = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
     return html`
       <div class="share-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
-        @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
+        @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
         @dblclick=${() => model.couplings.resetInto(target)}>
         <div class="shares">${weights.map(
           (weight, source) =>
@@ -111,7 +111,7 @@ export class ShareBar extends View {
             aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"
             aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * place).toFixed(0)}
             aria-valuetext="${said(divider)}, ${said(divider + 1)}"
-            @keydown=${this.keys(divider, place)}></span>`,
+            @keydown=${this.#keys(divider, place)}></span>`,
         )}
       </div>`;
   }

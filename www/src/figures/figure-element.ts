@@ -1,12 +1,13 @@
-// The base of the figures: title, the two files that can be saved of it, and how wide it is.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+// The base of all figures: the title, the width, and two buttons that save the figure as CSV and PNG.
+import { html, nothing, type TemplateResult } from "lit";
 import { download } from "../ui/download";
 import "./figures.css";
 import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
 import { messageOf } from "../ui/format";
+import { View } from "../ui/view";
 
-/** What the bubbling event `save-failed` tells: a file could not be made. */
+/** The detail of the bubbling event `save-failed`. */
 export interface SaveFailure {
   /** The file's name. */
   name: string;
@@ -15,18 +16,17 @@ export interface SaveFailure {
 
 /** The page's type is 14 px, and larger for a projector. */
 const TYPE = 14;
-/** What a sheet of A4 has room for, pixels. */
+/** The width of a printed figure on A4, pixels. */
 const PAPER = 680;
 
-export abstract class FigureElement<Data> extends LitElement {
+export abstract class FigureElement<Data> extends View {
   static override properties = { data: { attribute: false }, width: { state: true }, type: { state: true } };
-  /** What it shows. */
+  /** The data that the figure shows. */
   declare data: Data | null;
   /** The figure's width, pixels. */
   declare width: number;
   /** The size of a drawing's type, pixels. */
   declare type: number;
-  private observer: ResizeObserver | null = null;
 
   constructor() {
     super();
@@ -40,41 +40,32 @@ export abstract class FigureElement<Data> extends LitElement {
   protected abstract readonly file: string;
   protected abstract figure(data: Data): TemplateResult;
   protected abstract table(data: Data): Table;
-  /** What is missing, in words, where there is nothing to draw; null where there is. */
+  /** A sentence about the data that are missing; null where the figure can be drawn. */
   protected abstract missing(data: Data): string | null;
 
-  protected override createRenderRoot(): HTMLElement {
-    return this;
+  protected override stores() {
+    return [];
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.observer = new ResizeObserver(() => this.measure());
-    this.observer.observe(this);
-    this.measure();
-    window.addEventListener("beforeprint", this.onPrint);
-    window.addEventListener("afterprint", this.measure);
+    const measure = () => this.#measure();
+    measure();
+    this.watchSize(this, measure);
+    this.listen(window, "beforeprint", () => {
+      this.width = PAPER;
+    });
+    this.listen(window, "afterprint", measure);
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.observer?.disconnect();
-    window.removeEventListener("beforeprint", this.onPrint);
-    window.removeEventListener("afterprint", this.measure);
-  }
-
-  private readonly measure = (): void => {
-    // In a view that is hidden it stays as wide as it was.
+  #measure(): void {
+    // A hidden view has no width: the figure keeps the one before.
     if (this.clientWidth > 0) this.width = this.clientWidth;
     const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     this.type = (12 * (Number.isFinite(root) ? root : TYPE)) / TYPE;
-  };
+  }
 
-  private readonly onPrint = (): void => {
-    this.width = PAPER;
-  };
-
-  private async save(ending: "csv" | "png"): Promise<void> {
+  async #save(ending: "csv" | "png"): Promise<void> {
     const { data } = this;
     const figure = this.querySelector("figure");
     if (!data || !figure) return;
@@ -106,8 +97,8 @@ export abstract class FigureElement<Data> extends LitElement {
               ? nothing
               : html`
             <div class="figure-files" data-not-in-picture>
-              <button class="small" title="Save the numbers of this figure" aria-label="CSV: ${this.heading}" @click=${() => this.save("csv")}>CSV</button>
-              <button class="small" title="Save a picture of this figure" aria-label="PNG: ${this.heading}" @click=${() => this.save("png")}>PNG</button>
+              <button class="small" title="Save the numbers of this figure" aria-label="CSV: ${this.heading}" @click=${() => this.#save("csv")}>CSV</button>
+              <button class="small" title="Save a picture of this figure" aria-label="PNG: ${this.heading}" @click=${() => this.#save("png")}>PNG</button>
             </div>`
           }
         </div>

@@ -4,13 +4,7 @@ import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
 import { between as pathAt } from "./predicted";
-import {
-  drawPredictions,
-  type StepBand,
-  type DrawnPredictions,
-  layOut,
-  type PredictionPicture,
-} from "./prediction-drawing";
+import { drawPredictions, layOut, type PredictionPicture, type StepBand } from "./prediction-drawing";
 import { arrowHead } from "./shapes";
 
 /** Inducing points of a coupling from or to another part. */
@@ -57,8 +51,7 @@ const BESIDE_PREDICTIONS = 0.4;
 /** Frames over which the path behind the marker fades. */
 const TRAIL = 75;
 
-/** Answers what is seen of the predictions. */
-export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): DrawnPredictions | null {
+export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): void {
   const { width, height, ratio, part, live, frame } = picture;
   const predicted = live ? picture.predicted : null;
   const said: PredictionPicture | null = predicted && {
@@ -88,7 +81,6 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   if (live) drawNow(draw, picture, plane, drawn !== null);
   if (said && drawn) drawPredictions(draw, drawn, said.weights);
   draw.globalAlpha = 1;
-  return drawn;
 }
 
 function rows(points: Float64Array, picture: LatentPicture): number {

@@ -10,7 +10,7 @@ import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
 import { Plane } from "./plane";
-import { type DrawnPredictions, StepBand } from "./prediction-drawing";
+import { StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
 import { type PointingStore, samePoint } from "./pointing-store";
 import type { PushHandle } from "./push-handle";
@@ -52,17 +52,17 @@ export class LatentPlot extends View {
   declare settings: SettingsStore;
   declare stage: StageStore;
   declare playback: Playback;
-  private turn: Turn = FLAT;
-  private projection: Projection | null = null;
+  #turn: Turn = FLAT;
+  #projection: Projection | null = null;
   /** The rollout as learned that decided the axes. */
-  private projected: RolloutResult | null = null;
-  private drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
-  private list: Mark[] = [];
+  #projected: RolloutResult | null = null;
+  #drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
+  #list: Mark[] = [];
   /** The animation frame that is waited for. */
-  private frame = 0;
+  #frame = 0;
   /** Whether buttons have come or must go elsewhere. */
-  private moved = false;
-  private readonly band = new StepBand();
+  #moved = false;
+  readonly #band = new StepBand();
 
   constructor() {
     super();
@@ -76,10 +76,11 @@ export class LatentPlot extends View {
   }
 
   protected override arrived(): void {
-    for (const store of [this.playback, this.predictions]) this.whenLeaving(store.on(() => this.paintSoon()));
+    for (const store of [this.playback, this.predictions])
+      this.whenLeaving(store.on(() => this.#paintSoon()));
     this.whenLeaving(() => {
-      cancelAnimationFrame(this.frame);
-      this.frame = 0;
+      cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
     });
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     const box = this.querySelector(".plot");
@@ -88,21 +89,21 @@ export class LatentPlot extends View {
 
   override willUpdate(): void {
     const { model, learned } = this.model;
-    if (model && learned && this.projected !== learned) {
+    if (model && learned && this.#projected !== learned) {
       const q = model.info.parts[this.bodyPart]?.latent ?? 0;
-      this.projection = principalAxes(this.cloud(q), q, this.projection);
-      this.projected = learned;
+      this.#projection = principalAxes(this.#cloud(q), q, this.#projection);
+      this.#projected = learned;
     }
-    if (this.settings.values.plot === "2d") this.turn = FLAT;
-    else if (this.turn.about === 0 && this.turn.tilt === 0) this.turn = TILTED;
-    this.list = this.listMarks();
+    if (this.settings.values.plot === "2d") this.#turn = FLAT;
+    else if (this.#turn.about === 0 && this.#turn.tilt === 0) this.#turn = TILTED;
+    this.#list = this.#listMarks();
   }
 
   /**
    * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing
    * points do not: some lie far away, and would shrink the rest. These are drawn at the edge.
    */
-  private cloud(q: number): Float64Array {
+  #cloud(q: number): Float64Array {
     const { model, learned } = this.model;
     const path = learned?.latents[this.bodyPart] ?? new Float64Array(0);
     const training = model?.trainingLatents?.[this.bodyPart] ?? new Float64Array(0);
@@ -112,7 +113,7 @@ export class LatentPlot extends View {
     return q > 0 ? cloud : new Float64Array(0);
   }
 
-  private listMarks(): Mark[] {
+  #listMarks(): Mark[] {
     const { model } = this.model;
     if (!model) return [];
     const part = this.bodyPart;
@@ -143,8 +144,8 @@ export class LatentPlot extends View {
   }
 
   override updated(): void {
-    this.moved = true;
-    this.paintSoon();
+    this.#moved = true;
+    this.#paintSoon();
   }
 
   /**
@@ -152,18 +153,20 @@ export class LatentPlot extends View {
    * wait for drawings. What is asked for stays asked for: the clock ticks before each picture, and would put
    * it off for ever.
    */
-  private paintSoon(): void {
-    if (this.frame !== 0) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      this.paint();
-      if (this.moved) this.placeButtons();
-      this.moved = false;
+  #paintSoon(): void {
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#paint();
+      if (this.#moved) this.#placeButtons();
+      this.#moved = false;
     });
   }
 
-  private picture(box: HTMLElement): LatentPicture | null {
-    const { bodyPart: part, projection, turn, layers, playback } = this;
+  #picture(box: HTMLElement): LatentPicture | null {
+    const { bodyPart: part, layers, playback } = this;
+    const projection = this.#projection;
+    const turn = this.#turn;
     const { model, rollout, learned, couplings } = this.model;
     const { live } = this.stage;
     const latents = live?.latents(part) ?? rollout?.latents[part];
@@ -202,17 +205,17 @@ export class LatentPlot extends View {
         !said || live || !rollout
           ? null
           : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
-      band: this.band,
+      band: this.#band,
       behind: live ? null : this.behind,
     };
   }
 
-  private paint(): void {
+  #paint(): void {
     const canvas = this.querySelector("canvas");
     const draw = canvas?.getContext("2d");
     const box = canvas?.parentElement;
     if (!canvas || !draw || !box || box.clientWidth === 0) return;
-    const picture = this.picture(box);
+    const picture = this.#picture(box);
     if (!picture) {
       draw.clearRect(0, 0, canvas.width, canvas.height);
       return;
@@ -222,40 +225,34 @@ export class LatentPlot extends View {
       Math.round(picture.height * picture.ratio),
     ];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-    this.tell(canvas, drawLatents(draw, picture));
+    drawLatents(draw, picture);
     const handle = this.querySelector<PushHandle>("pg-push-handle");
     const plane = new Plane(picture);
     const now = handle && placeNow(picture, plane);
     if (now) handle.place(plane, now);
   }
 
-  /** What the picture shows, in numbers, as long as it stands still. */
-  private tell(canvas: HTMLCanvasElement, drawn: DrawnPredictions | null): void {
-    if (this.playback.playing || !drawn) delete canvas.dataset.predictions;
-    else canvas.dataset.predictions = JSON.stringify(drawn);
-  }
-
-  private placeButtons(): void {
-    const { projection } = this;
+  #placeButtons(): void {
+    const projection = this.#projection;
     const box = this.querySelector<HTMLElement>(".plot");
     if (!projection || !box) return;
-    const view = { width: box.clientWidth, height: box.clientHeight, projection, turn: this.turn };
+    const view = { width: box.clientWidth, height: box.clientHeight, projection, turn: this.#turn };
     const plane = new Plane(view);
     this.querySelectorAll<HTMLElement>("button.mark").forEach((button, i) => {
-      const mark = this.list[i];
+      const mark = this.#list[i];
       if (!mark) return;
       const [x, y] = plane.inFrame(...plane.place(mark.points, mark.row));
       button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });
   }
 
-  private grab(event: PointerEvent): void {
+  #grab(event: PointerEvent): void {
     if (event.button !== 0) return;
-    this.drag = { x: event.clientX, y: event.clientY, turn: this.turn, moved: false };
+    this.#drag = { x: event.clientX, y: event.clientY, turn: this.#turn, moved: false };
   }
 
-  private move(event: PointerEvent): void {
-    const { drag } = this;
+  #move(event: PointerEvent): void {
+    const drag = this.#drag;
     if (!drag) return;
     const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
     if (!drag.moved && Math.hypot(dx, dy) < 5) return;
@@ -263,22 +260,22 @@ export class LatentPlot extends View {
       drag.moved = true;
       (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     }
-    this.turnTo({ about: drag.turn.about + 0.01 * dx, tilt: drag.turn.tilt + 0.01 * dy });
+    this.#turnTo({ about: drag.turn.about + 0.01 * dx, tilt: drag.turn.tilt + 0.01 * dy });
   }
 
-  private turnTo(turn: Turn): void {
-    this.turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
+  #turnTo(turn: Turn): void {
+    this.#turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
     if (this.settings.values.plot === "2d") this.settings.change({ plot: "3d" });
-    this.moved = true;
-    this.paintSoon();
+    this.#moved = true;
+    this.#paintSoon();
   }
 
-  private drop(): void {
-    this.drag = null;
+  #drop(): void {
+    this.#drag = null;
   }
 
   /** Arrow keys turn the plot, or go from one inducing point to the next. */
-  private keys(event: KeyboardEvent): void {
+  #keys(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     if (!step) {
       if (event.key === "Escape") this.pointing.pointAt(null);
@@ -294,8 +291,8 @@ export class LatentPlot extends View {
       next?.focus();
     } else {
       const sideways = event.key === "ArrowLeft" || event.key === "ArrowRight";
-      const { about, tilt } = this.turn;
-      this.turnTo(sideways ? { about: about + 0.12 * step, tilt } : { about, tilt: tilt + 0.12 * step });
+      const { about, tilt } = this.#turn;
+      this.#turnTo(sideways ? { about: about + 0.12 * step, tilt } : { about, tilt: tilt + 0.12 * step });
     }
   }
 
@@ -308,10 +305,10 @@ export class LatentPlot extends View {
         <figcaption><i class="swatch"></i>${name}</figcaption>
         <div class="plot" tabindex="0" role="group" aria-label="Latent space of ${name}. Drag, or use the arrow keys, to turn it."
           data-testid="latent-${this.bodyPart}"
-          @pointerdown=${this.grab} @pointermove=${this.move} @pointerup=${this.drop} @pointercancel=${this.drop}
-          @keydown=${this.keys}>
+          @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
+          @keydown=${this.#keys}>
           <canvas aria-hidden="true"></canvas>
-          ${this.list.map(
+          ${this.#list.map(
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
               aria-pressed=${samePoint(to, pointing.point) ? "true" : "false"}

@@ -31,7 +31,7 @@ export class LatentsView extends View {
   static override properties = { layers: { state: true }, behind: { state: true } };
   declare layers: Layers;
   declare behind: Behind | null;
-  private outlook: OutlookStore | null = null;
+  #outlook: OutlookStore | null = null;
 
   constructor() {
     super();
@@ -43,18 +43,18 @@ export class LatentsView extends View {
     return [this.model, this.predictions, this.settings, this.engine];
   }
 
-  private toggle(kind: keyof Layers) {
+  #toggle(kind: keyof Layers) {
     return () => {
       this.layers = { ...this.layers, [kind]: !this.layers[kind] };
     };
   }
 
-  private async toggleOutlook(outlook: Outlook): Promise<void> {
+  async #toggleOutlook(outlook: Outlook): Promise<void> {
     const opened = await this.openOutlook();
     if (!opened) return;
     const { store, behindPath } = opened;
-    if (!this.outlook) {
-      this.outlook = store;
+    if (!this.#outlook) {
+      this.#outlook = store;
       this.whenLeaving(
         store.on(() => {
           this.behind = behindPath(store);
@@ -62,17 +62,17 @@ export class LatentsView extends View {
         }),
       );
       this.whenLeaving(() => {
-        this.outlook = null;
+        this.#outlook = null;
       });
     }
     store.show(outlook, !store.isShown(outlook));
   }
 
   /** The chips of what may come. */
-  private outlookChips() {
+  #outlookChips() {
     const chip = (outlook: Outlook, title: string) => html`
-      <button class="chip" aria-pressed=${this.outlook?.isShown(outlook) ? "true" : "false"} title=${title}
-        @click=${() => void this.toggleOutlook(outlook)}>${outlook}</button>`;
+      <button class="chip" aria-pressed=${this.#outlook?.isShown(outlook) ? "true" : "false"} title=${title}
+        @click=${() => void this.#toggleOutlook(outlook)}>${outlook}</button>`;
     return [
       chip("futures", "Five motions that the model could make as well, drawn at random"),
       chip("uncertainty", "Where the state is, as far as one Gaussian can say"),
@@ -110,14 +110,14 @@ export class LatentsView extends View {
             )}
           </div>
           <div class="marks" role="group" aria-label="Show in the plots">
-            <button class="chip" aria-pressed=${pressed("pose")} @click=${this.toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
+            <button class="chip" aria-pressed=${pressed("pose")} @click=${this.#toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
-            <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
+            <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.#toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1.5 10.5L9.5 2.5M5 2.2h4.8V7" /></svg>dynamics</button>
             ${
               parts.length > 1
                 ? html`
-              <button class="chip" aria-pressed=${pressed("between")} @click=${this.toggle("between")} title="Dynamics inducing points of the couplings between parts: dots are histories that predict another part, triangles are predictions by another part">
+              <button class="chip" aria-pressed=${pressed("between")} @click=${this.#toggle("between")} title="Dynamics inducing points of the couplings between parts: dots are histories that predict another part, triangles are predictions by another part">
                 <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>couplings</button>`
                 : ""
             }
@@ -126,9 +126,9 @@ export class LatentsView extends View {
               title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
             <pg-term of="predictions" text="?" about="What do the predictions show?"></pg-term>
-            ${this.outlookChips()}
+            ${this.#outlookChips()}
           </div>
-          ${this.outlook ? html`<pg-outlook .outlook=${this.outlook}></pg-outlook>` : ""}`
+          ${this.#outlook ? html`<pg-outlook .outlook=${this.#outlook}></pg-outlook>` : ""}`
       }
     `;
   }

@@ -29,33 +29,35 @@ const FILLED = 0.41;
 const EDGE = 7;
 
 export class Plane {
-  private readonly at = new Float64Array(3);
-  private readonly scale: number;
+  readonly #view: PlotView;
+  readonly #at = new Float64Array(3);
+  readonly #scale: number;
   /** Pixels to the right and down for one step in each latent dimension [2 x Q]. */
-  private readonly steps: Float64Array;
+  readonly #steps: Float64Array;
 
-  constructor(private readonly view: PlotView) {
+  constructor(view: PlotView) {
+    this.#view = view;
     const { projection, turn } = view;
     const { axes, dimensions: q } = projection;
-    this.scale = scaleOf(view);
-    this.steps = new Float64Array(2 * q);
+    this.#scale = scaleOf(view);
+    this.#steps = new Float64Array(2 * q);
     for (let a = 0; a < q; a++) {
       const [right, up] = turned(Float64Array.of(axes[a]!, axes[q + a]!, axes[2 * q + a]!), turn);
-      this.steps[a] = this.scale * right;
-      this.steps[q + a] = -this.scale * up;
+      this.#steps[a] = this.#scale * right;
+      this.#steps[q + a] = -this.#scale * up;
     }
   }
 
   /** Row `index` of points [n x Q] in pixels from the upper left, and how near it is (-1 to 1). */
   place(points: Float64Array, index: number): [number, number, number] {
-    const { projection, turn, width, height } = this.view;
-    const [right, up, near] = turned(project(projection, points, index, this.at), turn);
-    return [width / 2 + this.scale * right, height / 2 - this.scale * up, near / projection.reach];
+    const { projection, turn, width, height } = this.#view;
+    const [right, up, near] = turned(project(projection, points, index, this.#at), turn);
+    return [width / 2 + this.#scale * right, height / 2 - this.#scale * up, near / projection.reach];
   }
 
   /** The place nearest to one, in pixels, where a mark is seen. */
   inFrame(x: number, y: number, _near = 0): [number, number] {
-    const { width, height } = this.view;
+    const { width, height } = this.#view;
     const within = (at: number, size: number) => Math.max(EDGE, Math.min(size - EDGE, at));
     return [within(x, width), within(y, height)];
   }
@@ -72,26 +74,26 @@ export class Plane {
 
   /** The step in the latent space `[Q]` that is seen as one in the plane, in pixels to the right and down. */
   latentStep(right: number, down: number): number[] {
-    const q = this.view.projection.dimensions;
-    const share = (a: number) => this.steps[a]! * right + this.steps[q + a]! * down;
-    return Array.from({ length: q }, (_, a) => share(a) / this.scale ** 2);
+    const q = this.#view.projection.dimensions;
+    const share = (a: number) => this.#steps[a]! * right + this.#steps[q + a]! * down;
+    return Array.from({ length: q }, (_, a) => share(a) / this.#scale ** 2);
   }
 
   /** What is seen of a spread that is the same in all latent dimensions. */
   roundSpread(variance: number): Spread {
-    const q = this.view.projection.dimensions;
+    const q = this.#view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
-    for (let a = 0; a < q; a++) addProduct(seen, this.steps, q, a, a, variance);
+    for (let a = 0; a < q; a++) addProduct(seen, this.#steps, q, a, a, variance);
     return seen;
   }
 
   /** What is seen of row `index` of covariances [n x Q x Q]. */
   spread(covariances: Float64Array, index: number): Spread {
-    const q = this.view.projection.dimensions;
+    const q = this.#view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
     for (let a = 0; a < q; a++)
       for (let b = 0; b < q; b++)
-        addProduct(seen, this.steps, q, a, b, covariances[(index * q + a) * q + b]!);
+        addProduct(seen, this.#steps, q, a, b, covariances[(index * q + a) * q + b]!);
     return seen;
   }
 }

@@ -21,8 +21,7 @@ export interface PredictionPicture {
 }
 
 /** What is drawn, in pixels. */
-export interface DrawnPredictions {
-  frame: number;
+interface DrawnPredictions {
   experts: Ellipse[];
   product: Ellipse;
   /** The state before and the state now. */
@@ -41,7 +40,6 @@ export function layOut(plane: Plane, picture: PredictionPicture): DrawnPredictio
     return [x, y];
   };
   return {
-    frame,
     experts: said.experts.map(seen),
     product: seen(said.product),
     step: [state(frame - 1), state(frame)],
@@ -59,8 +57,8 @@ export interface BandLook {
  * stays the same while time goes on, so it is drawn once, on a canvas of its own.
  */
 export class StepBand {
-  private canvas: HTMLCanvasElement | null = null;
-  private drawn: (BandLook & { report: PredictionsReport }) | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+  #drawn: (BandLook & { report: PredictionsReport }) | null = null;
 
   /** Draws it behind what follows; `view` and `ratio` as of the picture. */
   draw(
@@ -71,8 +69,8 @@ export class StepBand {
   ): void {
     const { report } = said;
     const { view, colour, ratio } = look;
-    this.canvas ??= document.createElement("canvas");
-    const before = this.drawn;
+    this.#canvas ??= document.createElement("canvas");
+    const before = this.#drawn;
     if (
       before?.report !== report ||
       before.colour !== colour ||
@@ -80,9 +78,9 @@ export class StepBand {
       !sameView(before.view, view)
     ) {
       const { projection, turn, width, height } = view;
-      this.drawn = { report, colour, ratio, view: { projection, turn, width, height } };
-      [this.canvas.width, this.canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
-      const band = this.canvas.getContext("2d");
+      this.#drawn = { report, colour, ratio, view: { projection, turn, width, height } };
+      [this.#canvas.width, this.#canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+      const band = this.#canvas.getContext("2d");
       if (!band) return;
       band.scale(ratio, ratio);
       band.globalAlpha = 0.16;
@@ -92,7 +90,7 @@ export class StepBand {
       band.fill();
     }
     draw.globalAlpha = 1;
-    draw.drawImage(this.canvas, 0, 0, view.width, view.height);
+    draw.drawImage(this.#canvas, 0, 0, view.width, view.height);
   }
 }
 

@@ -24,8 +24,8 @@ export class PushHandle extends View {
   static override properties = { bodyPart: { type: Number }, name: {} };
   declare bodyPart: number;
   declare name: string;
-  private plane: Plane | null = null;
-  private held: { x: number; y: number } | null = null;
+  #plane: Plane | null = null;
+  #held: { x: number; y: number } | null = null;
 
   protected override stores() {
     return [];
@@ -33,49 +33,49 @@ export class PushHandle extends View {
 
   /** Stands where the marker is. */
   place(plane: Plane, [x, y]: readonly [number, number]): void {
-    this.plane = plane;
+    this.#plane = plane;
     this.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
   }
 
-  private push(dx: number, dy: number): void {
-    if (!this.plane) return;
-    const detail: PushPart = { part: this.bodyPart, by: this.plane.latentStep(dx, dy) };
+  #push(dx: number, dy: number): void {
+    if (!this.#plane) return;
+    const detail: PushPart = { part: this.bodyPart, by: this.#plane.latentStep(dx, dy) };
     this.dispatchEvent(new CustomEvent("push-part", { detail, bubbles: true }));
   }
 
   /** Neither the plot, which would turn, nor the page sees what is meant for the handle. */
-  private grab(event: PointerEvent): void {
+  #grab(event: PointerEvent): void {
     event.stopPropagation();
     if (event.button !== 0) return;
-    this.held = { x: event.clientX, y: event.clientY };
+    this.#held = { x: event.clientX, y: event.clientY };
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
   }
 
   /** The motion goes on under the finger, so only how far it goes counts, not where it is. */
-  private drag(event: PointerEvent): void {
-    if (!this.held) return;
+  #drag(event: PointerEvent): void {
+    if (!this.#held) return;
     const { clientX: x, clientY: y } = event;
-    this.push(x - this.held.x, y - this.held.y);
-    this.held = { x, y };
+    this.#push(x - this.#held.x, y - this.#held.y);
+    this.#held = { x, y };
   }
 
-  private drop(): void {
-    this.held = null;
+  #drop(): void {
+    this.#held = null;
   }
 
-  private keys(event: KeyboardEvent): void {
+  #keys(event: KeyboardEvent): void {
     const step = ARROWS[event.key];
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();
-    this.push(...step);
+    this.#push(...step);
   }
 
   protected override render() {
     const label = `State of ${this.name} now. Drag it, or use the arrow keys, to push this part.`;
     return html`<button type="button" aria-label=${label} title="Drag to push ${this.name}" data-testid="push-${this.bodyPart}"
-      @pointerdown=${this.grab} @pointermove=${this.drag} @pointerup=${this.drop} @pointercancel=${this.drop}
-      @keydown=${this.keys}></button>`;
+      @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#drop} @pointercancel=${this.#drop}
+      @keydown=${this.#keys}></button>`;
   }
 }
 customElements.define("pg-push-handle", PushHandle);

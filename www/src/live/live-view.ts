@@ -31,14 +31,14 @@ export class LiveView extends View {
     if (canvas) this.watchSize(canvas, () => this.requestUpdate());
     const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
     const picture = stage?.querySelector("canvas");
-    if (stage && picture) this.letDrag(stage, picture);
+    if (stage && picture) this.#letDrag(stage, picture);
     const page = this.closest("main");
     const push = ({ part, by }: PushPart) => this.live.push(part, by);
     if (page) this.listen(page, "push-part", (event) => push((event as CustomEvent<PushPart>).detail));
   }
 
   /** A node near the pointer follows it; anywhere else a drag turns the camera. */
-  private letDrag(stage: StageView, picture: HTMLCanvasElement): void {
+  #letDrag(stage: StageView, picture: HTMLCanvasElement): void {
     let held: { node: number; x: number; y: number } | null = null;
     const at = (event: PointerEvent) => {
       const { left, top } = picture.getBoundingClientRect();
@@ -80,7 +80,7 @@ export class LiveView extends View {
     });
   }
 
-  private get names(): string[] {
+  get #names(): string[] {
     return this.model.model?.info.parts.map(({ name }) => name) ?? [];
   }
 
@@ -90,7 +90,8 @@ export class LiveView extends View {
   }
 
   protected override render() {
-    const { live, names } = this;
+    const { live } = this;
+    const names = this.#names;
     if (!live.running) return nothing;
     const last = live.trace.at(-1);
     const cycle = (last?.phases.length ?? 0) > 0;

@@ -25,16 +25,16 @@ export class PrimitivesPage extends View {
   declare clips: ClipsStore;
   declare notices: NoticesStore;
 
-  private get library() {
+  get #library() {
     return this.primitives.library;
   }
 
   protected override stores() {
-    return [this.library, this.library.walk, this.notices];
+    return [this.#library, this.#library.walk, this.notices];
   }
 
   protected override arrived(): void {
-    void this.library.openFirst();
+    void this.#library.openFirst();
     this.listen(this, "put-on-stage", (event) => {
       // Its own, with the document in it, goes on to the page.
       if (event instanceof CustomEvent && event.detail === null) void this.#putOnStage(event);
@@ -44,7 +44,7 @@ export class PrimitivesPage extends View {
   async #putOnStage(event: Event): Promise<void> {
     event.stopPropagation();
     try {
-      const detail = await this.library.combinationText();
+      const detail = await this.#library.combinationText();
       this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
     } catch (problem) {
       this.notices.addError("This combination was not taken up", messageOf(problem));
@@ -61,12 +61,12 @@ export class PrimitivesPage extends View {
   }
 
   #save(): void {
-    download("library.json", new Blob([this.library.save()], { type: "application/json" }));
+    download("library.json", new Blob([this.#library.save()], { type: "application/json" }));
   }
 
   /** What library this is, and what can be done with it as a whole. */
   #head() {
-    const { known, before } = this.library;
+    const { known, before } = this.#library;
     if (!known) return nothing;
     const { movements, frameTime } = known.info;
     const learned = movements.filter(({ learned }) => learned);
@@ -79,7 +79,7 @@ export class PrimitivesPage extends View {
           ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}
           ${known.unsaved ? "It is not saved yet." : nothing}</span></p>
         <div class="button-row">
-          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.library.undo()}>Back to the library before</button>` : nothing}
+          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>Back to the library before</button>` : nothing}
           <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
           ${fileButton({
             label: "Open a library",

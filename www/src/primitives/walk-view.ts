@@ -131,7 +131,7 @@ export class WalkView extends View {
     const { recorded } = library;
     return html`
       <div class="walk-box">
-        <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="walk"
+        <canvas class="stage-canvas" tabindex="0" role="img" data-testid="walk"
           aria-label="A figure that goes on without an end: ${library.title}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         ${this.#slots()}

@@ -75,14 +75,14 @@ function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
 
 export class FigureView {
   readonly group = new Group();
-  private bones: { mesh: Mesh; capsule: Capsule }[] = [];
-  private balls: { mesh: Mesh; ball: Ball }[] = [];
-  private materials: MeshStandardMaterial[] = [];
-  private readonly a = new Vector3();
-  private readonly b = new Vector3();
-  private readonly side = new Vector3();
-  private readonly front = new Vector3();
-  private readonly basis = new Matrix4();
+  #bones: { mesh: Mesh; capsule: Capsule }[] = [];
+  #balls: { mesh: Mesh; ball: Ball }[] = [];
+  #materials: MeshStandardMaterial[] = [];
+  readonly #a = new Vector3();
+  readonly #b = new Vector3();
+  readonly #side = new Vector3();
+  readonly #front = new Vector3();
+  readonly #basis = new Matrix4();
 
   constructor(
     figure: Figure,
@@ -98,9 +98,9 @@ export class FigureView {
       const index = part[joint] ?? -1;
       let material = materials.get(index);
       if (!material) {
-        material = this.material(index, style);
+        material = this.#material(index, style);
         materials.set(index, material);
-        this.materials.push(material);
+        this.#materials.push(material);
       }
       return material;
     };
@@ -110,18 +110,18 @@ export class FigureView {
         materialOf(capsule.joint),
       );
       if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
-      this.bones.push({ mesh, capsule });
-      this.add(mesh, style);
+      this.#bones.push({ mesh, capsule });
+      this.#add(mesh, style);
     }
     for (const ball of shape.balls) {
       const mesh = new Mesh(new SphereGeometry(ball.radius, 28, 20), materialOf(ball.joint));
       mesh.scale.set(0.88, 1.12, 0.98);
-      this.balls.push({ mesh, ball });
-      this.add(mesh, style);
+      this.#balls.push({ mesh, ball });
+      this.#add(mesh, style);
     }
   }
 
-  private add(mesh: Mesh, style: FigureStyle): void {
+  #add(mesh: Mesh, style: FigureStyle): void {
     mesh.castShadow = style.kind === "solid";
     mesh.receiveShadow = style.kind === "solid";
     mesh.frustumCulled = false;
@@ -129,7 +129,7 @@ export class FigureView {
     this.group.add(mesh);
   }
 
-  private material(part: number, style: FigureStyle): MeshStandardMaterial {
+  #material(part: number, style: FigureStyle): MeshStandardMaterial {
     const { ghost } = theme();
     const own = part < 0 ? ghost : partColourNow(part);
     const look = { roughness: 0.62, metalness: 0 };
@@ -151,13 +151,13 @@ export class FigureView {
 
   /** Fades the whole figure, 0 to 1. */
   fade(opacity: number): void {
-    for (const material of this.materials) {
+    for (const material of this.#materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
       stencil(material, opacity < 1 ? PALE : SOLID);
       material.needsUpdate = true;
     }
-    for (const { mesh } of [...this.bones, ...this.balls]) {
+    for (const { mesh } of [...this.#bones, ...this.#balls]) {
       mesh.castShadow = opacity > 0.5;
       mesh.renderOrder = opacity < 1 ? 3 : 0;
     }
@@ -165,47 +165,42 @@ export class FigureView {
 
   /** Node positions [nodes x 3]. */
   pose(positions: Float32Array): void {
-    for (const { mesh, capsule } of this.bones) {
-      this.a.fromArray(positions, 3 * capsule.from);
-      this.b.fromArray(positions, 3 * capsule.to).sub(this.a);
-      const length = this.b.length();
-      mesh.position.copy(this.a);
+    for (const { mesh, capsule } of this.#bones) {
+      this.#a.fromArray(positions, 3 * capsule.from);
+      this.#b.fromArray(positions, 3 * capsule.to).sub(this.#a);
+      const length = this.#b.length();
+      mesh.position.copy(this.#a);
       if (length < 1e-6) continue;
-      this.b.divideScalar(length);
-      if (capsule.across) this.turnAcross(mesh, this.b, positions, capsule.across);
-      else mesh.quaternion.setFromUnitVectors(UP, this.b);
+      this.#b.divideScalar(length);
+      if (capsule.across) this.#turnAcross(mesh, this.#b, positions, capsule.across);
+      else mesh.quaternion.setFromUnitVectors(UP, this.#b);
     }
-    for (const { mesh, ball } of this.balls) {
+    for (const { mesh, ball } of this.#balls) {
       mesh.position.fromArray(positions, 3 * ball.node);
       if (ball.towards === null) continue;
-      this.b.fromArray(positions, 3 * ball.towards).sub(mesh.position);
-      const length = this.b.length();
-      if (length > 1e-6) mesh.quaternion.setFromUnitVectors(UP, this.b.clone().divideScalar(length));
-      mesh.position.addScaledVector(this.b, 0.5);
+      this.#b.fromArray(positions, 3 * ball.towards).sub(mesh.position);
+      const length = this.#b.length();
+      if (length > 1e-6) mesh.quaternion.setFromUnitVectors(UP, this.#b.clone().divideScalar(length));
+      mesh.position.addScaledVector(this.#b, 0.5);
     }
   }
 
   /** Lays a capsule along a bone, its wide side from the body's left to its right. */
-  private turnAcross(
-    mesh: Mesh,
-    along: Vector3,
-    positions: Float32Array,
-    [right, left]: [number, number],
-  ): void {
-    this.side.fromArray(positions, 3 * left).sub(this.front.fromArray(positions, 3 * right));
-    this.side.addScaledVector(along, -this.side.dot(along));
-    if (this.side.lengthSq() < 1e-8) {
+  #turnAcross(mesh: Mesh, along: Vector3, positions: Float32Array, [right, left]: [number, number]): void {
+    this.#side.fromArray(positions, 3 * left).sub(this.#front.fromArray(positions, 3 * right));
+    this.#side.addScaledVector(along, -this.#side.dot(along));
+    if (this.#side.lengthSq() < 1e-8) {
       mesh.quaternion.setFromUnitVectors(UP, along);
       return;
     }
-    this.side.normalize();
-    this.front.crossVectors(this.side, along);
-    mesh.quaternion.setFromRotationMatrix(this.basis.makeBasis(this.side, along, this.front));
+    this.#side.normalize();
+    this.#front.crossVectors(this.#side, along);
+    mesh.quaternion.setFromRotationMatrix(this.#basis.makeBasis(this.#side, along, this.#front));
   }
 
   dispose(): void {
-    for (const { mesh } of [...this.bones, ...this.balls]) mesh.geometry.dispose();
-    for (const material of this.materials) material.dispose();
+    for (const { mesh } of [...this.#bones, ...this.#balls]) mesh.geometry.dispose();
+    for (const material of this.#materials) material.dispose();
     this.group.removeFromParent();
   }
 }

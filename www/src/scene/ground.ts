@@ -61,13 +61,13 @@ void main() {
 
 export class Ground {
   readonly group = new Group();
-  private readonly grid: ShaderMaterial;
-  private readonly plane: Mesh;
-  private readonly shadow: Mesh<PlaneGeometry, ShadowMaterial>;
-  private contacts: Mesh<CircleGeometry, ShaderMaterial>[] = [];
+  readonly #grid: ShaderMaterial;
+  readonly #plane: Mesh;
+  readonly #shadow: Mesh<PlaneGeometry, ShadowMaterial>;
+  #contacts: Mesh<CircleGeometry, ShaderMaterial>[] = [];
 
   constructor() {
-    this.grid = new ShaderMaterial({
+    this.#grid = new ShaderMaterial({
       vertexShader: GRID_VERTEX,
       fragmentShader: GRID_FRAGMENT,
       uniforms: { colour: { value: new Color() }, middle: { value: new Vector3() }, strength: { value: 1 } },
@@ -76,33 +76,33 @@ export class Ground {
       side: DoubleSide,
     });
     const flat = (reach: number) => new PlaneGeometry(2 * reach, 2 * reach).rotateX(-Math.PI / 2);
-    this.plane = new Mesh(flat(REACH), this.grid);
-    this.plane.renderOrder = -3;
-    this.shadow = new Mesh(flat(SHADOW_REACH), new ShadowMaterial({ transparent: true, depthWrite: false }));
-    this.shadow.receiveShadow = true;
-    this.shadow.position.y = 0.001;
-    this.shadow.renderOrder = -2;
-    this.group.add(this.plane, this.shadow);
+    this.#plane = new Mesh(flat(REACH), this.#grid);
+    this.#plane.renderOrder = -3;
+    this.#shadow = new Mesh(flat(SHADOW_REACH), new ShadowMaterial({ transparent: true, depthWrite: false }));
+    this.#shadow.receiveShadow = true;
+    this.#shadow.position.y = 0.001;
+    this.#shadow.renderOrder = -2;
+    this.group.add(this.#plane, this.#shadow);
     this.recolour();
   }
 
   recolour(): void {
     const { dark } = theme();
-    this.grid.uniforms.colour!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
-    this.grid.uniforms.strength!.value = dark ? 0.3 : 0.28;
-    this.shadow.material.opacity = dark ? 0.5 : 0.2;
+    this.#grid.uniforms.colour!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
+    this.#grid.uniforms.strength!.value = dark ? 0.3 : 0.28;
+    this.#shadow.material.opacity = dark ? 0.5 : 0.2;
   }
 
   /** Keeps the middle under the figure; the lines stay where they are in the world. */
   follow(x: number, z: number): void {
-    this.plane.position.set(x, 0, z);
-    this.shadow.position.set(x, 0.001, z);
-    (this.grid.uniforms.middle!.value as Vector3).set(x, 0, z);
+    this.#plane.position.set(x, 0, z);
+    this.#shadow.position.set(x, 0.001, z);
+    (this.#grid.uniforms.middle!.value as Vector3).set(x, 0, z);
   }
 
   /** A soft shade under each of these nodes, the darker the closer they are to the ground. */
   touch(positions: Float32Array, nodes: readonly number[], floor: number): void {
-    while (this.contacts.length < nodes.length) {
+    while (this.#contacts.length < nodes.length) {
       const geometry = new CircleGeometry(1, 24).rotateX(-Math.PI / 2);
       const material = new ShaderMaterial({
         vertexShader: CONTACT_VERTEX,
@@ -113,11 +113,11 @@ export class Ground {
       });
       const mesh = new Mesh(geometry, material);
       mesh.renderOrder = -1;
-      this.contacts.push(mesh);
+      this.#contacts.push(mesh);
       this.group.add(mesh);
     }
     const most = theme().dark ? 0.55 : 0.3;
-    this.contacts.forEach((mesh, i) => {
+    this.#contacts.forEach((mesh, i) => {
       const node = nodes[i];
       mesh.visible = node !== undefined;
       if (node === undefined) return;
@@ -129,7 +129,7 @@ export class Ground {
   }
 
   dispose(): void {
-    for (const mesh of [this.plane, this.shadow, ...this.contacts]) {
+    for (const mesh of [this.#plane, this.#shadow, ...this.#contacts]) {
       mesh.geometry.dispose();
       (mesh.material as Material).dispose();
     }

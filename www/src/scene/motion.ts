@@ -147,11 +147,11 @@ export function findLoop(motion: Motion): Loop {
  */
 export class Walk {
   readonly loop: Loop;
-  private placement: Placement = HERE;
+  #placement: Placement = HERE;
   /** Where the lap before this one was placed, while it fades. */
-  private before: Placement | null = null;
-  private readonly pose: Float32Array;
-  private readonly other: Float32Array;
+  #before: Placement | null = null;
+  readonly #pose: Float32Array;
+  readonly #other: Float32Array;
 
   /** `whole`: a lap takes in every frame, however badly the ends meet. */
   constructor(
@@ -159,33 +159,33 @@ export class Walk {
     whole = false,
   ) {
     this.loop = whole ? wholeLoop(motion) : findLoop(motion);
-    this.pose = new Float32Array(motion.nodes * 3);
-    this.other = new Float32Array(motion.nodes * 3);
+    this.#pose = new Float32Array(motion.nodes * 3);
+    this.#other = new Float32Array(motion.nodes * 3);
   }
 
   /** The next lap begins where this one ends. */
   lap(): void {
-    this.before = this.placement;
-    this.placement = chain(this.loop.placement, this.placement);
+    this.#before = this.#placement;
+    this.#placement = chain(this.loop.placement, this.#placement);
   }
 
   /** Back to where the motion itself says. */
   settle(): void {
-    this.before = null;
+    this.#before = null;
   }
 
   /** Stands where `pose` (the same figure, from another motion) stands now. */
   standAt(frame: number, pose: Float32Array): void {
-    this.before = null;
-    this.placement = placeOnto(poseAt(this.motion, frame, HERE, this.pose), pose);
+    this.#before = null;
+    this.#placement = placeOnto(poseAt(this.motion, frame, HERE, this.#pose), pose);
   }
 
   at(frame: number): Float32Array {
-    poseAt(this.motion, frame, this.placement, this.pose);
-    if (this.before && frame < FADE) {
-      poseAt(this.motion, this.loop.end + frame, this.before, this.other);
-      blendInto(this.pose, this.other, 1 - frame / FADE);
+    poseAt(this.motion, frame, this.#placement, this.#pose);
+    if (this.#before && frame < FADE) {
+      poseAt(this.motion, this.loop.end + frame, this.#before, this.#other);
+      blendInto(this.#pose, this.#other, 1 - frame / FADE);
     }
-    return this.pose;
+    return this.#pose;
   }
 }

@@ -10,30 +10,30 @@ export type Fineness = "fine" | "plain" | "coarse";
 
 export class Pace {
   /** Seconds a drawn frame takes, smoothed. */
-  private taken = 0.017;
-  private slow = false;
-  private sinceChange = REST;
-  private coarse = false;
-  private drew = false;
+  #taken = 0.017;
+  #slow = false;
+  #sinceChange = REST;
+  #coarse = false;
+  #drew = false;
 
   /**
    * Called once a display frame. `seconds` since the last call; `changed`: there is something to draw;
    * `playing`: or soon will be.
    */
   next(seconds: number, changed: boolean, playing: boolean): Fineness {
-    if (this.drew) this.taken += 0.1 * (Math.min(seconds, 0.2) - this.taken);
-    this.drew = false;
-    this.slow = this.taken > (this.slow ? FAST : SLOW);
-    const again = changed && this.sinceChange < REST;
-    this.sinceChange = changed ? 0 : this.sinceChange + seconds;
+    if (this.#drew) this.#taken += 0.1 * (Math.min(seconds, 0.2) - this.#taken);
+    this.#drew = false;
+    this.#slow = this.#taken > (this.#slow ? FAST : SLOW);
+    const again = changed && this.#sinceChange < REST;
+    this.#sinceChange = changed ? 0 : this.#sinceChange + seconds;
     // Changes in quick succession without play: something is dragged, and its answers matter more than the
     // picture.
-    this.coarse = this.slow && !playing && (again || (this.coarse && this.sinceChange < REST));
-    return this.coarse ? "coarse" : this.slow ? "plain" : "fine";
+    this.#coarse = this.#slow && !playing && (again || (this.#coarse && this.#sinceChange < REST));
+    return this.#coarse ? "coarse" : this.#slow ? "plain" : "fine";
   }
 
   /** The frame of the last call of `next` was drawn. */
   drawn(): void {
-    this.drew = true;
+    this.#drew = true;
   }
 }

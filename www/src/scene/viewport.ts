@@ -111,9 +111,9 @@ export class Viewport {
     return fineness;
   }
 
-  /** The picture was drawn; `empty` when there was nothing in it. */
-  finish(empty = false): void {
-    if (!empty) this.canvas.dataset.framesDrawn = String(++this.#drawn);
+  /** The picture was drawn. */
+  finish(): void {
+    this.#drawn += 1;
     this.#pace.drawn();
   }
 

@@ -31,15 +31,15 @@ export class ColumnsView extends View {
       // The stage says that nothing can be drawn here.
       return;
     }
-    this.keepDrawing(this.#columns);
+    this.#keepDrawing(this.#columns);
     this.whenLeaving(() => {
       this.#columns?.dispose();
       [this.#columns, this.#shown, this.#body] = [null, null, null];
     });
-    this.show();
+    this.#show();
   }
 
-  private keepDrawing(columns: Columns): void {
+  #keepDrawing(columns: Columns): void {
     let drawnAt = -1;
     const draw = (seconds: number) => {
       const { frame, playing } = this.playback;
@@ -51,11 +51,11 @@ export class ColumnsView extends View {
   }
 
   protected override updated(): void {
-    this.show();
+    this.#show();
   }
 
   /** Gives the columns the motions that they do not show yet. */
-  private show(): void {
+  #show(): void {
     const { columns, shown } = this.stage;
     if (!this.#columns || !columns || !shown || columns === this.#shown) return;
     // Motions of a body that is not on the stage yet, or not any more.
@@ -73,7 +73,7 @@ export class ColumnsView extends View {
     if (!columns) return nothing;
     const titles = columns.map(({ title }) => title);
     return html`
-      <canvas class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="stage-columns"
+      <canvas class="stage-canvas" tabindex="0" role="img" data-testid="stage-columns"
         aria-label="${columns.length} figures side by side: ${titles.join(", ")}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
       <ol class="stage-columns" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
   }

@@ -6,39 +6,39 @@ export class Player {
   playing = false;
   speed = 1;
   loops = true;
-  private frames = 1;
-  private loopEnd = 0;
-  private frameTime = 1 / 30;
+  #frames = 1;
+  #loopEnd = 0;
+  #frameTime = 1 / 30;
   /** Frames go on arriving: at the last one the clock waits. */
-  private endless = false;
+  #endless = false;
 
   /**
    * Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it.
    */
   load(frames: number, frameTime: number, loopEnd: number): void {
-    this.frames = frames;
-    this.frameTime = frameTime;
-    this.endless = false;
-    this.loopEnd = Math.min(loopEnd, frames - 1);
+    this.#frames = frames;
+    this.#frameTime = frameTime;
+    this.#endless = false;
+    this.#loopEnd = Math.min(loopEnd, frames - 1);
     if (this.frame > this.last) this.frame = this.loops ? 0 : this.last;
   }
 
   /** Plays what goes on arriving, of which the newest frame is the `last`. */
   follow(last: number, frameTime: number): void {
-    this.frames = last + 1;
-    this.frameTime = frameTime;
-    this.endless = true;
+    this.#frames = last + 1;
+    this.#frameTime = frameTime;
+    this.#endless = true;
   }
 
   get last(): number {
-    return this.frames - 1;
+    return this.#frames - 1;
   }
 
   /** Moves the clock on by seconds of the visitor's time; answers how many laps ended meanwhile. */
   advance(seconds: number): number {
     if (!this.playing || this.last < 1) return 0;
-    this.frame += (seconds * this.speed) / this.frameTime;
-    if (this.endless) {
+    this.frame += (seconds * this.speed) / this.#frameTime;
+    if (this.#endless) {
       this.frame = Math.min(this.frame, this.last);
       return 0;
     }
@@ -51,7 +51,7 @@ export class Player {
     }
     // Scrubbed beyond the place to loop from: play on to the end.
     const end =
-      this.frame - (seconds * this.speed) / this.frameTime > this.loopEnd ? this.last : this.loopEnd;
+      this.frame - (seconds * this.speed) / this.#frameTime > this.#loopEnd ? this.last : this.#loopEnd;
     let laps = 0;
     while (this.frame >= end && end > 0) {
       this.frame -= end;
@@ -61,7 +61,7 @@ export class Player {
   }
 
   play(): void {
-    if (!this.loops && !this.endless && this.frame >= this.last) this.frame = 0;
+    if (!this.loops && !this.#endless && this.frame >= this.last) this.frame = 0;
     this.playing = true;
   }
 
@@ -73,7 +73,7 @@ export class Player {
   step(direction: 1 | -1): void {
     this.playing = false;
     const next = direction > 0 ? Math.floor(this.frame + 1e-6) + 1 : Math.ceil(this.frame - 1e-6) - 1;
-    const beyond = this.endless ? this.last : 0;
+    const beyond = this.#endless ? this.last : 0;
     this.frame = next < 0 ? this.last : next > this.last ? beyond : next;
   }
 

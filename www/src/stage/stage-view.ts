@@ -17,7 +17,7 @@ export class StageView extends View {
   declare running: boolean;
   /** Null where there is no WebGL. */
   scene: Stage | null = null;
-  private problem = "";
+  #problem = "";
 
   protected override stores() {
     return [this.stage];
@@ -26,23 +26,23 @@ export class StageView extends View {
   protected override arrived(): void {
     const canvas = this.querySelector("canvas");
     if (!canvas) return;
-    this.keepTime();
+    this.#keepTime();
     try {
       this.scene = new Stage(this.stage, this.playback, canvas);
     } catch {
-      this.problem =
+      this.#problem =
         "This browser shows no 3-D graphics (WebGL), so the figure cannot be drawn. The latent plots, couplings and training work all the same.";
       this.requestUpdate();
       return;
     }
     const { scene } = this;
     this.listen(canvas, "webglcontextlost", () => {
-      this.problem =
+      this.#problem =
         "The browser has taken the 3-D graphics away, perhaps because other pages need them. The figure comes back when it gives them back; reloading the page may help.";
       this.requestUpdate();
     });
     this.listen(canvas, "webglcontextrestored", () => {
-      this.problem = "";
+      this.#problem = "";
       scene.update();
       this.requestUpdate();
     });
@@ -52,7 +52,7 @@ export class StageView extends View {
   }
 
   /** Moves the clock on and draws, once a display frame. */
-  private keepTime(): void {
+  #keepTime(): void {
     const frame = (seconds: number) => {
       if (!this.running) return;
       this.playback.advance(seconds);
@@ -65,7 +65,7 @@ export class StageView extends View {
    * Several motions side by side, drawn by what comes when they are first asked for; where it does not come,
    * the model walks alone.
    */
-  private columns() {
+  #columns() {
     if (!this.stage.columns) return nothing;
     import("./columns-view").catch(() => this.stage.setColumns(null));
     return html`<pg-columns .stage=${this.stage} .playback=${this.playback}></pg-columns>`;
@@ -74,11 +74,11 @@ export class StageView extends View {
   protected override render() {
     return html`
       <canvas ?hidden=${this.stage.columns !== null}
-        class="stage-canvas" tabindex="0" role="img" data-frames-drawn="0" data-testid="stage"
+        class="stage-canvas" tabindex="0" role="img" data-testid="stage"
         aria-label="A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus."
       ></canvas>
-      ${this.problem ? html`<p class="stage-problem" role="alert">${this.problem}</p>` : nothing}
-      ${this.columns()}
+      ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
+      ${this.#columns()}
       <ul class="stage-legend" aria-label="Parts">
         ${(this.stage.shown?.parts ?? []).map(
           ({ name }, part) =>

@@ -27,175 +27,175 @@ const HIGHER = 0.09;
 const SHADOW = 1024;
 
 export class Stage {
-  private readonly viewport: Viewport;
-  private readonly scene = new Scene();
-  private readonly ground = new Ground();
-  private readonly lights = new Lights(this.scene, SHADOW);
-  private figure: FigureView | null = null;
-  private ghost: FigureView | null = null;
-  private marked: FigureView[] = [];
-  private futures: FigureView[] = [];
+  readonly #store: StageStore;
+  readonly #playback: Playback;
+  readonly #viewport: Viewport;
+  readonly #scene = new Scene();
+  readonly #ground = new Ground();
+  readonly #lights = new Lights(this.#scene, SHADOW);
+  #figure: FigureView | null = null;
+  #ghost: FigureView | null = null;
+  #marked: FigureView[] = [];
+  #futures: FigureView[] = [];
   /** What the figure, and the marked poses, were made for. */
-  private figureOf: Shown | null = null;
-  private markedOf: Marks | null = null;
-  private feet: number[] = [];
-  private floor = 0;
-  private readonly focus = new Vector3(0, MIDDLE, 0);
+  #figureOf: Shown | null = null;
+  #markedOf: Marks | null = null;
+  #feet: number[] = [];
+  #floor = 0;
+  readonly #focus = new Vector3(0, MIDDLE, 0);
   /** Where the figure was when last drawn. */
-  private readonly root = new Vector3();
-  private placed = false;
+  readonly #root = new Vector3();
+  #placed = false;
   /** The pose of a figure that walks along with the one on the stage. */
-  private besidePose = new Float32Array(0);
+  #besidePose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
-  constructor(
-    private readonly store: StageStore,
-    private readonly playback: Playback,
-    canvas: HTMLCanvasElement,
-  ) {
-    this.viewport = new Viewport(canvas, {
+  constructor(store: StageStore, playback: Playback, canvas: HTMLCanvasElement) {
+    this.#store = store;
+    this.#playback = playback;
+    this.#viewport = new Viewport(canvas, {
       resized: (width, height) => {
-        const { camera } = this.viewport;
+        const { camera } = this.#viewport;
         camera.aspect = width / height;
         // A strip chart covers the lower end of a live picture.
-        const lower = this.store.shown?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
+        const lower = this.#store.shown?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
         camera.setViewOffset(width, height, 0, -lower * height, width, height);
       },
-      recoloured: () => this.recolour(),
+      recoloured: () => this.#recolour(),
     });
-    const { controls } = this.viewport;
+    const { controls } = this.#viewport;
     const glide = { enableDamping: true, dampingFactor: 0.12 };
     Object.assign(controls, { ...glide, minDistance: 1.6, maxDistance: 12, zoomSpeed: 0.7 });
-    controls.target.copy(this.focus);
-    this.scene.add(this.ground.group);
-    this.viewport.resize();
+    controls.target.copy(this.#focus);
+    this.#scene.add(this.#ground.group);
+    this.#viewport.resize();
     this.update();
   }
 
   /** Gives the graphics memory back. */
   dispose(): void {
-    this.clear();
-    this.lights.dispose();
-    this.ground.dispose();
-    this.viewport.dispose();
+    this.#clear();
+    this.#lights.dispose();
+    this.#ground.dispose();
+    this.#viewport.dispose();
   }
 
   /** Takes the colours of the page over. */
-  private recolour(): void {
-    this.lights.recolour();
-    this.ground.recolour();
-    this.clear();
+  #recolour(): void {
+    this.#lights.recolour();
+    this.#ground.recolour();
+    this.#clear();
     this.update();
   }
 
   /** Another frame is to be drawn. */
   tick(): void {
-    this.viewport.changed();
+    this.#viewport.changed();
   }
 
-  private make(shown: Shown, style: FigureStyle): FigureView {
+  #make(shown: Shown, style: FigureStyle): FigureView {
     const pose = poseAt(shown.motion, 0, HERE, new Float32Array(shown.motion.nodes * 3));
     const view = new FigureView(shown.figure, shown.joints, shown.parts, pose, style);
-    this.scene.add(view.group);
+    this.#scene.add(view.group);
     return view;
   }
 
   /** Takes away all figures. */
-  private clear(): void {
-    for (const figure of [this.figure, this.ghost, ...this.marked, ...this.futures]) figure?.dispose();
-    [this.figure, this.ghost, this.marked, this.futures] = [null, null, [], []];
-    [this.figureOf, this.markedOf] = [null, null];
+  #clear(): void {
+    for (const figure of [this.#figure, this.#ghost, ...this.#marked, ...this.#futures]) figure?.dispose();
+    [this.#figure, this.#ghost, this.#marked, this.#futures] = [null, null, [], []];
+    [this.#figureOf, this.#markedOf] = [null, null];
   }
 
   /** Makes the figures of what is shown now. */
   update(): void {
-    this.viewport.changed();
-    const { shown } = this.store;
+    this.#viewport.changed();
+    const { shown } = this.#store;
     if (!shown) return;
-    this.updateFigure(shown);
-    this.updateGhost(shown);
-    this.updateFutures(shown);
-    this.updateMarked(shown);
+    this.#updateFigure(shown);
+    this.#updateGhost(shown);
+    this.#updateFutures(shown);
+    this.#updateMarked(shown);
   }
 
-  private updateFigure(shown: Shown): void {
-    const before = this.figureOf;
+  #updateFigure(shown: Shown): void {
+    const before = this.#figureOf;
     if (before === shown) return;
-    this.figureOf = shown;
-    if (before?.live !== shown.live) this.viewport.resize();
+    this.#figureOf = shown;
+    if (before?.live !== shown.live) this.#viewport.resize();
     if (!before || !sameBody(before, shown)) {
-      this.clear();
-      this.figureOf = shown;
-      this.figure = this.make(shown, { kind: "solid" });
-      this.floor = floorOf(shown.motion) - SOLE;
-      this.feet = feetOf(shown.motion, this.floor + SOLE);
-      this.ground.group.position.y = this.floor;
+      this.#clear();
+      this.#figureOf = shown;
+      this.#figure = this.#make(shown, { kind: "solid" });
+      this.#floor = floorOf(shown.motion) - SOLE;
+      this.#feet = feetOf(shown.motion, this.#floor + SOLE);
+      this.#ground.group.position.y = this.#floor;
     }
-    if (!this.placed || (before && before.motion.nodes !== shown.motion.nodes)) this.placeCamera(shown);
-    else if (before?.clip !== shown.clip) this.keepInPicture(shown);
+    if (!this.#placed || (before && before.motion.nodes !== shown.motion.nodes)) this.#placeCamera(shown);
+    else if (before?.clip !== shown.clip) this.#keepInPicture(shown);
   }
 
-  private updateGhost(shown: Shown): void {
-    if (shown.kind === "model" && !shown.live && this.store.ghost) {
-      this.ghost ??= this.make(shown, { kind: "ghost" });
+  #updateGhost(shown: Shown): void {
+    if (shown.kind === "model" && !shown.live && this.#store.ghost) {
+      this.#ghost ??= this.#make(shown, { kind: "ghost" });
     } else {
-      this.ghost?.dispose();
-      this.ghost = null;
+      this.#ghost?.dispose();
+      this.#ghost = null;
     }
   }
 
-  private updateFutures(shown: Shown): void {
-    const count = shown.kind === "model" && !shown.live ? this.store.futures.length : 0;
-    for (const figure of this.futures.splice(count)) figure.dispose();
-    while (this.futures.length < count)
-      this.futures.push(this.make(shown, { kind: "future", index: this.futures.length }));
+  #updateFutures(shown: Shown): void {
+    const count = shown.kind === "model" && !shown.live ? this.#store.futures.length : 0;
+    for (const figure of this.#futures.splice(count)) figure.dispose();
+    while (this.#futures.length < count)
+      this.#futures.push(this.#make(shown, { kind: "future", index: this.#futures.length }));
   }
 
   /** The poses that an inducing point stands for. */
-  private updateMarked(shown: Shown): void {
-    const marks = shown.kind === "model" ? this.store.marks : null;
-    if (this.markedOf === marks) return;
-    this.markedOf = marks;
-    for (const figure of this.marked) figure.dispose();
-    this.marked = (marks?.poses ?? []).map(({ part, opacity }) =>
-      this.make(shown, { kind: "accent", part, opacity }),
+  #updateMarked(shown: Shown): void {
+    const marks = shown.kind === "model" ? this.#store.marks : null;
+    if (this.#markedOf === marks) return;
+    this.#markedOf = marks;
+    for (const figure of this.#marked) figure.dispose();
+    this.#marked = (marks?.poses ?? []).map(({ part, opacity }) =>
+      this.#make(shown, { kind: "accent", part, opacity }),
     );
-    this.figure?.fade(this.marked.length > 0 ? 0.12 : 1);
+    this.#figure?.fade(this.#marked.length > 0 ? 0.12 : 1);
   }
 
   /** How far away the whole motion is in the picture. */
-  private distance(motion: Motion): number {
-    const { camera, controls } = this.viewport;
+  #distance(motion: Motion): number {
+    const { camera, controls } = this.#viewport;
     const slope = Math.tan((camera.fov * Math.PI) / 360);
     const least = camera.aspect < 0.9 ? NEAR_HIGH : NEAR;
-    const needed = distanceFor(motion, this.floor, slope, camera.aspect);
+    const needed = distanceFor(motion, this.#floor, slope, camera.aspect);
     return Math.min(controls.maxDistance, Math.max(least, needed));
   }
 
   /** Goes as far away from another clip as it needs, in the direction in which the visitor looks. */
-  private keepInPicture({ motion }: Shown): void {
-    const { camera, controls } = this.viewport;
+  #keepInPicture({ motion }: Shown): void {
+    const { camera, controls } = this.#viewport;
     const offset = camera.position.clone().sub(controls.target);
-    camera.position.copy(controls.target).add(offset.setLength(this.distance(motion)));
+    camera.position.copy(controls.target).add(offset.setLength(this.#distance(motion)));
   }
 
   /** Looks at the walk from the side and a little from the front. */
-  private placeCamera({ motion }: Shown): void {
-    const { pose } = this.playback;
+  #placeCamera({ motion }: Shown): void {
+    const { pose } = this.#playback;
     if (!pose) return;
-    this.focus.fromArray(pose).setY(this.floor + MIDDLE);
-    this.root.copy(this.focus);
-    const { camera, controls } = this.viewport;
-    const away = this.distance(motion);
+    this.#focus.fromArray(pose).setY(this.#floor + MIDDLE);
+    this.#root.copy(this.#focus);
+    const { camera, controls } = this.#viewport;
+    const away = this.#distance(motion);
     const angle = headingOf(motion) + 0.95;
-    controls.target.copy(this.focus);
+    controls.target.copy(this.#focus);
     camera.position.set(
-      this.focus.x + away * Math.sin(angle),
-      this.focus.y + 0.5,
-      this.focus.z + away * Math.cos(angle),
+      this.#focus.x + away * Math.sin(angle),
+      this.#focus.y + 0.5,
+      this.#focus.z + away * Math.cos(angle),
     );
     controls.update();
-    this.placed = true;
+    this.#placed = true;
   }
 
   /**
@@ -203,12 +203,12 @@ export class Stage {
    * none.
    */
   nodeAt(x: number, y: number, within: number): number | null {
-    const { pose } = this.playback;
+    const { pose } = this.#playback;
     if (!pose) return null;
-    const { width, height } = this.viewport.size;
+    const { width, height } = this.#viewport.size;
     let best: { node: number; away: number } | null = null;
     for (let node = 0; node < pose.length / 3; node++) {
-      const seen = new Vector3().fromArray(pose, 3 * node).project(this.viewport.camera);
+      const seen = new Vector3().fromArray(pose, 3 * node).project(this.#viewport.camera);
       const away = Math.hypot(((seen.x + 1) / 2) * width - x, ((1 - seen.y) / 2) * height - y);
       if (away < (best?.away ?? within)) best = { node, away };
     }
@@ -217,8 +217,8 @@ export class Stage {
 
   /** How far, in metres, a node moves in the plane of the picture when it is dragged by so many pixels. */
   dragged(node: number, dx: number, dy: number): [number, number, number] {
-    const { camera, size } = this.viewport;
-    const { pose } = this.playback;
+    const { camera, size } = this.#viewport;
+    const { pose } = this.#playback;
     if (!pose) return [0, 0, 0];
     const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
     const moved = new Vector3(
@@ -232,69 +232,69 @@ export class Stage {
 
   /** Whether a drag turns the camera. */
   set turns(on: boolean) {
-    this.viewport.controls.enableRotate = on;
+    this.#viewport.controls.enableRotate = on;
   }
 
   /** Draws when something changed. `seconds` since the last call. */
   draw(seconds: number): void {
-    const { viewport } = this;
-    const fineness = viewport.next(seconds, this.playback.playing);
+    const viewport = this.#viewport;
+    const fineness = viewport.next(seconds, this.#playback.playing);
     if (fineness === null) return;
-    this.drawShadows(fineness);
-    const { pose } = this.playback;
-    if (pose && this.figure) this.poseAll(pose, seconds);
-    viewport.renderer.render(this.scene, viewport.camera);
-    viewport.finish(this.figure === null);
+    this.#drawShadows(fineness);
+    const { pose } = this.#playback;
+    if (pose && this.#figure) this.#poseAll(pose, seconds);
+    viewport.renderer.render(this.#scene, viewport.camera);
+    viewport.finish();
   }
 
-  private poseAll(pose: Float32Array, seconds: number): void {
-    this.figure?.pose(pose);
-    this.poseBeside(this.ghost, this.store.ghost, pose);
-    this.futures.forEach((figure, i) => this.poseBeside(figure, this.store.futures[i], pose));
-    this.marked.forEach((figure, i) => {
-      const marked = this.markedOf?.poses[i];
+  #poseAll(pose: Float32Array, seconds: number): void {
+    this.#figure?.pose(pose);
+    this.#poseBeside(this.#ghost, this.#store.ghost, pose);
+    this.#futures.forEach((figure, i) => this.#poseBeside(figure, this.#store.futures[i], pose));
+    this.#marked.forEach((figure, i) => {
+      const marked = this.#markedOf?.poses[i];
       if (marked) figure.pose(placed(marked.positions, pose));
     });
-    this.followWalk(pose, seconds);
-    this.ground.touch(pose, this.marked.length > 0 ? [] : this.feet, this.floor);
+    this.#followWalk(pose, seconds);
+    this.#ground.touch(pose, this.#marked.length > 0 ? [] : this.#feet, this.#floor);
   }
 
   /** On a machine that falls behind the shadow is drawn anew every third frame only. */
-  private drawShadows(fineness: Fineness): void {
-    const { renderer, drawn } = this.viewport;
+  #drawShadows(fineness: Fineness): void {
+    const { renderer, drawn } = this.#viewport;
     renderer.shadowMap.autoUpdate = fineness === "fine";
     renderer.shadowMap.needsUpdate = fineness === "plain" && drawn % 3 === 0;
   }
 
   /** Poses a figure as its motion is now, laid onto the pose of the one on the stage. */
-  private poseBeside(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
+  #poseBeside(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
     if (!figure || !motion || motion.nodes * 3 !== pose.length) return;
-    if (this.besidePose.length !== pose.length) this.besidePose = new Float32Array(pose.length);
-    const { frame } = this.playback;
-    poseAt(motion, frame, HERE, this.besidePose);
-    figure.pose(poseAt(motion, frame, placeOnto(this.besidePose, pose), this.besidePose));
+    if (this.#besidePose.length !== pose.length) this.#besidePose = new Float32Array(pose.length);
+    const { frame } = this.#playback;
+    poseAt(motion, frame, HERE, this.#besidePose);
+    figure.pose(poseAt(motion, frame, placeOnto(this.#besidePose, pose), this.#besidePose));
   }
 
   /**
    * Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it
    * is stepped or scrubbed.
    */
-  private followWalk(pose: Float32Array, seconds: number): void {
+  #followWalk(pose: Float32Array, seconds: number): void {
     const { x, z } = new Vector3().fromArray(pose);
-    let [dx, dz] = [x - this.focus.x, z - this.focus.z];
+    let [dx, dz] = [x - this.#focus.x, z - this.#focus.z];
     if (Math.hypot(dx, dz) < 3) {
       const part = 1 - Math.exp(-9 * Math.min(seconds, 0.1));
-      [dx, dz] = this.playback.playing ? [part * dx, part * dz] : [x - this.root.x, z - this.root.z];
+      [dx, dz] = this.#playback.playing ? [part * dx, part * dz] : [x - this.#root.x, z - this.#root.z];
     }
-    this.root.set(x, 0, z);
-    this.focus.x += dx;
-    this.focus.z += dz;
-    const { camera, controls } = this.viewport;
+    this.#root.set(x, 0, z);
+    this.#focus.x += dx;
+    this.#focus.z += dz;
+    const { camera, controls } = this.#viewport;
     camera.position.x += dx;
     camera.position.z += dz;
-    controls.target.copy(this.focus);
-    this.ground.follow(x, z);
-    this.lights.follow(x, this.floor, z);
+    controls.target.copy(this.#focus);
+    this.#ground.follow(x, z);
+    this.#lights.follow(x, this.#floor, z);
   }
 }
 

@@ -14,7 +14,7 @@ export class TimelineView extends View {
   declare stage: StageStore;
   declare playback: Playback;
   declare settings: SettingsStore;
-  private drawn: { marks: Marks | null; width: number } | null = null;
+  #drawn: { marks: Marks | null; width: number } | null = null;
 
   protected override stores() {
     return [this.stage, this.playback, this.settings];
@@ -22,7 +22,7 @@ export class TimelineView extends View {
 
   protected override arrived(): void {
     const redraw = () => {
-      this.drawn = null;
+      this.#drawn = null;
       this.requestUpdate();
     };
     this.whenLeaving(onThemeChange(redraw));
@@ -33,13 +33,13 @@ export class TimelineView extends View {
     if (!canvas) return;
     const { marks } = this.stage;
     const width = canvas.clientWidth;
-    if (this.drawn?.marks === marks && this.drawn.width === width) return;
-    this.drawn = { marks, width };
+    if (this.#drawn?.marks === marks && this.#drawn.width === width) return;
+    this.#drawn = { marks, width };
     drawMarks(canvas, marks);
   }
 
   /** Where the motion is the model's its length can be chosen; a clip has its own. */
-  private length(frameTime: number, last: string) {
+  #length(frameTime: number, last: string) {
     if (this.stage.shown?.live) return nothing;
     if (this.stage.shown?.kind !== "model") return html`<span> / ${last} s</span>`;
     const { frames } = this.settings.values;
@@ -57,7 +57,7 @@ export class TimelineView extends View {
   }
 
   /** The model's motion: a clip of some seconds, or live, without an end. */
-  private modes() {
+  #modes() {
     const { shown } = this.stage;
     if (shown?.kind !== "model") return nothing;
     const live = shown.live === true;
@@ -84,14 +84,14 @@ export class TimelineView extends View {
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round step" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
         <button class="round step" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
-        ${this.modes()}
+        ${this.#modes()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
           <input type="range" aria-label="Frame" data-testid="scrub" ?disabled=${this.stage.shown?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
-        <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.length(frameTime, seconds(lastFrame))}</span>
+        <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
         <button class="round toggle" aria-label="Loop" title="Loop" aria-pressed=${loop ? "true" : "false"}
           @click=${() => settings.change({ loop: !loop })}>${icon("loop")}</button>
         <label class="speed"><span class="hidden">Speed</span>
