@@ -11,7 +11,7 @@ const wasmPackage = (folder: string) =>
 const WHEN_ASKED = [
   "app/help",
   "app/saving",
-  "app/visit",
+  "app/holdings",
   "app/stage-files",
   "clips/parts-editor",
   "clips/trim",
@@ -36,7 +36,7 @@ const WHEN_ASKED = [
   "training/runs-table",
   "ui/dialog",
   "ui/part-names",
-  "ui/unsaved-dialog",
+  "ui/choice-dialog",
 ];
 const isAsked = (file: string) =>
   file.includes("/uplot/") ||

@@ -47,11 +47,11 @@ export class App {
     return comparison;
   });
 
-  /** What a visit holds is kept from now on. */
+  /** Stores what this visit holds from now on. */
   readonly session = new Lazy(async () => {
     const [{ openSession }, { visitOf }] = await Promise.all([
       import("../session/session"),
-      import("./visit"),
+      import("./holdings"),
     ]);
     const session = await openSession(visitOf(this));
     for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
@@ -92,7 +92,7 @@ export class App {
     return new AnalysisStore(wholeWorkers());
   });
 
-  readonly #answers = new Lazy(async () => (await import("../session/answer-shelf")).answerShelf());
+  readonly #answers = new Lazy(async () => (await import("../session/answer-database")).answerDatabase());
 
   /** Keeps what this visit holds, where the browser can, and loads the page again. */
   async reload(): Promise<void> {

@@ -156,30 +156,21 @@ export class ClipsStore extends Store {
     }));
   }
 
-  /**
-   * Takes the clips of an earlier visit up; those of this visit stay. Answers the numbers that they have now,
-   * by their keys of then.
-   */
-  async takeUp(kept: readonly KeptClip[], firstBones: boolean): Promise<Map<string, number>> {
+  /** Takes up a clip of an earlier visit and returns its id in this one; null: this page has no such clip. */
+  async takeUp({ key, title, origin, source, ticked, first, end }: KeptClip): Promise<number | null> {
     const { engine } = this.#engine;
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
-    const ids = new Map<string, number>();
-    for (const { key, title, origin, source, ticked, first, end } of kept) {
-      let now = origin === "made" ? key : null;
-      if (now === null && "file" in source) {
-        const loaded = await engine.readClip(source.name, new Uint8Array(await source.file.arrayBuffer()));
-        now = `own-${loaded.id}`;
-        this.#add({ key: now, title, origin, source, loaded, ticked });
-      }
-      const clip = now === null ? undefined : this.#find(now);
-      if (!clip) continue;
-      ids.set(key, clip.loaded.id);
-      this.#update(clip.key, { ticked });
-      if (first !== 0 || end !== clip.loaded.info.frames) this.cut(clip.key, first, end);
+    let now = origin === "made" ? key : null;
+    if (now === null && "file" in source) {
+      const loaded = await engine.readClip(source.name, new Uint8Array(await source.file.arrayBuffer()));
+      now = `own-${loaded.id}`;
+      this.#add({ key: now, title, origin, source, loaded, ticked });
     }
-    this.#firstBones = firstBones;
-    await this.checkClash();
-    return ids;
+    const clip = now === null ? undefined : this.#find(now);
+    if (!clip) return null;
+    this.#update(clip.key, { ticked });
+    if (first !== 0 || end !== clip.loaded.info.frames) this.cut(clip.key, first, end);
+    return clip.loaded.id;
   }
 
   async tick(key: string, ticked: boolean): Promise<void> {

@@ -1,158 +1,85 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { type Holdings, readRecords } from "./records";
-import { SessionStore, type Visit } from "./session-store";
-import type { Shelf } from "./shelf";
+import type { SessionStore } from "./session-store";
+import { clip, FakeBrowser, nothing, run } from "./visit.fake";
 
-class FakeShelf implements Shelf {
-  readonly records = new Map<string, Map<string, unknown>>();
-  full = false;
-  written: string[] = [];
-
-  visits() {
-    return Promise.resolve([...this.records.keys()]);
-  }
-  read(visit: string) {
-    return Promise.resolve(new Map(this.records.get(visit)));
-  }
-  write(visit: string, records: ReadonlyMap<string, unknown>) {
-    if (this.full) return Promise.reject(new Error("no room"));
-    this.written = [...records.keys()];
-    const kept = this.records.get(visit) ?? new Map<string, unknown>();
-    for (const [name, value] of records) {
-      if (value === undefined) kept.delete(name);
-      else kept.set(name, structuredClone(value));
-    }
-    this.records.set(visit, kept);
-    return Promise.resolve();
-  }
-  forget(visit: string) {
-    this.records.delete(visit);
-    return Promise.resolve();
-  }
-}
-
-const nothing: Holdings = {
-  fragment: "",
-  clips: [],
-  firstBones: false,
-  runs: [],
-  chosen: null,
-  model: null,
-  results: null,
-  unsaved: { model: false, results: false },
-  library: null,
-};
-
-const clip = (name: string) => ({
-  ...{ key: `own-${name}`, id: 7, title: name, origin: "own" as const, ticked: true, first: 0, end: 90 },
-  source: { name, file: new Blob(["HIERARCHY"]) },
-});
-
-const run = (id: number, iterations: number) =>
-  ({
-    ...{
-      id,
-      state: "running",
-      elapsed: 1,
-      ending: "",
-      model: null,
-      portion: 600,
-      open: false,
-      catchingUp: false,
-    },
-    settings: { seed: id },
-    clips: [],
-    steps: Array.from({ length: iterations }, (_, i) => ({ iteration: i + 1 })),
-  }) as unknown as Holdings["runs"][number];
-
-class FakeVisit implements Visit {
-  now: Holdings = nothing;
-  taken: Holdings | null = null;
-  told: string[] = [];
-  fails = false;
-
-  holdings() {
-    return this.now;
-  }
-  takeUp(holdings: Holdings) {
-    if (this.fails) return Promise.reject(new Error("the engine is gone"));
-    this.taken = holdings;
-    this.now = holdings;
-    return Promise.resolve();
-  }
-  tell(title: string, text: string) {
-    this.told.push(`${title}: ${text}`);
-  }
-}
-
-let shelf: FakeShelf;
-let open: Set<string>;
-
-function session(name: string, visit = new FakeVisit()) {
-  const visits = { enter: (visit: string) => void open.add(visit), all: () => Promise.resolve([...open]) };
-  return { visit, store: new SessionStore(visit, shelf, visits, name) };
-}
-
-/** A visit that held something and has been left. */
-async function left(name: string, now: Partial<Holdings>) {
-  const { visit, store } = session(name);
-  await store.begin();
-  visit.now = { ...nothing, ...now };
-  await store.keepNow();
-  open.delete(name);
-}
-
+let browser: FakeBrowser;
 beforeEach(() => {
-  shelf = new FakeShelf();
-  open = new Set();
+  browser = new FakeBrowser();
 });
+
+const offered = ({ offers }: SessionStore) => offers.map(({ visit, contents }) => `${visit}: ${contents}`);
+const first = ({ offers: [offer] }: SessionStore) => offer ?? expect.fail();
+const stored = () => [...browser.database.records.keys()];
+/** Lets the other tabs look again. */
+const settled = () => new Promise((resolve) => setTimeout(resolve, 0));
 
 describe("a visit", () => {
-  it("with nothing to keep leaves no trace", async () => {
-    await left("a", {});
-    expect(shelf.records.size).toBe(0);
+  it("that holds nothing leaves no record", async () => {
+    await browser.leave("a", {});
+    expect(stored()).toEqual([]);
   });
 
   it("writes only what has changed, and removes what is gone", async () => {
-    const { visit, store } = session("a");
+    const { database } = browser;
+    const { visit, store } = await browser.open("a");
     const walk = clip("walk");
     visit.now = { ...nothing, clips: [walk], runs: [run(1, 5), run(2, 5)] };
     // Within a millisecond nothing about the visit has changed.
     const clock = vi.spyOn(Date, "now").mockReturnValue(1000);
     await store.keepNow();
-    expect(shelf.written.sort()).toEqual(["about", "clips", "file 1", "run 1", "run 2"]);
+    expect(database.written.sort()).toEqual(["about", "clips", "file 1", "run 1", "run 2"]);
     visit.now = { ...visit.now, runs: [run(2, 6)] };
     clock.mockReturnValue(2000);
     await store.keepNow();
     clock.mockRestore();
-    expect([...(shelf.records.get("a")?.keys() ?? [])].sort()).toEqual(["about", "clips", "file 1", "run 2"]);
-    expect(shelf.written.sort()).toEqual(["about", "run 1", "run 2"]);
+    expect([...(database.records.get("a")?.keys() ?? [])].sort()).toEqual([
+      "about",
+      "clips",
+      "file 1",
+      "run 2",
+    ]);
+    expect(database.written.sort()).toEqual(["about", "run 1", "run 2"]);
   });
 
-  it("says once that there is no room, and is kept as soon as there is", async () => {
-    const { visit, store } = session("a");
+  it("says once that the storage is full, and is written as soon as it is not", async () => {
+    const { visit, store } = await browser.open("a");
+    visit.now = { ...nothing, model: "{}", results: "{}" };
+    await store.keepNow();
+    visit.now = { ...nothing, model: "{ }" };
+    // Chromium's own message is empty.
+    browser.database.problem = new DOMException("", "QuotaExceededError");
+    await store.keepNow();
+    await store.keepNow();
+    expect(visit.errors).toHaveLength(1);
+    expect(visit.errors[0]).toMatch(
+      /cannot be kept: .*does not store it: its storage for this page is full\./,
+    );
+    expect(store.keeps).toBe(false);
+    browser.database.problem = null;
+    await store.keepNow();
+    expect(store.keeps).toBe(true);
+    const records = browser.database.records.get("a");
+    expect([records?.get("model"), records?.has("results")]).toEqual(["{ }", false]);
+  });
+
+  it("names a problem of the browser that has no message", async () => {
+    const { visit, store } = await browser.open("a");
     visit.now = { ...nothing, model: "{}" };
-    shelf.full = true;
+    browser.database.problem = new DOMException("", "InvalidStateError");
     await store.keepNow();
-    await store.keepNow();
-    expect(visit.told).toHaveLength(1);
-    expect(visit.told[0]).toMatch(/cannot be kept.*no room/);
-    shelf.full = false;
-    await store.keepNow();
-    expect(shelf.records.get("a")?.get("model")).toBe("{}");
+    expect(visit.errors[0]).toMatch(/does not store it: InvalidStateError\./);
   });
 });
 
 describe("the next visit", () => {
-  it("is offered what the newest one held, and has it when it asks for it", async () => {
+  it("is offered what was left, and has it when it asks for it", async () => {
     const runs = [run(3, 2), run(1, 4)];
     const [, chosen = null] = runs;
-    await left("a", { clips: [clip("walk")], runs, chosen, fragment: "latent=2", results: "{}" });
-    const { visit, store } = session("b");
-    await store.begin();
-    expect(store.offer?.what).toBe("a clip, 2 trainings and a comparison");
+    await browser.leave("a", { clips: [clip("walk")], runs, chosen, fragment: "latent=2", results: "{}" });
+    const { visit, store } = await browser.open("b");
+    expect(offered(store)).toEqual(["a: a clip, 2 trainings and a comparison"]);
     expect(visit.taken).toBe(null);
-    await store.bringBack();
+    await store.bringBack(first(store));
     expect(visit.taken?.runs.map(({ id, steps }) => [id, steps.length])).toEqual([
       [3, 2],
       [1, 4],
@@ -162,69 +89,171 @@ describe("the next visit", () => {
       "latent=2",
       "{}",
     ]);
-    const [known] = visit.taken?.clips ?? [];
-    expect(known && "file" in known.source && (await known.source.file.text())).toBe("HIERARCHY");
-    expect([store.offer, [...shelf.records.keys()]]).toEqual([null, ["b"]]);
+    const [walk] = visit.taken?.clips ?? [];
+    expect(walk && "file" in walk.source && (await walk.source.file.text())).toBe("HIERARCHY");
+    expect([offered(store), stored()]).toEqual([[], ["b"]]);
+  });
+
+  it("is offered every visit that was left, the newest first", async () => {
+    await browser.leave("a", { clips: [clip("walk"), clip("run")] }, 1000);
+    await browser.leave("c", { model: "{}" }, 3000);
+    await browser.leave("b", { clips: [clip("jump")] }, 2000);
+    const { store } = await browser.open("d");
+    expect(store.offers.map(({ at, contents }) => [at, contents])).toEqual([
+      [3000, "a model"],
+      [2000, "a clip"],
+      [1000, "2 clips"],
+    ]);
+    expect(stored().sort()).toEqual(["a", "b", "c"]);
   });
 
   it("has the library of primitives again, saved or not", async () => {
     const library = { text: "{}", title: "mine.json", unsaved: true };
-    await left("a", { library });
-    const { visit, store } = session("b");
-    await store.begin();
-    expect(store.offer?.what).toBe("a library of primitives");
-    await store.bringBack();
+    await browser.leave("a", { library });
+    const { visit, store } = await browser.open("b");
+    expect(offered(store)).toEqual(["a: a library of primitives"]);
+    await store.bringBack(first(store));
     expect(visit.taken?.library).toEqual(library);
-    await store.keepNow();
     visit.now = { ...visit.now, library: null };
     await store.keepNow();
-    expect(shelf.records.get("b")?.has("library")).toBe(false);
+    expect(browser.database.records.get("b")?.has("library")).toBe(false);
   });
 
-  it("keeps it where it cannot be taken up", async () => {
-    await left("a", { model: "{}" });
-    const { visit, store } = session("b");
-    await store.begin();
-    visit.fails = true;
-    await store.bringBack();
-    expect(visit.told).toEqual(["The earlier visit could not be brought back: the engine is gone"]);
-    expect([store.offer?.what, store.busy, shelf.records.has("a")]).toEqual(["a model", false, true]);
-  });
-
-  it("keeps it until what it brought back is kept again", async () => {
-    await left("a", { model: "{}" });
-    const { visit, store } = session("b");
-    await store.begin();
-    visit.now = { ...visit.now, model: "{}" };
-    shelf.full = true;
-    await store.bringBack();
-    expect([visit.taken?.model, shelf.records.has("a")]).toEqual(["{}", true]);
-  });
-
-  it("is not offered what another tab is still doing", async () => {
-    const { visit, store } = session("a");
-    await store.begin();
-    visit.now = { ...nothing, model: "{}" };
+  it("can forget one visit, and only that one: the others and its own stay stored", async () => {
+    await browser.leave("a", { model: "{}" }, 1000);
+    await browser.leave("b", { results: "{}" }, 2000);
+    const { visit, store } = await browser.open("c");
+    visit.now = { ...nothing, clips: [clip("walk")] };
     await store.keepNow();
-    const other = session("b").store;
-    await other.begin();
-    expect(other.offer).toBe(null);
-    await other.forgetAll();
-    expect(shelf.records.has("a")).toBe(true);
+    await store.forget(first(store));
+    expect([offered(store), stored().sort()]).toEqual([["a: a model"], ["a", "c"]]);
+    expect(store.keeps).toBe(true);
   });
 
-  it("can have everything forgotten, and then keeps nothing", async () => {
-    await left("a", { model: "{}" });
-    const { visit, store } = session("b");
-    await store.begin();
+  it("can have everything forgotten, and is not stored from then on", async () => {
+    await browser.leave("a", { model: "{}" });
+    const { visit, store } = await browser.open("b");
     await store.forgetAll();
     visit.now = { ...nothing, model: "{}" };
     await store.keepNow();
-    expect([store.offer, shelf.records.size]).toEqual([null, 0]);
+    expect([offered(store), stored(), store.keeps]).toEqual([[], [], false]);
   });
 });
 
-it("records with a missing piece are refused, by its name", () => {
-  const about = { order: [4], chosen: null, fragment: "", firstBones: false };
-  expect(() => readRecords(new Map<string, unknown>([["about", about]]))).toThrow(/missing \(run 4\)/);
+describe("an earlier visit stays stored", () => {
+  beforeEach(() => browser.leave("a", { model: "{}" }));
+
+  it("when the visitor keeps the work on the page instead", async () => {
+    const { visit, store } = await browser.open("b");
+    visit.refuses = true;
+    await store.bringBack(first(store));
+    expect(visit.errors).toEqual([
+      "The earlier visit could not be brought back: You keep the work on this page.",
+    ]);
+    expect([offered(store), store.busy, stored()]).toEqual([["a: a model"], false, ["a"]]);
+    visit.refuses = false;
+    await store.bringBack(first(store));
+    expect(visit.taken?.model).toBe("{}");
+  });
+
+  it("when the visit that brought it back cannot be stored", async () => {
+    const { visit, store } = await browser.open("b");
+    browser.database.problem = new DOMException("", "QuotaExceededError");
+    await store.bringBack(first(store));
+    expect([visit.taken?.model, stored()]).toEqual(["{}", ["a"]]);
+  });
+
+  it("when a piece of it could not be taken up", async () => {
+    const { visit, store } = await browser.open("b");
+    visit.problems = ["The clip walk: out of memory."];
+    await store.bringBack(first(store));
+    expect(visit.errors).toEqual([
+      "Not all of the earlier visit was brought back: The clip walk: out of memory.",
+    ]);
+    expect([offered(store), stored().sort()]).toEqual([[], ["a", "b"]]);
+  });
+
+  it("where the browser cannot tell tabs apart: another tab may still be in it", async () => {
+    browser.tellTabsApart = false;
+    const { visit, store } = await browser.open("b");
+    await store.bringBack(first(store));
+    expect([visit.taken?.model, stored().sort()]).toEqual(["{}", ["a", "b"]]);
+  });
+});
+
+describe("with several tabs", () => {
+  it("a visit that goes on in another tab is neither offered nor forgotten", async () => {
+    const { visit, store } = await browser.open("a");
+    visit.now = { ...nothing, model: "{}" };
+    await store.keepNow();
+    const other = (await browser.open("b")).store;
+    expect(offered(other)).toEqual([]);
+    await other.forgetAll();
+    expect(stored()).toEqual(["a"]);
+  });
+
+  it("two visits that ended together are both offered in both tabs, and each is brought back once", async () => {
+    await browser.leave("a", { clips: [clip("walk"), clip("run")] }, 1000);
+    await browser.leave("b", { clips: [clip("jump")] }, 2000);
+    const [one, two] = [await browser.open("c"), await browser.open("d")];
+    for (const { store } of [one, two]) expect(offered(store)).toEqual(["b: a clip", "a: 2 clips"]);
+    const [b = expect.fail(), a = expect.fail()] = one.store.offers;
+    await one.store.bringBack(b);
+    await settled();
+    expect(two.store.offers.map(({ visit, taken }) => [visit, taken])).toEqual([
+      ["b", true],
+      ["a", false],
+    ]);
+    // Pressed before the page could draw that.
+    await two.store.bringBack(b);
+    expect(two.visit.taken).toBe(null);
+    await two.store.bringBack(a);
+    expect(two.visit.taken?.clips.map(({ title }) => title)).toEqual(["walk", "run"]);
+    expect([stored().sort(), two.visit.errors]).toEqual([["c", "d"], []]);
+  });
+
+  it("a visit whose tab ends while it brings the visit back is offered again", async () => {
+    await browser.leave("a", { model: "{}" });
+    const { visit, store } = await browser.open("b");
+    visit.takeUp = () => new Promise(() => {});
+    void store.bringBack(first(store));
+    await settled();
+    const late = await browser.open("c");
+    expect(offered(late.store)).toEqual([]);
+    browser.end("b");
+    expect(offered((await browser.open("d")).store)).toEqual(["a: a model"]);
+  });
+
+  it("a visit that another tab has forgotten is not offered any more", async () => {
+    await browser.leave("a", { model: "{}" });
+    const [one, two] = [await browser.open("b"), await browser.open("c")];
+    await one.store.forget(first(one.store));
+    await settled();
+    expect(offered(two.store)).toEqual([]);
+  });
+});
+
+describe("records that cannot be read", () => {
+  it("do not keep the other visits from being offered, and stay until they are forgotten", async () => {
+    browser.database.records.set("junk", new Map([["about", "x"]]));
+    browser.database.records.set("more junk", new Map());
+    const read = browser.database.read.bind(browser.database);
+    browser.database.read = (visit) =>
+      visit === "more junk" ? Promise.reject(new Error("damaged")) : read(visit);
+    await browser.leave("a", { model: "{}" });
+    const { store } = await browser.open("b");
+    expect([offered(store), store.unreadable]).toEqual([["a: a model"], 2]);
+    expect(stored().sort()).toEqual(["a", "junk", "more junk"]);
+    await store.forgetUnreadable();
+    expect([offered(store), store.unreadable, stored()]).toEqual([["a: a model"], 0, ["a"]]);
+  });
+
+  it("stay stored when the rest of their visit was brought back", async () => {
+    await browser.leave("a", { model: "{}", results: "{}" });
+    browser.database.records.get("a")?.set("results", 5);
+    const { visit, store } = await browser.open("b");
+    expect([offered(store), first(store).whole]).toEqual([["a: a model"], false]);
+    await store.bringBack(first(store));
+    expect([visit.taken?.model, visit.taken?.results, stored().sort()]).toEqual(["{}", null, ["a", "b"]]);
+  });
 });

@@ -1,64 +1,81 @@
-// What a visit holds is kept on this machine while it lasts; the next visit can bring it back, when the
-// visitor asks for it.
+// What a visit holds is stored in this browser while the visit lasts. A later visit can bring it back, when
+// the visitor asks for it.
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import {
-  type About,
-  countsInWords,
-  type Holdings,
-  isWorthKeeping,
-  RecordWriter,
-  readRecords,
-} from "./records";
-import type { Shelf } from "./shelf";
+import { type Holdings, RecordWriter } from "./records";
+import { type Recovered, recover } from "./recovery";
+import type { VisitDatabase } from "./visit-database";
 
-/** Milliseconds between two writings: what is lost in a crash is no older. */
-const BETWEEN = 4000;
+/** Milliseconds between two writes: a crash loses no more. */
+const BETWEEN_WRITES = 4000;
 
-/** What the session has to know of the page. */
+/** What the session needs of the page. */
 export interface Visit {
   holdings(): Holdings;
-  takeUp(holdings: Holdings): Promise<void>;
-  /** Says what could not be done. */
-  tell(title: string, text: string): void;
+  /** Takes up what can be taken up, and returns what could not, in words. Fails before it has begun. */
+  takeUp(holdings: Holdings): Promise<string[]>;
+  showError(title: string, text: string): void;
 }
 
-/** Which visits are going on now, in this tab and in others. */
-export interface OpenVisits {
-  enter(visit: string): void;
-  all(): Promise<readonly string[]>;
+/** Which tab has which visit. */
+export interface VisitLocks {
+  /** Whether tabs know of each other; without that, another tab may still be in any stored visit. */
+  readonly tellTabsApart: boolean;
+  /** Gives this tab the visit until the returned function is called; null: another tab has it. */
+  hold(visit: string): Promise<(() => void) | null>;
+  /** The visits that a tab has, this one included. */
+  heldVisits(): Promise<readonly string[]>;
+  /** Lets the other tabs know that visits were taken or removed. */
+  announce(): void;
+  listen(changed: () => void): void;
 }
 
-interface Offer {
+/** What an earlier visit left. */
+export interface Offer extends Omit<Recovered, "holdings"> {
   visit: string;
-  about: About;
+  /** Another tab has it. */
+  taken: boolean;
 }
 
 export class SessionStore extends Store {
   readonly #visit: Visit;
-  readonly #shelf: Shelf;
-  readonly #open: OpenVisits;
+  readonly #database: VisitDatabase;
+  readonly #locks: VisitLocks;
   readonly #name: string;
   readonly #records = new RecordWriter();
-  #offer: Offer | null = null;
+  #left: readonly Offer[] = [];
+  /** The visits that this tab has brought back. */
+  readonly #broughtBack = new Set<string>();
   #busy = false;
   #timer: ReturnType<typeof setTimeout> | null = null;
-  /** Writings follow each other. */
+  /** One write follows the other. */
   #writing: Promise<void> = Promise.resolve();
+  /** So does one change of the list of visits. */
+  #turn: Promise<unknown> = Promise.resolve();
   #refused = false;
   #forgets = false;
 
-  constructor(visit: Visit, shelf: Shelf, open: OpenVisits, name = `${Date.now()} ${Math.random()}`) {
+  constructor(
+    visit: Visit,
+    database: VisitDatabase,
+    locks: VisitLocks,
+    name = `${Date.now()} ${Math.random()}`,
+  ) {
     super();
-    [this.#visit, this.#shelf, this.#open, this.#name] = [visit, shelf, open, name];
+    [this.#visit, this.#database, this.#locks, this.#name] = [visit, database, locks, name];
   }
 
-  /** What an earlier visit has left, in words; null: nothing. */
-  get offer(): { what: string; at: number } | null {
-    return this.#offer && { what: countsInWords(this.#offer.about), at: this.#offer.about.at };
+  /** The earlier visits that can be brought back, the newest first. */
+  get offers(): readonly Offer[] {
+    return this.#left.filter(({ contents }) => contents !== "");
   }
 
-  /** Whether the browser keeps what this visit holds. */
+  /** How many earlier visits cannot be read at all. */
+  get unreadable(): number {
+    return this.#left.length - this.offers.length;
+  }
+
+  /** Whether the browser stores what this visit holds. */
   get keeps(): boolean {
     return !this.#refused && !this.#forgets;
   }
@@ -67,27 +84,52 @@ export class SessionStore extends Store {
     return this.#busy;
   }
 
-  /** Looks for the newest visit that was left; older ones are forgotten. */
+  /** Looks for visits that were left. */
   async begin(): Promise<void> {
-    this.#open.enter(this.#name);
-    const open = await this.#open.all();
+    await this.#locks.hold(this.#name);
+    await this.#inTurn(() => this.#look());
+    this.#locks.listen(() => void this.#inTurn(() => this.#look()).catch(() => {}));
+  }
+
+  #inTurn<Result>(work: () => Promise<Result>): Promise<Result> {
+    const result = this.#turn.then(work);
+    this.#turn = result.catch(() => {});
+    return result;
+  }
+
+  async #look(): Promise<void> {
+    const stored = await this.#database.visits();
+    // Asked after the database: a visit of another tab has its lock before its first record.
+    const held = await this.#locks.heldVisits();
+    const before = new Map(this.#left.map((offer) => [offer.visit, offer]));
     const left: Offer[] = [];
-    for (const visit of await this.#shelf.visits()) {
-      if (visit === this.#name || open.includes(visit)) continue;
-      const about = (await this.#shelf.read(visit)).get("about") as About | undefined;
-      if (about && isWorthKeeping(about)) left.push({ visit, about });
-      else await this.#shelf.forget(visit);
+    for (const visit of new Set([...before.keys(), ...stored])) {
+      const known = before.get(visit);
+      if (visit === this.#name || this.#broughtBack.has(visit)) continue;
+      if (held.includes(visit)) {
+        if (known) left.push({ ...known, taken: true });
+      } else if (stored.includes(visit)) {
+        left.push({ ...(known ?? (await this.#read(visit))), taken: false });
+      }
     }
-    left.sort((a, b) => b.about.at - a.about.at);
-    const [newest, ...older] = left;
-    for (const { visit } of older) await this.#shelf.forget(visit);
-    this.#offer = newest ?? null;
+    const isEmpty = ({ contents, whole }: Offer) => contents === "" && whole;
+    if (this.#locks.tellTabsApart) for (const offer of left) if (isEmpty(offer)) await this.#remove(offer);
+    this.#left = left.filter((offer) => !isEmpty(offer)).sort((a, b) => (b.at ?? 0) - (a.at ?? 0));
     this.changed();
   }
 
-  /** Something that is kept has changed. */
+  async #read(visit: string): Promise<Offer> {
+    try {
+      const { at, contents, whole } = recover(await this.#database.read(visit));
+      return { visit, at, contents, whole, taken: false };
+    } catch {
+      return { visit, at: null, contents: "", whole: false, taken: false };
+    }
+  }
+
+  /** Schedules a write: something that is stored has changed. */
   touched(): void {
-    if (!this.#forgets) this.#timer ??= setTimeout(() => void this.keepNow(), BETWEEN);
+    if (!this.#forgets) this.#timer ??= setTimeout(() => void this.keepNow(), BETWEEN_WRITES);
   }
 
   /** Writes what has changed since the last time. */
@@ -100,51 +142,114 @@ export class SessionStore extends Store {
 
   async #write(): Promise<void> {
     if (this.#forgets) return;
-    const changes = this.#records.changes(this.#visit.holdings(), Date.now());
-    if (!changes) return;
     try {
-      await this.#shelf.write(this.#name, changes);
+      const changes = this.#records.changes(this.#visit.holdings(), Date.now());
+      if (!changes) return;
+      await this.#database.write(this.#name, changes);
+      this.#records.wereWritten();
       this.#refused = false;
     } catch (problem) {
-      this.#records.forget();
       // Once, not every few seconds.
       if (this.#refused) return;
       this.#refused = true;
-      const why = messageOf(problem);
-      this.#visit.tell(
+      this.#visit.showError(
         "This visit cannot be kept",
-        `The browser does not store it (${why}). Save what you want to have after closing or reloading the page.`,
+        `The browser does not store it: ${storageProblem(problem)}. Save what you want to have after closing or reloading the page.`,
       );
     }
   }
 
-  /** Takes up what the earlier visit held. It stays kept where that fails. */
-  async bringBack(): Promise<void> {
-    const offer = this.#offer;
-    if (!offer || this.#busy) return;
+  /** Takes up what an earlier visit held. It stays stored until this visit has stored all of it. */
+  async bringBack(offer: Offer): Promise<void> {
+    if (this.#busy) return;
     this.#busy = true;
     this.changed();
     try {
-      const { holdings } = readRecords(await this.#shelf.read(offer.visit));
-      await this.#visit.takeUp(holdings);
-      this.#offer = null;
-      await this.keepNow();
-      if (!this.#refused) await this.#shelf.forget(offer.visit);
+      await this.#inTurn(() => this.#bringBack(offer));
     } catch (problem) {
-      this.#visit.tell("The earlier visit could not be brought back", messageOf(problem));
+      this.#visit.showError("The earlier visit could not be brought back", messageOf(problem));
     }
     this.#busy = false;
     this.changed();
   }
 
-  /** Forgets all visits that are kept, but those of other tabs; nothing of this one is kept from now on. */
+  async #bringBack(offer: Offer): Promise<void> {
+    const { visit } = offer;
+    const release = await this.#locks.hold(visit);
+    if (!release) return this.#markTaken(visit);
+    try {
+      this.#locks.announce();
+      const { contents, holdings, whole } = recover(await this.#database.read(visit));
+      if (contents === "") {
+        this.#drop(visit);
+        throw new Error("Another tab has brought it back or removed it.");
+      }
+      const problems = await this.#visit.takeUp(holdings);
+      this.#broughtBack.add(visit);
+      this.#drop(visit);
+      await this.keepNow();
+      if (problems.length > 0)
+        this.#visit.showError("Not all of the earlier visit was brought back", problems.join(" "));
+      const isStoredAgain = this.keeps && whole && problems.length === 0;
+      if (isStoredAgain && this.#locks.tellTabsApart) await this.#database.forget(visit);
+    } catch (problem) {
+      if (!this.#broughtBack.has(visit)) release();
+      throw problem;
+    } finally {
+      this.#locks.announce();
+    }
+  }
+
+  #markTaken(visit: string): void {
+    this.#left = this.#left.map((offer) => (offer.visit === visit ? { ...offer, taken: true } : offer));
+  }
+
+  #drop(visit: string): void {
+    this.#left = this.#left.filter((offer) => offer.visit !== visit);
+  }
+
+  /** Removes what one earlier visit left, and nothing else. */
+  async forget(offer: Offer): Promise<void> {
+    await this.#inTurn(() => this.#remove(offer));
+    this.changed();
+  }
+
+  /** Removes the earlier visits of which nothing can be read. */
+  async forgetUnreadable(): Promise<void> {
+    await this.#inTurn(async () => {
+      for (const offer of this.#left) if (offer.contents === "") await this.#remove(offer);
+    });
+    this.changed();
+  }
+
+  async #remove({ visit }: Offer): Promise<void> {
+    const release = await this.#locks.hold(visit);
+    if (!release) return this.#markTaken(visit);
+    await this.#database.forget(visit);
+    this.#drop(visit);
+    release();
+    this.#locks.announce();
+  }
+
+  /**
+   * Removes everything that this browser stores of visits, but those of other tabs. Nothing of this visit is
+   * stored from now on.
+   */
   async forgetAll(): Promise<void> {
     this.#forgets = true;
     await this.#writing;
-    const open = await this.#open.all();
-    for (const visit of await this.#shelf.visits())
-      if (visit === this.#name || !open.includes(visit)) await this.#shelf.forget(visit);
-    this.#offer = null;
+    const own = [this.#name, ...this.#broughtBack];
+    const others = (await this.#locks.heldVisits()).filter((visit) => !own.includes(visit));
+    await this.#database.forgetAllBut(others);
+    this.#left = [];
+    this.#locks.announce();
     this.changed();
   }
+}
+
+/** The browser's own message is often empty. */
+function storageProblem(problem: unknown): string {
+  const { name } = problem as { name?: unknown };
+  if (name === "QuotaExceededError") return "its storage for this page is full";
+  return messageOf(problem).replace(/\.$/, "") || String(name);
 }

@@ -1,7 +1,7 @@
-// The offer to bring back what an earlier visit has left.
+// The offers to bring back what earlier visits left.
 import { html, nothing } from "lit";
 import { View } from "../ui/view";
-import type { SessionStore } from "./session-store";
+import type { Offer, SessionStore } from "./session-store";
 
 const WHEN = new Intl.DateTimeFormat("en", { dateStyle: "long", timeStyle: "short" });
 
@@ -13,11 +13,31 @@ export class SessionView extends View {
   }
 
   protected override render() {
-    const { offer, busy } = this.session;
-    if (!offer) return nothing;
-    return html`<p class="banner" role="status" data-testid="earlier-visit">From your visit of ${WHEN.format(offer.at)}: ${offer.what}.
-      <button class="small" data-testid="bring-back" ?disabled=${busy} @click=${() => void this.session.bringBack()}>Bring back</button>
-      <button class="small" data-testid="forget-visit" ?disabled=${busy} @click=${() => void this.session.forgetAll()}>Forget</button></p>`;
+    const { session } = this;
+    const { offers, unreadable, busy } = session;
+    return html`
+      ${offers.map((offer) => this.#offer(offer))}
+      ${
+        unreadable === 0
+          ? nothing
+          : html`<p class="banner" role="status" data-testid="unreadable-visit">
+            ${unreadable === 1 ? "An earlier visit" : `${unreadable} earlier visits`} cannot be read: damaged, or of another version of this page.
+            <button class="small" ?disabled=${busy} @click=${() => void session.forgetUnreadable()}>Forget</button></p>`
+      }`;
+  }
+
+  #offer(offer: Offer) {
+    const { session } = this;
+    const { at, contents, whole, taken } = offer;
+    const visit = at === null ? "an earlier visit" : `your visit of ${WHEN.format(at)}`;
+    return html`<p class="banner" role="status" data-testid="earlier-visit">From ${visit}: ${contents}.
+      ${whole ? nothing : "The rest of it cannot be read."}
+      ${
+        taken
+          ? "Another tab has it."
+          : html`<button class="small" data-testid="bring-back" ?disabled=${session.busy} @click=${() => void session.bringBack(offer)}>Bring back</button>
+            <button class="small" data-testid="forget-visit" ?disabled=${session.busy} @click=${() => void session.forget(offer)}>Forget</button>`
+      }</p>`;
   }
 }
 customElements.define("pg-session", SessionView);

@@ -1,14 +1,15 @@
-// The keeping of visits in a browser. Loaded when the page has nothing else to do.
-import { openVisits } from "./open-visits";
+// Stores visits in the browser. Loaded when the page has nothing else to do.
 import { SessionStore, type Visit } from "./session-store";
-import { browserShelf } from "./shelf";
+import { browserDatabase } from "./visit-database";
+import { browserLocks } from "./visit-locks";
 import "./session-view";
 
-/** Fails where the browser keeps nothing. */
+/** Fails where the browser stores nothing. */
 export async function openSession(visit: Visit): Promise<SessionStore> {
-  const session = new SessionStore(visit, await browserShelf(), openVisits);
+  const session = new SessionStore(visit, await browserDatabase(), browserLocks());
   await session.begin();
-  const leave = () => void (document.visibilityState === "hidden" && session.keepNow());
-  document.addEventListener("visibilitychange", leave);
+  document.addEventListener("visibilitychange", () => {
+    if (document.visibilityState === "hidden") void session.keepNow();
+  });
   return session;
 }

@@ -1,0 +1,260 @@
+// Several visits in one browser: tabs that end together, records that are damaged, and browsers that store
+// nothing.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { bvh } from "./clips.mjs";
+import { drop, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** Opens clips of these names. */
+async function openClips(/** @type {Page} */ page, /** @type {string[]} */ ...names) {
+  await drop(page, Object.fromEntries(names.map((name) => [`${name}.bvh`, bvh()])));
+  for (const name of names) await page.getByTestId("own-clips").getByText(name, { exact: true }).waitFor();
+}
+
+/** Waits until visits are stored; the button to forget them comes then. */
+const stores = (/** @type {Page} */ page) => page.getByTestId("forget").waitFor();
+
+const keepNow = (/** @type {Page} */ page) =>
+  page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
+
+/** The page in another tab of the same browser. */
+async function otherTab(/** @type {Page} */ page) {
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  await ready(other);
+  await stores(other);
+  return other;
+}
+
+const offers = async (/** @type {Page} */ page) =>
+  (await page.getByTestId("earlier-visit").allInnerTexts()).map((text) => text.replace(/^.*?: |\..*$/gs, ""));
+
+/** The keys in the browser's database. */
+const records = (/** @type {Page} */ page) =>
+  page.evaluate(async () => {
+    const database = await new Promise((resolve) => {
+      const opening = indexedDB.open("vcgpdm");
+      opening.onsuccess = () => resolve(opening.result);
+    });
+    const keys = await new Promise((resolve) => {
+      const reading = database.transaction("records").objectStore("records").getAllKeys();
+      reading.onsuccess = () => resolve(reading.result);
+    });
+    database.close();
+    return /** @type {any[]} */ (keys);
+  });
+
+/** Puts records into the browser's database. */
+const put = (/** @type {Page} */ page, /** @type {[key: any, value: any][]} */ entries) =>
+  page.evaluate(async (entries) => {
+    const database = await new Promise((resolve) => {
+      const opening = indexedDB.open("vcgpdm");
+      opening.onsuccess = () => resolve(opening.result);
+    });
+    await new Promise((resolve) => {
+      const writing = database.transaction("records", "readwrite");
+      for (const [key, value] of entries) writing.objectStore("records").put(value, key);
+      writing.oncomplete = resolve;
+    });
+    database.close();
+  }, entries);
+
+describe("two tabs that end together", () => {
+  it("lose nothing: both visits are offered in both tabs of the next start, and each comes back once", async () => {
+    const { page: a, problems, leave } = await site.visit();
+    await ready(a);
+    await stores(a);
+    const b = await otherTab(a);
+    await openClips(a, "first", "second");
+    await openClips(b, "third");
+    await Promise.all([keepNow(a), keepNow(b)]);
+    const idle = await a.context().newPage();
+    await Promise.all([a.close(), b.close()]);
+
+    await idle.goto(a.url());
+    await ready(idle);
+    await stores(idle);
+    const c = idle;
+    const d = await otherTab(c);
+    for (const tab of [c, d]) {
+      await tab.getByTestId("earlier-visit").nth(1).waitFor();
+      assert.deepEqual((await offers(tab)).sort(), ["2 clips", "a clip"]);
+    }
+    assert.equal((await records(c)).length, 7, "opening the page removes no record");
+
+    await c.getByTestId("earlier-visit").filter({ hasText: "2 clips" }).getByTestId("bring-back").click();
+    await c.getByTestId("own-clips").getByText("second").waitFor();
+    const taken = d.getByTestId("earlier-visit").filter({ hasText: "2 clips" });
+    await taken.getByText("Another tab has it.").waitFor();
+    assert.equal(await taken.getByTestId("bring-back").count(), 0);
+    await d.getByTestId("bring-back").click();
+    await d.getByTestId("own-clips").getByText("third").waitFor();
+    await c.getByTestId("earlier-visit").getByText("Another tab has it.").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("forget one visit at its own button, and keep the others", async () => {
+    const { page: a, leave } = await site.visit();
+    await ready(a);
+    await stores(a);
+    const b = await otherTab(a);
+    await openClips(a, "first", "second");
+    await openClips(b, "third");
+    await Promise.all([keepNow(a), keepNow(b)]);
+    await b.close();
+    await a.reload();
+    await ready(a);
+    await a.getByTestId("earlier-visit").filter({ hasText: "a clip" }).getByTestId("forget-visit").click();
+    await a.getByTestId("earlier-visit").nth(1).waitFor({ state: "detached" });
+    assert.deepEqual(await offers(a), ["2 clips"]);
+    await openClips(a, "fourth");
+    await keepNow(a);
+    await a.reload();
+    await ready(a);
+    await a.getByTestId("earlier-visit").nth(1).waitFor();
+    assert.deepEqual((await offers(a)).sort(), ["2 clips", "a clip"]);
+    await leave();
+  });
+});
+
+describe("damaged records", () => {
+  it("are skipped with a sentence, and the other visits offered", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    await stores(page);
+    await openClips(page, "mine");
+    await keepNow(page);
+    const [[visit] = []] = await records(page);
+    const about = { clips: 0, runs: 1, models: 0, results: 0, fragment: "", firstBones: false };
+    await put(page, [
+      ["a key of another program", 1],
+      [[5, "about"], {}],
+      [["junk", "about"], "x"],
+      [["other version", "visit"], { version: 7, clips: [] }],
+      [["timeless", "about"], { ...about, at: 1e20, order: [], chosen: null }],
+      [["timeless", "model"], "{}"],
+      [["half", "about"], { ...about, at: 1_700_000_000_000, order: [3], chosen: 3 }],
+      [["half", "run 3"], { id: 3, state: "running" }],
+      [["half", "results"], "{}"],
+      [[visit, "run 9"], null],
+    ]);
+    await page.reload();
+    await ready(page);
+    await page.getByTestId("earlier-visit").nth(2).waitFor();
+    assert.deepEqual((await offers(page)).sort(), ["a clip", "a comparison", "a model"]);
+    assert.equal(await page.getByText("The rest of it cannot be read.").count(), 3);
+    await page.getByTestId("unreadable-visit").getByText("2 earlier visits cannot be read").waitFor();
+    await page.getByText("From an earlier visit: a model.").waitFor();
+    await page.getByTestId("earlier-visit").filter({ hasText: "a clip" }).getByTestId("bring-back").click();
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    // The model is none: words, and its visit stays offered at the next start.
+    await page.getByTestId("earlier-visit").filter({ hasText: "a model" }).getByTestId("bring-back").click();
+    await page.getByTestId("notice").filter({ hasText: "Not all of the earlier visit" }).waitFor();
+    await page.getByTestId("unreadable-visit").getByRole("button").click();
+    await page.getByTestId("unreadable-visit").waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+
+    await page.getByTestId("forget").click();
+    await page.getByTestId("confirm-yes").click();
+    await page.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
+    assert.deepEqual(await records(page), []);
+    await leave();
+  });
+});
+
+describe("a tab that is closed in the middle of a write", () => {
+  it("leaves a whole visit or none", async () => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    const url = page.url();
+    for (const milliseconds of [0, 8, 30]) {
+      const tab = await page.context().newPage();
+      await tab.goto(url);
+      await ready(tab);
+      await stores(tab);
+      // Files of 20 MB take longer to write than the tab lives.
+      await tab.evaluate((milliseconds) => {
+        const { session } = /** @type {any} */ (document.querySelector("pg-page"));
+        const { clips } = /** @type {any} */ (document.querySelector("pg-clips"));
+        const kept = clips.kept;
+        const file = () => new Blob([new Uint8Array(20e6)]);
+        Object.defineProperty(clips, "kept", {
+          get: () =>
+            [1, 2, 3].map((i) => ({
+              ...{ ...kept[0], key: `own-${i}`, origin: "own", source: { name: `${i}`, file: file() } },
+            })),
+        });
+        void session.keepNow();
+        setTimeout(() => window.close(), milliseconds);
+      }, milliseconds);
+      await tab.waitForTimeout(milliseconds);
+      await tab.close();
+    }
+    const keys = await records(page);
+    for (const visit of new Set(keys.map(([visit]) => visit)))
+      assert.deepEqual(keys.flatMap(([other, name]) => (other === visit ? [name] : [])).sort(), [
+        "about",
+        "clips",
+        "file 1",
+        "file 2",
+        "file 3",
+      ]);
+    await leave();
+  });
+});
+
+describe("a browser that stores nothing", () => {
+  for (const [what, hide] of /** @type {[string, () => void][]} */ ([
+    ["has no database", () => Reflect.deleteProperty(window, "indexedDB")],
+    [
+      "refuses its database",
+      () => {
+        IDBFactory.prototype.open = () => {
+          throw new DOMException("The operation is insecure.", "SecurityError");
+        };
+      },
+    ],
+  ])) {
+    it(`and ${what} still opens clips and studies`, async () => {
+      const { page, problems, leave } = await site.visit();
+      await page.context().addInitScript(hide);
+      await page.reload();
+      await ready(page);
+      await openClips(page, "mine");
+      await page.getByTestId("view-perception").click();
+      await page.getByTestId("study-title").waitFor();
+      await page.getByTestId("view-play").click();
+      assert.equal(await page.getByTestId("forget").count(), 0);
+      assert.deepEqual(problems, []);
+      await leave();
+    });
+  }
+
+  it("says so when its storage is full, with the reason", async () => {
+    const { page, leave } = await site.visit();
+    await ready(page);
+    await stores(page);
+    const session = await page.context().newCDPSession(page);
+    await session.send("Storage.overrideQuotaForOrigin", {
+      origin: new URL(page.url()).origin,
+      quotaSize: 1000,
+    });
+    await openClips(page, "mine");
+    await keepNow(page);
+    await page
+      .getByTestId("notice")
+      .filter({ hasText: /does not store it: its storage for this page is full\./ })
+      .waitFor();
+    await leave();
+  });
+});

@@ -1,0 +1,117 @@
+// What the page holds that a session stores, and how a later visit takes it up.
+import type { ClipsStore } from "../clips/clips-store";
+import type { ComparisonStore } from "../comparison/comparison-store";
+import type { ModelStore } from "../couplings/model-store";
+import { stageWork } from "../couplings/model-work";
+import type { EngineStore } from "../engine/engine-store";
+import type { Primitives } from "../primitives/primitives";
+import type { Holdings } from "../session/records";
+import type { Visit } from "../session/session-store";
+import type { SettingsStore } from "../settings/settings-store";
+import type { TrainingStore } from "../training/training-store";
+import { messageOf, sentence } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { mayLose } from "../ui/unsaved";
+import type { Lazy } from "./lazy";
+
+/** The stores whose work a session stores. */
+interface Stores {
+  settings: SettingsStore;
+  engine: EngineStore;
+  clips: ClipsStore;
+  training: TrainingStore;
+  model: ModelStore;
+  notices: NoticesStore;
+  comparison: Lazy<ComparisonStore>;
+  primitives: Lazy<Primitives>;
+}
+
+/** Clips of runs that are not open any more have negative ids: no open clip has one. */
+let lastClosedClip = 0;
+
+export function visitOf(stores: Stores): Visit {
+  return {
+    holdings: () => holdingsOf(stores),
+    takeUp: (holdings) => takeUp(stores, holdings),
+    showError: (title, text) => stores.notices.addError(title, text),
+  };
+}
+
+function holdingsOf({ settings, clips, training, model, comparison, primitives }: Stores): Holdings {
+  const shown = comparison.loaded?.shown;
+  const ids = new Map(clips.all.map(({ key, loaded }) => [key, loaded.id]));
+  return {
+    fragment: settings.address.fragment.replace(/^#/, ""),
+    clips: clips.kept.map((clip) => ({ ...clip, id: ids.get(clip.key) ?? 0 })),
+    firstBones: clips.firstBones,
+    runs: training.runs,
+    chosen: training.chosen,
+    model: training.chosen ? null : model.opened,
+    results: shown && !shown.given ? shown.results.text : null,
+    unsaved: {
+      model: model.unsaved,
+      results: comparison.loaded?.unsaved.some((entry) => entry === shown) ?? false,
+    },
+    library: primitives.loaded?.library.kept ?? null,
+  };
+}
+
+/** Asks all questions before the first change; from then on a piece that fails does not stop the others. */
+async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
+  const { settings, clips, training, model, engine } = stores;
+  const { chosen, library, unsaved } = holdings;
+  const bringsModel = holdings.model !== null || Boolean(chosen?.model);
+  // The model of a training takes the stage without a question.
+  if (bringsModel && training.busy)
+    throw new Error("A training is running: cancel it first, or bring the visit back when it is over.");
+  const keepsPresent = () => new Error("You keep the work on this page.");
+  if (bringsModel && !(await mayLose(stageWork(model, engine)))) throw keepsPresent();
+  if (holdings.results !== null) {
+    const comparison = await stores.comparison.get();
+    if (!(await comparison.open(holdings.results, !unsaved.results))) throw keepsPresent();
+  }
+  if (settings.address.fragment.replace(/^#/, "") === "" && holdings.fragment !== "") {
+    settings.takeFragment(holdings.fragment);
+    model.restart();
+  }
+
+  const problems: string[] = [];
+  const attempt = async (what: string, work: () => Promise<unknown>) => {
+    try {
+      await work();
+    } catch (problem) {
+      problems.push(sentence(`${what}: ${messageOf(problem)}`));
+    }
+  };
+  /** The ids of the clips in this visit, by their ids in the earlier one. */
+  const ids = new Map<number, number>();
+  for (const clip of holdings.clips)
+    await attempt(`The clip ${clip.title}`, async () => {
+      const id = await clips.takeUp(clip);
+      if (id !== null) ids.set(clip.id, id);
+    });
+  await clips.setFirstBones(holdings.firstBones);
+  const idNow = (id: number) => {
+    const now = ids.get(id) ?? --lastClosedClip;
+    ids.set(id, now);
+    return now;
+  };
+  const runs = holdings.runs.map((run) => ({
+    ...run,
+    clips: run.clips.map((clip) => ({ ...clip, id: idNow(clip.id) })),
+  }));
+  await attempt("The trainings", () => training.takeUp(runs, chosen ? holdings.runs.indexOf(chosen) : -1));
+  const { model: text } = holdings;
+  if (text !== null)
+    await attempt("The model", async () => {
+      await model.open(text, { couplings: "visitor", clip: true });
+      training.unchoose();
+      if (unsaved.model) model.standsAlone();
+    });
+  if (library !== null)
+    await attempt("The library of primitives", async () => {
+      const primitives = await stores.primitives.get();
+      await primitives.library.open(library.text, library.title, library.unsaved);
+    });
+  return problems;
+}

@@ -1,0 +1,66 @@
+// The browser's database of visits. Each visit has records under names.
+import { openDB } from "idb";
+
+export interface VisitDatabase {
+  /** The names of the stored visits. */
+  visits(): Promise<string[]>;
+  /** The records of a visit, by their names. */
+  read(visit: string): Promise<Map<string, unknown>>;
+  /** Writes all records or none; those that are undefined are removed. Fails when the storage is full. */
+  write(visit: string, records: ReadonlyMap<string, unknown>): Promise<void>;
+  forget(visit: string): Promise<void>;
+  /** Removes everything but the records of these visits. */
+  forgetAllBut(visits: readonly string[]): Promise<void>;
+}
+
+const RECORDS = "records";
+
+const allOf = (visit: string) => IDBKeyRange.bound([visit], [visit, []]);
+
+/** Splits a key of ours; another program or version may have written others. */
+function nameOf(key: IDBValidKey): [visit: string, name: string] | null {
+  if (!Array.isArray(key)) return null;
+  const [visit, name] = key;
+  return key.length === 2 && typeof visit === "string" && typeof name === "string" ? [visit, name] : null;
+}
+
+export async function browserDatabase(): Promise<VisitDatabase> {
+  const database = await openDB("vcgpdm", 1, {
+    upgrade: (fresh) => void fresh.createObjectStore(RECORDS),
+    // Another tab wants to change the database: this one lets go, and keeps no more.
+    blocking: (_, __, event) => (event.target as IDBDatabase).close(),
+  });
+  return {
+    async visits() {
+      const keys = await database.getAllKeys(RECORDS);
+      return [...new Set(keys.flatMap((key) => nameOf(key)?.[0] ?? []))];
+    },
+    async read(visit) {
+      const reading = database.transaction(RECORDS);
+      const [keys, values] = await Promise.all([
+        reading.store.getAllKeys(allOf(visit)),
+        reading.store.getAll(allOf(visit)) as Promise<unknown[]>,
+      ]);
+      const records = new Map<string, unknown>();
+      for (const [i, key] of keys.entries()) {
+        const [, name] = nameOf(key) ?? [];
+        if (name !== undefined) records.set(name, values[i]);
+      }
+      return records;
+    },
+    async write(visit, records) {
+      const writing = database.transaction(RECORDS, "readwrite");
+      const requests = [...records].map(([name, value]) =>
+        value === undefined ? writing.store.delete([visit, name]) : writing.store.put(value, [visit, name]),
+      );
+      await Promise.all([...requests, writing.done]);
+    },
+    forget: (visit) => database.delete(RECORDS, allOf(visit)),
+    async forgetAllBut(visits) {
+      const writing = database.transaction(RECORDS, "readwrite");
+      const keys = await writing.store.getAllKeys();
+      const removed = keys.filter((key) => !visits.includes(nameOf(key)?.[0] ?? ""));
+      await Promise.all([...removed.map((key) => writing.store.delete(key)), writing.done]);
+    },
+  };
+}
