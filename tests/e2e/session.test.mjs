@@ -91,6 +91,11 @@ describe("a page that is closed in the middle of a training", () => {
     await page.getByTestId("forget").waitFor();
     await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
     await page.getByTestId("forget").click();
+    await page.getByTestId("confirm-no").click();
+    assert.equal(await page.getByTestId("notice").count(), 0);
+    await page.getByTestId("forget").click();
+    assert.match(await page.getByTestId("confirm").innerText(), /nothing of this visit .* participants/);
+    await page.getByTestId("confirm-yes").click();
     await page.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
     await page.reload();
     await ready(page);

@@ -10,7 +10,7 @@ import { listenToKeys } from "./app/keyboard";
 import { openFiles } from "./app/open-files";
 import "./app/page";
 import type { PageView } from "./app/page";
-import { wouldLose } from "./app/unsaved-work";
+import { wouldLose } from "./app/leaving";
 import { startEngine } from "./engine/engine";
 import { browserAddressBar } from "./settings/address";
 import { isEmbedded } from "./settings/settings";

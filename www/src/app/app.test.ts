@@ -3,11 +3,13 @@ import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine
 import { FakeAddressBar } from "../settings/address.fake";
 import { App } from "./app";
 import { download } from "../ui/download";
-import { visitor } from "../ui/unsaved-dialog.fake";
+import { visitor } from "../ui/choice-dialog.fake";
 import { openFiles, openModel } from "./open-files";
-import { wouldLose } from "./unsaved-work";
+import { nothing } from "../session/visit.fake";
+import { visitOf } from "./holdings";
+import { loadNewVersion, wouldLose } from "./leaving";
 
-vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 let engine: FakeEngine;
@@ -180,4 +182,76 @@ it("leaving the page loses work only where nothing keeps it", async () => {
     return wouldLose({ ...app, session, comparison } as unknown as App);
   };
   expect([compared([]), compared([shown]), compared([shown, other])]).toEqual([false, false, true]);
+});
+
+describe("an earlier visit", () => {
+  const earlier = { ...nothing, model: modelText(9), unsaved: { model: true, results: false } };
+  const train = async () => {
+    const over = app.training.start();
+    await settled();
+    trainers.trainings.at(-1)?.report(2, -5, modelText(5));
+    return async () => {
+      trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
+      await over;
+    };
+  };
+  beforeEach(async () => {
+    visitor.arrives("keep");
+    await start();
+  });
+
+  it("with a model takes the stage from a training that is over, and is stored from then on", async () => {
+    await (await train())();
+    const visit = visitOf(app);
+    expect(await visit.takeUp(earlier)).toEqual([]);
+    expect([visit.holdings().model, visit.holdings().unsaved.model]).toEqual([modelText(9), true]);
+  });
+
+  it("with a model waits for a training: its models would take the stage unasked", async () => {
+    const end = await train();
+    await expect(visitOf(app).takeUp(earlier)).rejects.toThrow("A training is running");
+    expect(app.model.opened).not.toBe(modelText(9));
+    await end();
+  });
+
+  it("is taken up but for the pieces that cannot be read", async () => {
+    const clip = (name: string, text: string) => ({
+      ...{ key: `own-${name}`, id: 7, title: name, origin: "own" as const, ticked: true, first: 0, end: 90 },
+      source: { name, file: new Blob([text]) },
+    });
+    const clips = [clip("empty", ""), clip("walk", "HIERARCHY")];
+    const problems = await visitOf(app).takeUp({ ...earlier, clips, model: "no model" });
+    expect(problems).toEqual([expect.stringMatching(/^The clip empty: /), "The model: expected a model."]);
+    expect(app.clips.all.map(({ title }) => title)).toContain("walk");
+  });
+});
+
+describe("a new version of the page", () => {
+  const taken = vi.fn();
+  beforeEach(async () => {
+    await start();
+    vi.spyOn(app.offline, "takeNewVersion").mockImplementation(taken.mockReset());
+  });
+
+  it("is loaded unasked where nothing runs", async () => {
+    visitor.arrives("keep");
+    await loadNewVersion(app);
+    expect([visitor.asked, taken.mock.calls.length]).toEqual([[], 1]);
+  });
+
+  it("does not end a training before the visitor says so", async () => {
+    visitor.arrives("keep");
+    const over = app.training.start();
+    await settled();
+    await loadNewVersion(app);
+    expect([visitor.asked, taken.mock.calls.length]).toEqual([
+      ["Loading it ends what runs here: a training."],
+      0,
+    ]);
+    visitor.arrives("yes");
+    await loadNewVersion(app);
+    expect(taken).toHaveBeenCalledTimes(1);
+    trainers.trainings[0]?.end({ cancelled: true, reason: null });
+    await over;
+  });
 });

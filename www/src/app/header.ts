@@ -9,6 +9,7 @@ import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import { wordStores, wordsNow } from "./caption";
+import { loadNewVersion } from "./leaving";
 import "./save-menu";
 
 const VIEWS: [Settings["view"], string][] = [
@@ -93,12 +94,12 @@ export class HeaderView extends View {
       : nothing;
   }
 
-  /** Taken when the visitor says so: what is under way is not interrupted. */
+  /** The new version waits until the visitor asks for it. */
   private newVersion() {
     const { offline } = this.app;
     if (!offline.hasNewVersion) return nothing;
     return html`<button data-testid="new-version" title="A new version of this page is there. Loading it begins anew: save first what you want to keep."
-      @click=${() => offline.takeNewVersion()}>Load new version</button>`;
+      @click=${() => void loadNewVersion(this.app)}>Load new version</button>`;
   }
 
   protected override render() {

@@ -4,10 +4,10 @@ import type { PartSpec } from "../engine/protocol";
 import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-workers.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
-import { visitor } from "../ui/unsaved-dialog.fake";
+import { visitor } from "../ui/choice-dialog.fake";
 import { type ClipsNow, ComparisonStore, type EngineState, type SettingsNow } from "./comparison-store";
 
-vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
 
 class FakeEngine extends Store implements EngineState {
   state: EngineState["state"] = "ready";
@@ -321,7 +321,10 @@ describe("opened results", () => {
     const { shown } = comparison;
     visitor.answer = "keep";
     expect(await comparison.open(saved())).toBe(false);
-    expect([visitor.asked, comparison.shown]).toEqual([["a comparison of 6 trainings"], shown]);
+    expect([visitor.asked, comparison.shown]).toEqual([
+      [expect.stringContaining("a comparison of 6 trainings")],
+      shown,
+    ]);
     visitor.answer = "discard";
     expect(await comparison.open(saved())).toBe(true);
     // What an earlier visit has left is on no disk, and nothing else holds it: neither a file nor another

@@ -3,10 +3,10 @@ import { FakeProgram } from "../engine/whole-workers.fake";
 import { type AnswerShelf, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
 import { download } from "../ui/download";
-import { visitor } from "../ui/unsaved-dialog.fake";
+import { visitor } from "../ui/choice-dialog.fake";
 import { study, trialsOf } from "./study.fake";
 
-vi.mock("../ui/unsaved-dialog", () => import("../ui/unsaved-dialog.fake"));
+vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 class FakeShelf implements AnswerShelf {

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { mayLose, type Work } from "./unsaved";
-import { visitor } from "./unsaved-dialog.fake";
+import { visitor } from "./choice-dialog.fake";
 
-vi.mock("./unsaved-dialog", () => import("./unsaved-dialog.fake"));
+vi.mock("./choice-dialog", () => import("./choice-dialog.fake"));
 
 let saved: string[];
 const work = (what: string): Work => ({ what, save: async () => void saved.push(what) });
@@ -17,7 +17,7 @@ describe("work that is not saved", () => {
     expect(await mayLose(null, null)).toBe(true);
     expect(visitor.asked).toEqual([]);
     expect(await mayLose(null, work("a model"), work("a study"))).toBe(false);
-    expect(visitor.asked).toEqual(["a model", "a study"]);
+    expect(visitor.asked).toEqual(["Not saved: a model, and a study. What comes now takes their place."]);
   });
 
   it("is lost where the visitor says so, after it was saved where the visitor wants that", async () => {

@@ -1,5 +1,4 @@
-// What was made here and is on no disk: the visitor is asked before something else takes its place.
-import type { Answer } from "./unsaved-dialog";
+// Work of the visitor that is on no disk: the visitor is asked before something else takes its place.
 
 export interface Work {
   /** "the model that was trained here" */
@@ -9,23 +8,45 @@ export interface Work {
 }
 
 /**
- * Whether something may take the place of these; asks where there is any, and first saves what the visitor
- * wants saved.
+ * Whether something may take the place of these works. Asks when there are any, and first saves them if the
+ * visitor wants that.
  */
 export async function mayLose(...works: readonly (Work | null)[]): Promise<boolean> {
-  const lost = works.filter((work) => work !== null);
-  if (lost.length === 0) return true;
-  const answer = await ask(lost.map(({ what }) => what));
-  if (answer === "save") for (const { save } of lost) await save();
-  return answer !== "keep";
+  const unsaved = works.filter((work) => work !== null);
+  if (unsaved.length === 0) return true;
+  const answer = await askAbout(unsaved.map(({ what }) => what));
+  if (answer === "save") for (const { save } of unsaved) await save();
+  return answer === "save" || answer === "discard";
 }
 
-async function ask(what: readonly string[]): Promise<Answer> {
+async function askAbout(works: readonly string[]): Promise<"save" | "discard" | "keep" | null> {
+  const [it, its] = works.length === 1 ? ["it", "its"] : ["them", "their"];
+  const text = `Not saved: ${works.join(", and ")}.`;
   try {
-    const { askInDialog } = await import("./unsaved-dialog");
-    return await askInDialog(what);
+    const { choose } = await import("./choice-dialog");
+    return await choose({
+      testId: "unsaved",
+      title: `Save ${it} first?`,
+      text: `${text} What comes now takes ${its} place.`,
+      answers: [
+        ["save", `Save ${it} first`],
+        ["discard", "Discard"],
+        ["keep", `Keep ${it}`],
+      ],
+    });
   } catch {
-    // Without a network the dialog may not come; the browser's own says the same in short.
-    return confirm(`Not saved: ${what.join(", and ")}. Discard?`) ? "discard" : "keep";
+    // Without a network the dialog may not load; the browser's own asks the same in short.
+    return confirm(`${text} Discard?`) ? "discard" : "keep";
+  }
+}
+
+/** Asks before an action that cannot be undone. */
+export async function isConfirmed(title: string, text: string, action: string): Promise<boolean> {
+  try {
+    const { choose } = await import("./choice-dialog");
+    const answers = [["yes", action] as const, ["no", "Not now"] as const];
+    return (await choose({ testId: "confirm", title, text, answers })) === "yes";
+  } catch {
+    return confirm(`${title} ${text}`);
   }
 }
