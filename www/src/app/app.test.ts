@@ -210,7 +210,7 @@ describe("an earlier visit", () => {
   it("with a model waits for a training: its models would take the stage unasked", async () => {
     const end = await train();
     await expect(visitOf(app).takeUp(earlier)).rejects.toThrow("A training is running");
-    expect(app.model.opened).not.toBe(modelText(9));
+    expect(app.model.openedText).not.toBe(modelText(9));
     await end();
   });
 

@@ -46,7 +46,7 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
     firstBones: clips.firstBones,
     runs: training.runs,
     chosen: training.chosen,
-    model: training.chosen ? null : model.opened,
+    model: training.chosen ? null : model.openedText,
     results: shown && !shown.given ? shown.results.text : null,
     unsaved: {
       model: model.unsaved,
@@ -106,7 +106,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
     await attempt("The model", async () => {
       await model.open(text, { couplings: "visitor", clip: true });
       training.unchoose();
-      if (unsaved.model) model.standsAlone();
+      if (unsaved.model) model.markMadeHere();
     });
   if (library !== null)
     await attempt("The library of primitives", async () => {

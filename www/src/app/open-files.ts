@@ -115,7 +115,7 @@ export async function openModel(app: App, text: string, made = false): Promise<b
   if (!(await mayLose(stageWork(app.model, app.engine)))) return false;
   refuse();
   await app.model.open(text);
-  if (made) app.model.standsAlone();
+  if (made) app.model.markMadeHere();
   app.training.unchoose();
   return true;
 }

@@ -331,7 +331,7 @@ export class PageView extends View {
   protected override render() {
     const { app } = this;
     const { engine, settings, model, notices, embedded, isPlayView } = app;
-    const { foreign } = model;
+    const { model: linked } = model.link;
     const { view } = settings.values;
     return html`
       <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod} @show-series=${() => settings.change({ view: "series" })}
@@ -345,11 +345,11 @@ export class PageView extends View {
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}
         ${
-          foreign === null
+          linked === null
             ? nothing
-            : html`<p class="banner" role="alert" data-testid="foreign-link">This link’s couplings belong to another model (${foreign}), not to the one on
+            : html`<p class="banner" role="alert" data-testid="foreign-link">This link’s couplings belong to another model (${linked}), not to the one on
               the stage (${model.id}). They are applied when that model is opened.
-              <button class="small" @click=${() => model.forgetForeign()}>Forget them</button></p>`
+              <button class="small" @click=${() => model.forgetLink()}>Forget them</button></p>`
         }
         ${
           engine.state === "failed"

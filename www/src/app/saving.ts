@@ -31,7 +31,7 @@ export async function save(app: App, what: Saved): Promise<void> {
   if (!file) return;
   try {
     download(file.name, new Blob([await file.content()], { type: file.type }));
-    if (what === "model") app.model.saved();
+    if (what === "model") app.model.markSaved();
   } catch (problem) {
     app.notices.addError(`${file.name} was not saved`, messageOf(problem));
   }

@@ -37,11 +37,11 @@ export function modelFile(
 
 /** Saves the model, if there is one, to the visitor's disk. */
 export async function saveModel(
-  store: Pick<ModelStore, "model" | "id" | "saved">,
+  store: Pick<ModelStore, "model" | "id" | "markSaved">,
   engine: Pick<Engine, "modelJson">,
 ): Promise<void> {
   const file = modelFile(store, engine);
   if (!file) return;
   download(file.name, new Blob([await file.content()], { type: file.type }));
-  store.saved();
+  store.markSaved();
 }

@@ -227,7 +227,7 @@ describe("another model", () => {
     bar.pages.pop();
     settings.readAddress();
     model.restart();
-    expect([model.couplings.altered, model.foreign]).toEqual([false, modelHash(3).slice(0, 8)]);
+    expect([model.couplings.altered, model.link.model]).toEqual([false, modelHash(3).slice(0, 8)]);
     await model.open(modelText(3));
     expect(model.couplings.alphaOf(0, 1)).toBe(8);
   });
@@ -359,12 +359,12 @@ describe("a link", () => {
 
   it("to another model changes nothing but says so, until that model is opened", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8&start=1`, 3);
-    expect([model.couplings.altered, settings.values.start, model.foreign]).toEqual([false, 0, id(2)]);
+    expect([model.couplings.altered, settings.values.start, model.link.model]).toEqual([false, 0, id(2)]);
     await model.open(modelText(3, 3));
-    expect([model.couplings.altered, model.foreign]).toEqual([false, id(2)]);
+    expect([model.couplings.altered, model.link.model]).toEqual([false, id(2)]);
     await model.open(modelText(2, 3));
     await settled();
-    expect([model.couplings.alphaOf(0, 1), model.foreign, model.rollout?.request.sequence]).toEqual([
+    expect([model.couplings.alphaOf(0, 1), model.link.model, model.rollout?.request.sequence]).toEqual([
       8,
       null,
       1,
@@ -378,23 +378,23 @@ describe("a link", () => {
     settings.change({ latent: 4 });
     const written = () => writeSettings(settings.written);
     expect(readSettings(written())).toEqual({ ...readSettings(link), latent: 4 });
-    model.forgetForeign();
+    model.forgetLink();
     expect(written()).toBe("latent=4");
   });
 
   it("is no longer waited for when the visitor moves a slider or says so", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8`);
     model.couplings.set(1, 0, 9);
-    expect(model.foreign).toBeNull();
+    expect(model.link.model).toBeNull();
     await begin(`model=${id(2)}&alpha=0.1:8`);
-    model.forgetForeign();
+    model.forgetLink();
     await model.open(modelText(2));
     expect(model.couplings.altered).toBe(false);
   });
 
   it("to this model, or from before links named models, brings its couplings", async () => {
     await begin(`model=${id(1)}&alpha=0.1:8`);
-    expect([weightOf(0, 1), model.foreign]).toEqual([8, null]);
+    expect([weightOf(0, 1), model.link.model]).toEqual([8, null]);
     await begin("alpha=0.1:8");
     expect([weightOf(0, 1), settings.values.model]).toEqual([8, id(1)]);
   });

@@ -1,4 +1,4 @@
-// The model, its couplings, and its rollouts: as learned and under the couplings now.
+// The model on the stage, and its two rollouts: as learned, and under the couplings now.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type {
@@ -15,6 +15,7 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
+import { AwaitedLink } from "./awaited-link";
 import { type CouplingsChange, CouplingsStore } from "./couplings-store";
 import { couplingsOf, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
 import { sameTimes } from "./same-times";
@@ -22,29 +23,25 @@ import { sameTimes } from "./same-times";
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
 
-/** So many digits of a hash tell the models of a class apart. */
+/** Digits of a model's hash in a link: enough to distinguish the models of a class of students. */
 const ID_DIGITS = 8;
 
-/** What stays as it is when another model is taken up. */
+/** What another model keeps of the model before. */
 export interface Keep {
   /**
-   * "none"; "visitor": those that the visitor set meanwhile, if they fit the model; "link": those of the
+   * "visitor": the couplings that the visitor has set, if they fit the model; "link": the couplings of the
    * address, if they belong to the model.
    */
   couplings: "none" | "visitor" | "link";
-  /** A clip that is looked at. */
+  /** Whether a clip stays in front of the model. */
   clip: boolean;
 }
 
 const KEEP_NOTHING: Keep = { couplings: "none", clip: false };
 
-/** Couplings and start of a link that names another model than the one that was there. */
-interface Foreign extends Pick<Settings, "alpha" | "start" | "startFrame"> {
-  model: string;
-}
-
 export class ModelStore extends Store {
   readonly couplings: CouplingsStore;
+  readonly link: AwaitedLink;
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
   readonly #stage: StageStore;
@@ -53,14 +50,13 @@ export class ModelStore extends Store {
   /** The hash of the model that the page opens with. */
   #startModel: string | null = null;
   #text = "";
-  /** Whether it was made here and stands in no list of trainings. */
-  #alone = false;
+  /** Whether the model was made here and is in no list of trainings. */
+  #madeHere = false;
   /** The hashes of the models that the visitor has saved. */
   readonly #saved = new Set<string>();
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
-  #foreign: Foreign | null = null;
-  /** When the visitor changed a coupling whose rollout is not there yet. */
+  /** The time when the visitor changed a coupling; null once its rollout has arrived. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
   readonly #learnedRollouts: Latest<RolloutRequest, RolloutResult>;
@@ -71,6 +67,7 @@ export class ModelStore extends Store {
     this.#settings = settings;
     this.#stage = stage;
     this.#notices = notices;
+    this.link = new AwaitedLink(settings);
     this.couplings = new CouplingsStore((change) => this.#couplingsChanged(change), {
       get values() {
         return settings.values;
@@ -104,39 +101,29 @@ export class ModelStore extends Store {
     return this.#rollout;
   }
 
-  /** What a link names the model by: the first digits of the hash of its document. Empty without a model. */
+  /** The name of the model in a link: the first digits of its document's hash. Empty without a model. */
   get id(): string {
     return this.#model?.sha256.slice(0, ID_DIGITS) ?? "";
   }
 
-  /**
-   * The model that a link's couplings belong to, where it is another one; they are kept until it is opened.
-   */
-  get foreign(): string | null {
-    return this.#foreign?.model ?? null;
-  }
-
-  /** The document of the model, where it is not the one that the page opens with. */
-  get opened(): string | null {
+  /** The document of the model; null for the model that the page opens with. */
+  get openedText(): string | null {
     return this.#model === null || this.#model.sha256 === this.#startModel ? null : this.#text;
   }
 
-  /**
-   * Whether another model on the stage would lose this one: it was made here, is in no list, and is not
-   * saved.
-   */
+  /** Whether the model would be lost if another one replaced it. */
   get unsaved(): boolean {
-    return this.#alone && this.#model !== null && !this.#saved.has(this.#model.sha256);
+    return this.#madeHere && this.#model !== null && !this.#saved.has(this.#model.sha256);
   }
 
-  /** The model was made here, and nothing else holds it. */
-  standsAlone(): void {
-    this.#alone = true;
+  /** The model was made here, and is in no list of trainings. */
+  markMadeHere(): void {
+    this.#madeHere = true;
     this.changed();
   }
 
-  /** The model is on the visitor's disk. */
-  saved(): void {
+  /** The model was saved to the visitor's disk. */
+  markSaved(): void {
     if (this.#model) this.#saved.add(this.#model.sha256);
   }
 
@@ -149,13 +136,13 @@ export class ModelStore extends Store {
       : presetsOf(model.info.parts.map(({ name }) => name));
   }
 
-  /** The preset whose couplings are those now. */
+  /** The preset that matches the couplings now. */
   get preset(): Preset | null {
     const info = this.#model?.info;
     return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
   }
 
-  /** What to ask the engine for the rollout on the stage. */
+  /** The request for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
     const { frames, reading, start, startFrame } = this.#settings.values;
     const sequences = this.#model?.info.sequences.length ?? 1;
@@ -166,10 +153,7 @@ export class ModelStore extends Store {
     return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as learned" };
   }
 
-  /**
-   * Opens a model from its JSON document. `trainingLatents` are those of its training frames, where they are
-   * known.
-   */
+  /** Opens a model from its JSON document. `trainingLatents`: the latents of its training frames, if known. */
   async open(
     text: string,
     keep = KEEP_NOTHING,
@@ -177,7 +161,7 @@ export class ModelStore extends Store {
   ): Promise<void> {
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
     this.#text = text;
-    this.#alone = false;
+    this.#madeHere = false;
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
   }
 
@@ -188,7 +172,7 @@ export class ModelStore extends Store {
     this.changed();
   }
 
-  /** Begins anew with the model as it was learned, under settings that came from the address. */
+  /** Takes the couplings and the start from the address, after the address has changed. */
   restart(): void {
     if (!this.#model || !this.#learned) return;
     this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: "link", clip: false });
@@ -197,15 +181,12 @@ export class ModelStore extends Store {
   takePreset(preset: Preset): void {
     const alpha = this.#model && couplingsOf(preset, this.#model.info);
     if (!alpha) return;
-    this.#waitFor(null);
+    this.link.forget();
     this.#stage.endClip();
     this.couplings.takeAll(alpha, preset.reading);
   }
 
-  /**
-   * From how many frames of a training sequence a rollout can start: of those whose latents the model's file
-   * keeps.
-   */
+  /** The number of frames of a training sequence whose latents the file has: rollouts can start there. */
   startFrames(sequence: number): number {
     return this.#model?.info.startFrames[sequence] ?? 1;
   }
@@ -216,24 +197,17 @@ export class ModelStore extends Store {
     this.#rollOutBoth();
   }
 
-  /** Rolls so many seconds out, within the limits. */
+  /** Sets the length of the rollouts, within its limits. */
   setSeconds(seconds: number): void {
     if (!this.#model) return;
     this.#change({ frames: Math.round(seconds / this.#model.info.frameTime) });
     this.#rollOutBoth();
   }
 
-  /** The couplings of a link that belong to another model are not waited for any more. */
-  forgetForeign(): void {
-    this.#waitFor(null);
+  /** Forgets the couplings of a link that belong to another model. */
+  forgetLink(): void {
+    this.link.forget();
     this.changed();
-  }
-
-  /** The address keeps what is waited for: whoever loads the page anew still has the link. */
-  #waitFor(foreign: Foreign | null): void {
-    if (foreign === this.#foreign) return;
-    this.#foreign = foreign;
-    this.#settings.holdBack(foreign ?? {});
   }
 
   #running(): Engine {
@@ -242,7 +216,7 @@ export class ModelStore extends Store {
     return engine;
   }
 
-  /** Changes settings. A link that says something about the model also says which model it is. */
+  /** Changes settings. An address with couplings or a start also names their model. */
   #change(change: Partial<Settings>, turnsPage = false): void {
     const { alpha, start, startFrame } = { ...this.#settings.values, ...change };
     const aboutModel = start + startFrame > 0 || Object.keys(alpha).length > 0;
@@ -252,7 +226,7 @@ export class ModelStore extends Store {
   #couplingsChanged(change: CouplingsChange): void {
     if (change === "set") {
       this.#changedAt = performance.now();
-      this.#waitFor(null);
+      this.link.forget();
       this.#stage.endClip();
     }
     this.#rollOut();
@@ -265,7 +239,7 @@ export class ModelStore extends Store {
     this.changed();
   }
 
-  /** Asks for the rollout under the settings now; older requests that still wait are dropped. */
+  /** Asks for the rollout under the settings now. */
   #rollOut(): void {
     if (this.#model) this.#rollouts.request(this.rolloutRequest());
     this.#showGhost();
@@ -299,7 +273,7 @@ export class ModelStore extends Store {
     this.#learned = rollout;
     this.#rollout = rollout;
     this.#settleCouplings(model, keep);
-    // First whoever knows the model before it, then the stage.
+    // Other stores drop the model before, and then the stage shows the new one.
     this.changed();
     this.#show();
     if (!keep.clip) this.#stage.endClip();
@@ -308,24 +282,18 @@ export class ModelStore extends Store {
     if (this.couplings.altered || !sameTimes(request, asked)) this.#rollOutBoth();
   }
 
-  /** Which couplings, and which start, hold for a model that is taken up. */
+  /** Sets the couplings and the start for a model that was taken up. */
   #settleCouplings({ info }: ModelView, keep: Keep): void {
     const { alpha, start, startFrame, model } = this.#settings.values;
-    const isForeign = keep.couplings === "link" && model !== "" && model !== this.id;
-    if (isForeign) this.#waitFor({ model, alpha, start, startFrame });
-    else if (keep.couplings === "link") this.#waitFor(null);
-    // What the visitor has set for the model before is not lost: Back brings its address.
+    const ofOtherModel = keep.couplings === "link" && model !== "" && model !== this.id;
+    if (ofOtherModel) this.link.wait({ model, alpha, start, startFrame });
+    else if (keep.couplings === "link") this.link.forget();
+    // The browser's Back button brings back the couplings of the model before.
     const drops = keep.couplings === "none" || !this.#couplingsFit(info);
-    if (isForeign || drops) this.#change({ alpha: {} }, keep.couplings !== "link" && this.couplings.altered);
-    if (isForeign || start >= info.sequences.length) this.#change({ start: 0, startFrame: 0 });
-    // The link was followed before its model was there.
-    if (this.#foreign?.model === this.id) {
-      const { alpha, start, startFrame } = this.#foreign;
-      this.#waitFor(null);
-      this.#change({ alpha, start, startFrame });
-    } else {
-      this.#change({});
-    }
+    if (ofOtherModel || drops)
+      this.#change({ alpha: {} }, keep.couplings !== "link" && this.couplings.altered);
+    if (ofOtherModel || start >= info.sequences.length) this.#change({ start: 0, startFrame: 0 });
+    this.#change(this.link.takeFor(this.id) ?? {});
   }
 
   #couplingsFit(info: ModelInfo): boolean {

@@ -36,7 +36,7 @@ export class Staging {
 
   /** The run leaves the list: where its model is on the stage, nothing else holds it. */
   letGo({ model }: Run): void {
-    if (model && model === this.#staged) this.#model.standsAlone();
+    if (model && model === this.#staged) this.#model.markMadeHere();
   }
 
   /** Takes the newest model of a run up; of several asked for in quick succession only the last. */
