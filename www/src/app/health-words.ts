@@ -1,5 +1,5 @@
 // What the page says over a motion that is none any more.
-import { troubleWords } from "../couplings/measured";
+import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";
 
@@ -15,7 +15,7 @@ interface Seen {
 /** One sentence; empty where there is nothing to say. */
 export function healthWords(health: BodyReport["health"], { seconds, parts, altered }: Seen): string {
   const names = parts.map(({ name }) => name);
-  const words = troubleWords(health, names);
+  const words = troubleText(health, names);
   // What is measured may be longer than what is shown.
   if (!words || (health.from ?? 0) >= seconds) return "";
   if (health.state === "leaves the training range") return sentence(words);

@@ -1,11 +1,11 @@
 // Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model
 // that has a bound.
 import { html, nothing, svg } from "lit";
-import { axes, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { axes, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { correlationFinding, rankWords } from "./findings";
-import { beside, inShort } from "../figures/labels";
+import { placeLabels, shortenLabels } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
@@ -55,8 +55,8 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
       top,
     );
     const up = ticksUp(y, bottom - top, type);
-    const left = widthOf(up, type);
-    const { short, units, all } = inShort(points.map(({ label }) => label));
+    const left = labelsWidth(up, type);
+    const { short, units, all } = shortenLabels(points.map(({ label }) => label));
     const note = [units && `Labels: ${units}.`, all && `All with ${all}.`].filter(Boolean).join(" ");
     const widths = short.map((label) => textWidth(label, type));
     // The outermost points have their labels beside them, too, unless these are long.
@@ -67,7 +67,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     );
     const across = ticksAcross(x, right - left, type);
     const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
-    const boxes = beside(places, widths, 1.15 * type, 1.2 * MARK_SIZE * type, {
+    const boxes = placeLabels(places, widths, 1.15 * type, 1.2 * MARK_SIZE * type, {
       x: left,
       y: top,
       width: right - left,

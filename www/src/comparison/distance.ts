@@ -2,10 +2,10 @@
 // stays so.
 import { html, svg } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
-import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { axes, path, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
-import { spread } from "../figures/labels";
+import { spreadLabels } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
@@ -77,7 +77,7 @@ export class DistanceFigure extends FigureElement<Distances> {
       top,
     );
     const up = ticksUp(y, bottom - top, type).filter(({ value }) => value >= 0);
-    const left = widthOf(up, type);
+    const left = labelsWidth(up, type);
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
     this.place = (frame) => x.at(frame * frameTime);
@@ -86,7 +86,7 @@ export class DistanceFigure extends FigureElement<Distances> {
       name: words[i] ?? "",
       places: [...metres].map((distance, frame) => [x.at(frame * frameTime), y.at(100 * distance)] as const),
     }));
-    const ends = spread(
+    const ends = spreadLabels(
       drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
       1.45 * type,
       top,

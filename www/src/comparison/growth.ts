@@ -1,10 +1,10 @@
 // How the time of an iteration grows with the frames (figure 2 of the supplement of Velychko et al. 2017).
 import { html, svg } from "lit";
-import { axes, path, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { axes, path, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { exponentWords, growthFinding } from "./findings";
-import { type Point, spread } from "../figures/labels";
+import { type Point, spreadLabels } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
@@ -92,7 +92,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
       top,
     );
     const up = ticksUp(y, bottom - top, type);
-    const left = widthOf(up, type);
+    const left = labelsWidth(up, type);
     const x = logScale(
       lines.flatMap(({ points }) => points.map(({ frames }) => frames)),
       left,
@@ -103,7 +103,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
       words,
       places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const),
     }));
-    const ends = spread(
+    const ends = spreadLabels(
       drawn.map(({ places }) => places.at(-1)?.[1] ?? bottom),
       step,
       top + type,

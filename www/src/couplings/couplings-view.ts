@@ -15,7 +15,7 @@ import type { ModelStore } from "./model-store";
 import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
-import "./share-bar";
+import "./weight-bar";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -31,7 +31,7 @@ export class CouplingsView extends View {
 
   #table(info: ModelInfo) {
     const bar = (target: number) =>
-      html`<pg-share-bar .model=${this.model} .target=${target}></pg-share-bar>`;
+      html`<pg-weight-bar .model=${this.model} .target=${target}></pg-weight-bar>`;
     return couplingsTable({
       couplings: this.model.couplings,
       parts: info.parts.map(({ name }) => name),

@@ -6,7 +6,7 @@ import "../terms/term";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { BodyStore } from "./body-store";
-import { measuredWords } from "./measured";
+import { measuresText } from "./measures-text";
 import type { ModelStore } from "./model-store";
 import { START_PRESETS } from "./presets";
 import "./presets-view.css";
@@ -38,7 +38,7 @@ export class PresetsView extends View {
     const { reports, isCurrent } = this.body;
     if (!reports) return nothing;
     const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
-    const { parts, step, trouble } = measuredWords(reports.now, reports.learned, names);
+    const { parts, step, trouble } = measuresText(reports.now, reports.learned, names);
     const end = [
       step && html`<span data-testid="measured-step">${step}</span>`,
       trouble && html`<strong class="bad" data-testid="measured-trouble">${trouble}</strong>`,

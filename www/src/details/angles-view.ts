@@ -1,6 +1,6 @@
 // One channel of the motion on the stage: over time, against its speed, or against another channel.
 import { html, nothing, svg } from "lit";
-import { axes, path, type Plot, ticksAcross, ticksUp, widthOf } from "../figures/chart";
+import { axes, path, type Plot, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
 import { linearScale } from "../figures/scale";
 import type { Playback } from "../stage/playback";
 import { download } from "../ui/download";
@@ -111,7 +111,7 @@ export class AnglesView extends View {
       top,
     );
     const upTicks = ticksUp(up, bottom - top, TYPE);
-    const plot: Plot = { left: widthOf(upTicks, TYPE), right: this.room - 8, bottom, type: TYPE };
+    const plot: Plot = { left: labelsWidth(upTicks, TYPE), right: this.room - 8, bottom, type: TYPE };
     const right = linearScale(
       lines.flatMap(({ x }) => x),
       plot.left,

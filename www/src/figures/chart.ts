@@ -33,7 +33,7 @@ export function ticksUp(scale: Scale, room: number, type: number): Tick[] {
 }
 
 /** The room that the labels of an upright axis take. */
-export function widthOf(ticks: Tick[], type: number): number {
+export function labelsWidth(ticks: Tick[], type: number): number {
   return widest(ticks, type) + 10;
 }
 

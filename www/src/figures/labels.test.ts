@@ -1,26 +1,26 @@
 import { describe, expect, it } from "vitest";
-import { type Box, beside, inShort, spread } from "./labels";
+import { type Box, placeLabels, shortenLabels, spreadLabels } from "./labels";
 
-describe("labels beside the ends of lines", () => {
+describe("labels placeLabels the ends of lines", () => {
   it("stay where they are wanted when there is room", () =>
-    expect(spread([50, 10, 90], 12, 0, 100)).toEqual([50, 10, 90]));
+    expect(spreadLabels([50, 10, 90], 12, 0, 100)).toEqual([50, 10, 90]));
 
   it("move apart by as little as possible, in their order", () => {
-    expect(spread([50, 50, 10], 12, 0, 100)).toEqual([44, 56, 10]);
-    expect(spread([52, 48, 50], 10, 0, 100)).toEqual([60, 40, 50]);
+    expect(spreadLabels([50, 50, 10], 12, 0, 100)).toEqual([44, 56, 10]);
+    expect(spreadLabels([52, 48, 50], 10, 0, 100)).toEqual([60, 40, 50]);
   });
 
   it("stay within their room", () => {
-    expect(spread([99, 100, 98], 10, 0, 100)).toEqual([90, 100, 80]);
-    expect(spread([1, 0], 10, 0, 100)).toEqual([10, 0]);
-    const many = spread([5, 5, 5, 5, 5], 30, 0, 100);
+    expect(spreadLabels([99, 100, 98], 10, 0, 100)).toEqual([90, 100, 80]);
+    expect(spreadLabels([1, 0], 10, 0, 100)).toEqual([10, 0]);
+    const many = spreadLabels([5, 5, 5, 5, 5], 30, 0, 100);
     expect(many).toEqual([0, 25, 50, 75, 100]);
-    expect(spread([], 10, 0, 100)).toEqual([]);
-    expect(spread([200], 10, 0, 100)).toEqual([100]);
+    expect(spreadLabels([], 10, 0, 100)).toEqual([]);
+    expect(spreadLabels([200], 10, 0, 100)).toEqual([100]);
   });
 
   it("keep their distance when several groups meet a border", () => {
-    const places = spread([0, 1, 2, 30, 31, 95, 97, 99], 10, 0, 100).sort((a, b) => a - b);
+    const places = spreadLabels([0, 1, 2, 30, 31, 95, 97, 99], 10, 0, 100).sort((a, b) => a - b);
     for (const [i, place] of places.slice(1).entries()) expect(place - places[i]!).toBeGreaterThan(10 - 1e-9);
     expect(places[0]).toBeGreaterThanOrEqual(0);
     expect(places.at(-1)).toBeLessThanOrEqual(100 + 1e-9);
@@ -31,7 +31,7 @@ describe("labels of points", () => {
   const within = { x: 0, y: 0, width: 200, height: 100 };
 
   it("stand to the right, or left where the room ends", () => {
-    const [middle, edge] = beside(
+    const [middle, edge] = placeLabels(
       [
         { x: 60.3, y: 50.7 },
         { x: 195, y: 20 },
@@ -53,7 +53,7 @@ describe("labels of points", () => {
       { x: 104, y: 66 },
       { x: 40, y: 50 },
     ];
-    const boxes = beside(points, [36, 36, 36, 36], 12, 4, within);
+    const boxes = placeLabels(points, [36, 36, 36, 36], 12, 4, within);
     const apart = (a: Box, b: Box) =>
       a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
     const placed = boxes.filter((box) => box !== null);
@@ -71,7 +71,7 @@ describe("labels of points", () => {
 
 it("leaves a label out rather than lay it over another one", () => {
   const crowd = Array.from({ length: 12 }, (_, i) => ({ x: 50 + i, y: 50 }));
-  const boxes = beside(crowd, new Array(12).fill(60), 14, 4, { x: 0, y: 0, width: 140, height: 100 });
+  const boxes = placeLabels(crowd, new Array(12).fill(60), 14, 4, { x: 0, y: 0, width: 140, height: 100 });
   const placed = boxes.filter((box) => box !== null);
   expect(placed.length).toBeGreaterThan(0);
   expect(placed.length).toBeLessThan(12);
@@ -84,21 +84,24 @@ it("leaves a label out rather than lay it over another one", () => {
 
 describe("labels in short", () => {
   it("keep what differs, and say what it counts and what holds for all", () => {
-    expect(inShort(["4 + 4 inducing points", "12 + 12 inducing points"])).toEqual({
+    expect(shortenLabels(["4 + 4 inducing points", "12 + 12 inducing points"])).toEqual({
       short: ["4 + 4", "12 + 12"],
       units: "inducing points",
       all: "",
     });
-    expect(inShort(["4 + 8 inducing points", "8 + 8 inducing points"]).short).toEqual(["4 + 8", "8 + 8"]);
+    expect(shortenLabels(["4 + 8 inducing points", "8 + 8 inducing points"]).short).toEqual([
+      "4 + 8",
+      "8 + 8",
+    ]);
     expect(
-      inShort(["12 + 12 inducing points, 800 iterations", "12 + 12 inducing points, 150 iterations"]),
+      shortenLabels(["12 + 12 inducing points, 800 iterations", "12 + 12 inducing points, 150 iterations"]),
     ).toEqual({
       short: ["800", "150"],
       units: "iterations",
       all: "12 + 12 inducing points",
     });
     expect(
-      inShort([
+      shortenLabels([
         "8 + 8 inducing points, Q = 3, 800 iterations",
         "4 + 4 inducing points, Q = 2, 800 iterations",
       ]),
@@ -117,6 +120,6 @@ describe("labels in short", () => {
       ["8 + 8 inducing points", "8 + 8 inducing points, 800 iterations"],
       [],
     ])
-      expect(inShort(labels)).toEqual({ short: labels, units: "", all: "" });
+      expect(shortenLabels(labels)).toEqual({ short: labels, units: "", all: "" });
   });
 });

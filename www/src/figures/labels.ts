@@ -4,7 +4,7 @@
  * Places in the order of the wanted ones, at least `gap` apart and within [low, high], as near to the wanted
  * ones as that allows (least squares). Too many for the room lie evenly over it.
  */
-export function spread(wanted: readonly number[], gap: number, low: number, high: number): number[] {
+export function spreadLabels(wanted: readonly number[], gap: number, low: number, high: number): number[] {
   const steps = Math.max(1, wanted.length - 1);
   const step = Math.min(gap, (high - low) / steps);
   const ascending = wanted.map((place, index) => ({ place, index })).sort((a, b) => a.place - b.place);
@@ -58,10 +58,10 @@ const CLEAR = 4;
 const TOUCH = 2;
 
 /**
- * A box for the label of each point, beside it where nothing else is; null where there is no such place.
+ * A box for the label of each point, placeLabels it where nothing else is; null where there is no such place.
  * `reach` is a mark's half width.
  */
-export function beside(
+export function placeLabels(
   points: readonly Point[],
   widths: readonly number[],
   height: number,
@@ -129,7 +129,7 @@ export interface ShortLabels {
  * Labels are clauses: "4 + 4 inducing points, 800 iterations". A clause that all have says nothing, and of
  * one in which they differ the words that all end in are its unit: "4 + 4" is left.
  */
-export function inShort(labels: readonly string[]): ShortLabels {
+export function shortenLabels(labels: readonly string[]): ShortLabels {
   const clauses = labels.map((label) => label.split(", "));
   const [first = []] = clauses;
   const unchanged = { short: [...labels], units: "", all: "" };

@@ -3,7 +3,7 @@ import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
-import { between as pathAt } from "./predicted";
+import { between as pathAt } from "./prediction-at";
 import { drawPredictions, layOut, type PredictionPicture, type StepBand } from "./prediction-drawing";
 import { arrowHead } from "./shapes";
 

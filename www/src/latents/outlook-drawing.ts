@@ -3,7 +3,7 @@ import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { ellipseOf, type Plane } from "./plane";
-import { between } from "./predicted";
+import { between } from "./prediction-at";
 import { type BandPoint, traceBand, traceEllipse } from "./shapes";
 
 /** Frames behind now that are drawn: half a second. All of them would be a tangle of laps. */

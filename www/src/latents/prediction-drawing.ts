@@ -3,7 +3,7 @@
 import type { PredictionsReport } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
-import { between, type Predicted, type PredictedPart, predictedAt } from "./predicted";
+import { between, type Gaussian, type PartPrediction, predictedAt } from "./prediction-at";
 import { type BandPoint, arrowHead, traceBand, traceEllipse } from "./shapes";
 
 /** Whoever has a smaller weight is hardly heard. */
@@ -31,10 +31,9 @@ interface DrawnPredictions {
 /** Where everything goes; null where nothing is predicted. */
 export function layOut(plane: Plane, picture: PredictionPicture): DrawnPredictions | null {
   const { report, part, dimensions, frame, path } = picture;
-  const said: PredictedPart | null = predictedAt(report, part, frame, dimensions);
+  const said: PartPrediction | null = predictedAt(report, part, frame, dimensions);
   if (!said) return null;
-  const seen = ({ mean, variance }: Predicted) =>
-    ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
+  const seen = ({ mean, variance }: Gaussian) => ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
   const state = (time: number): [number, number] => {
     const [x, y] = plane.place(between(path, time, dimensions), 0);
     return [x, y];

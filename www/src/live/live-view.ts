@@ -10,7 +10,7 @@ import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
-import { distanceLines, type Pieces, phaseLines, wordsOf } from "./strip";
+import { distanceLines, type Pieces, phaseLines, cutsText } from "./strip";
 
 /** Pixels around a node in which a finger or the mouse takes hold of it. */
 const REACH = 26;
@@ -97,7 +97,7 @@ export class LiveView extends View {
     const cycle = (last?.phases.length ?? 0) > 0;
     const apart = phaseLines(live.trace).map((pieces) => pieces.at(-1)?.at(-1)?.value ?? 0);
     const said =
-      wordsOf(live.marks, names) ??
+      cutsText(live.marks, names) ??
       "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.";
     return html`
       <div class="live-strip" data-testid="live" data-frame=${last?.frame ?? 0} data-apart=${apart.map((x) => x.toFixed(3)).join(" ")}

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { TracePoint } from "./live-store";
-import { distanceLines, phaseDifference, phaseLines, wordsOf } from "./strip";
+import { distanceLines, phaseDifference, phaseLines, cutsText } from "./strip";
 
 const point = (frame: number, ...phases: number[]): TracePoint => ({
   frame,
@@ -31,7 +31,7 @@ it("has nothing to say of a model without a cycle", () => {
 
 it("names the coupling that is cut", () => {
   const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
-  expect(wordsOf([cut], ["lower", "upper"])).toBe("upper does not hear lower");
-  expect(wordsOf([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
-  expect(wordsOf([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
+  expect(cutsText([cut], ["lower", "upper"])).toBe("upper does not hear lower");
+  expect(cutsText([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
+  expect(cutsText([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
 });

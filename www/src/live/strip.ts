@@ -39,7 +39,7 @@ export function distanceLines(trace: readonly TracePoint[]): Pieces[] {
 }
 
 /** What the visitor does, in words. */
-export function wordsOf(marks: readonly Mark[], names: readonly string[]): string | null {
+export function cutsText(marks: readonly Mark[], names: readonly string[]): string | null {
   const cuts = marks.flatMap((mark) => (mark.kind === "cut" && mark.to === null ? [mark] : []));
   const [cut] = cuts;
   if (!cut) return null;

@@ -1,10 +1,10 @@
 // One chart of points with error bars, lines and a curve: several stand beside each other in a figure.
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
-import { axes, path, ticksAcross, ticksUp, uprightBar, widthOf } from "../figures/chart";
+import { axes, path, ticksAcross, ticksUp, uprightBar, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { inColour, modelMark } from "../figures/model-style";
-import { spread } from "../figures/labels";
+import { spreadLabels } from "../figures/labels";
 import { linearScale, logScale, type Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import { styled } from "../ui/styled";
@@ -72,7 +72,7 @@ export function panel(
   const heights = drawn.flatMap((point) => [point.low, point.y, point.high]);
   const yScale = scaleOf(y, heights, bottom, top);
   const up = ticksUp(yScale, bottom - top, type);
-  const left = widthOf(up, type);
+  const left = labelsWidth(up, type);
   const xScale = scaleOf(
     x,
     drawn.map((point) => point.x),
@@ -84,7 +84,7 @@ export function panel(
     const last = places.at(-1);
     return label && last ? [{ label, x: xScale.at(last[0]), y: yScale.at(last[1]) }] : [];
   });
-  const labels = spread(
+  const labels = spreadLabels(
     ends.map((end) => end.y),
     1.1 * type,
     top,

@@ -8,10 +8,10 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { exampleOf, primitivesOf } from "./combinations";
-import { DRAGGED } from "./dragged";
-import "./figure-view";
+import { DRAG_TYPE } from "./drag-type";
+import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
-import { originWords } from "./origins";
+import { originText } from "./origin-text";
 
 export class DrawerView extends View {
   static override properties = { playing: {} };
@@ -41,12 +41,12 @@ export class DrawerView extends View {
     const { name, origin } = known;
     const of = info.parts[part]?.name ?? "";
     const on = library.uses[part] === primitive;
-    const words = originWords(origin);
+    const words = originText(origin);
     return html`
       <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
         aria-label="${of}: ${name}" title=${words}
-        @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAGGED, String(primitive))}
+        @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAG_TYPE, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>

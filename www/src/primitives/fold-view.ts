@@ -8,7 +8,7 @@ import { grouped, sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { FoldOutcome, FoldStore } from "./fold-store";
-import { MEASURED } from "./measured";
+import { LESSON_TABLES } from "./lesson-tables";
 
 /** Where the stored table has the mean errors of a model alone and of a library. */
 const ALONE = 2;
@@ -49,7 +49,7 @@ export class FoldView extends View {
   }
 
   #outcome({ trial, quick, library, alone }: FoldOutcome) {
-    const measured = MEASURED.modular.rows.find(([movement]) => movement === library.movement) ?? [];
+    const measured = LESSON_TABLES.modular.rows.find(([movement]) => movement === library.movement) ?? [];
     const row = (words: string, outcome: ModularityOutcome, place: number) => html`
       <tr><th scope="row">${words}</th><td>${thousandths(outcome)}</td><td>${measured[place]}</td></tr>`;
     return html`

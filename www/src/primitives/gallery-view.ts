@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { View } from "../ui/view";
 import { isSame, recordedAs, titleOf } from "./combinations";
-import "./figure-view";
+import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
 
 export class GalleryView extends View {

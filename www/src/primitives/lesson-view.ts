@@ -8,7 +8,7 @@ import type { FoldStore } from "./fold-store";
 import "./fold-view";
 import type { LearningStore } from "./learning-store";
 import paths from "../../../docs/modularity.svg";
-import { MEASURED, type Table } from "./measured";
+import { LESSON_TABLES, type Table } from "./lesson-tables";
 
 /** The columns of the first table that say how well each foresees, and those that say what it costs. */
 const ERRORS = [0, 1, 2, 3, 4];
@@ -45,9 +45,9 @@ export class LessonView extends View {
         predicted as well as by a model of its own. Their answer: equal within the standard errors.</p>
       <p class="hint">The same with the ten made trials of this project: one is held out, all others are trained on. Errors after time warping, times 1,000, with
         standard errors. Measured once, by <code>npm run lab -- modularity</code>; below, one trial can be held out in your browser.</p>
-      ${table(MEASURED.modular, "A library beside models of one movement", ERRORS)}
+      ${table(LESSON_TABLES.modular, "A library beside models of one movement", ERRORS)}
       <p>The intervals of the differences hold 0: which is better stays open on ten made trials.</p>
-      ${table(MEASURED.modular, "What a library costs beside models of one movement", COSTS)}
+      ${table(LESSON_TABLES.modular, "What a library costs beside models of one movement", COSTS)}
       <pg-fold .fold=${this.fold}></pg-fold>
       <figure class="lesson-paths">
         <img src=${paths} width="840" height="444" loading="lazy" alt="Latent paths of the lower and the upper body, of walking and of walking with waving" />
@@ -56,7 +56,7 @@ export class LessonView extends View {
       <h3>Primitives that move house</h3>
       <p>A primitive means nothing under the pose maps of another training: it is learned again there, from clips, from the latents that its file keeps, or
         from its own rollouts. Here walking moves into a library of walking with waving that has never seen a walk without it.</p>
-      ${table(MEASURED.imports, "Walking learned again in another library")}
+      ${table(LESSON_TABLES.imports, "Walking learned again in another library")}
       <p>The legs lose nothing: the other library knows legs that walk. Most of how the arms of a walk are held is not among its poses, and what its
         pose maps do not show cannot come back, whatever the dynamics learn.</p>
       <div class="train-row">

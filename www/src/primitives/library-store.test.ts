@@ -3,7 +3,7 @@ import { libraryText } from "../engine/library.fake";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { LibraryStore } from "./library-store";
-import { SEAM_FRAMES } from "./seam";
+import { TRANSITION_FRAMES } from "./transition";
 
 let program: FakeProgram;
 let notices: NoticesStore;
@@ -174,13 +174,13 @@ describe("the combination that walks", () => {
     const before = now();
     library.choose(1, 2);
     await settled();
-    expect(walk.player.frame).toBe(Math.ceil(frame) + SEAM_FRAMES);
+    expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
     expect(walk.track?.last).toBeGreaterThanOrEqual(walk.player.frame + 1);
     expect([before, now()]).toEqual([3, 2]);
     // A coupling has nothing to show while the figure stands.
     library.couplings.set(0, 1, 5);
     await settled();
-    expect(walk.player.frame).toBe(Math.ceil(frame) + SEAM_FRAMES);
+    expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
     walk.player.play();
     await pass(1);
     expect(now()).toBe(2);

@@ -9,7 +9,7 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
-import { HeldLibrary } from "./held-library";
+import { LibraryWorker } from "./library-worker";
 import { WalkStore } from "./walk-store";
 
 /** More combinations have no room in the gallery. */
@@ -42,7 +42,7 @@ export class LibraryStore extends Store {
   readonly walk: WalkStore;
   /** Learned are the couplings that the primitives were learned with, or fitted. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
-  readonly #held: HeldLibrary;
+  readonly #held: LibraryWorker;
   readonly #notices: NoticesStore;
   readonly #fetchFirst: () => Promise<string>;
   #known: KnownLibrary | null = null;
@@ -74,7 +74,7 @@ export class LibraryStore extends Store {
   /** `fetchFirst`: the document of the library that comes with the page. */
   constructor(whole: WholeWorkers, notices: NoticesStore, fetchFirst: () => Promise<string>) {
     super();
-    this.#held = new HeldLibrary(whole);
+    this.#held = new LibraryWorker(whole);
     this.walk = new WalkStore(this.#held, notices);
     this.#notices = notices;
     this.#fetchFirst = fetchFirst;

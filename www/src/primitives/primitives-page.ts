@@ -9,7 +9,7 @@ import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
 import type { ClipsStore } from "../clips/clips-store";
 import "./chimera-view";
-import "./combination-view";
+import "./walk-couplings-view";
 import "./drawer-view";
 import "./gallery-view";
 import "./import-view";
@@ -112,7 +112,7 @@ export class PrimitivesPage extends View {
         <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer>
           <pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
         <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
-        <section class="panel combination-panel" aria-label="Couplings and morph"><pg-combination .library=${library} .fitting=${fitting} .clips=${clips}></pg-combination>
+        <section class="panel combination-panel" aria-label="Couplings and morph"><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
           <pg-morph .library=${library}></pg-morph></section>
         <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
         <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>

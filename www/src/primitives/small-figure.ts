@@ -5,7 +5,7 @@ import { type Shape, shapeOf } from "../scene/body-shape";
 import type { Body } from "../scene/columns";
 import { FADE, findLoop, HERE, type Loop, poseAt, blendInto, placeOnto } from "../scene/motion";
 import { partOfJoints } from "../scene/part-of-joints";
-import { floorOf, headingOf } from "../scene/standing";
+import { floorOf, headingOf } from "../scene/stance";
 
 /** What is seen of a body with a hand over its head, metres. */
 const HEIGHT = 2.15;

@@ -7,8 +7,8 @@ import { LONGEST_PICTURE } from "../ui/each-frame";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import type { HeldLibrary } from "./held-library";
-import { onwards, SEAM_FRAMES, Seam } from "./seam";
+import type { LibraryWorker } from "./library-worker";
+import { onwards, TRANSITION_FRAMES, Transition } from "./transition";
 
 /** Seconds that are kept. */
 const KEPT_SECONDS = 4;
@@ -47,10 +47,10 @@ function expectedAfter(track: LiveTrack, frame: number): Float32Array | null {
 
 export class WalkStore extends Store {
   readonly player = new Player();
-  readonly #held: HeldLibrary;
+  readonly #held: LibraryWorker;
   readonly #notices: NoticesStore;
   #track: LiveTrack | null = null;
-  #seam = new Seam();
+  #transition = new Transition();
   #changes: WalkChange[] = [];
   /** What may have to be made again. */
   #made: Made[] = [];
@@ -62,7 +62,7 @@ export class WalkStore extends Store {
   /** Grows with every walk: answers for an older one are dropped. */
   #walks = 0;
 
-  constructor(held: HeldLibrary, notices: NoticesStore) {
+  constructor(held: LibraryWorker, notices: NoticesStore) {
     super();
     this.#held = held;
     this.#notices = notices;
@@ -89,7 +89,7 @@ export class WalkStore extends Store {
       return worker.advanceWalk(0, [], LEAD);
     });
     if (walks !== this.#walks) return;
-    this.#seam = new Seam();
+    this.#transition = new Transition();
     track.append(motion);
     this.#track = track;
     this.player.frame = 0;
@@ -159,7 +159,7 @@ export class WalkStore extends Store {
     const piece = again ? 1 : PIECE;
     const ahead = LEAD + piece - 1 + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
     // A figure that stands goes on to where the leap is over: what the visitor did is to be seen.
-    const onward = this.#leaps && !this.player.playing ? SEAM_FRAMES : 0;
+    const onward = this.#leaps && !this.player.playing ? TRANSITION_FRAMES : 0;
     const frames = Math.max(back, Math.ceil(ahead + onward + this.player.frame - from));
     if (frames < piece) return;
     this.#busy = true;
@@ -201,9 +201,9 @@ export class WalkStore extends Store {
     const positions = motion.positions.subarray((kept - from) * width);
     const frames = motion.frames - (kept - from);
     const expected = leaps ? expectedAfter(track, kept) : null;
-    if (expected && frames > 0) this.#seam.open(kept + 1, positions.subarray(0, width), expected);
+    if (expected && frames > 0) this.#transition.open(kept + 1, positions.subarray(0, width), expected);
     else this.#leaps ||= leaps;
-    this.#seam.pass(positions, frames, kept + 1);
+    this.#transition.pass(positions, frames, kept + 1);
     track.cutAfter(kept);
     track.append({ ...motion, positions, frames });
     this.player.follow(track.last, track.motion.frameTime);

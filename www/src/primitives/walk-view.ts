@@ -10,7 +10,7 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { exampleOf } from "./combinations";
-import { DRAGGED } from "./dragged";
+import { DRAG_TYPE } from "./drag-type";
 import type { LibraryStore } from "./library-store";
 
 export class WalkView extends View {
@@ -86,7 +86,7 @@ export class WalkView extends View {
   /** The primitive that is dragged over a slot falls into it where it is of that part. */
   #drop(event: DragEvent, part: number): void {
     this.over = null;
-    const primitive = Number(event.dataTransfer?.getData(DRAGGED) || Number.NaN);
+    const primitive = Number(event.dataTransfer?.getData(DRAG_TYPE) || Number.NaN);
     if (!Number.isInteger(primitive)) return;
     event.preventDefault();
     this.library.choose(part, primitive);
@@ -100,7 +100,7 @@ export class WalkView extends View {
     if (this.#map?.key !== motion) this.#map = { key: motion, body: bodyOf(info, motion) };
     const { spots, bones } = this.#map.body;
     const accepts = (event: DragEvent, part: number) => {
-      if (!event.dataTransfer?.types.includes(DRAGGED)) return;
+      if (!event.dataTransfer?.types.includes(DRAG_TYPE)) return;
       event.preventDefault();
       this.over = part;
     };

@@ -6,7 +6,7 @@ import { Ground } from "./ground";
 import { Lights } from "./lights";
 import { PointLights } from "./point-lights";
 import { HERE, placeOnto, poseAt } from "./motion";
-import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "./standing";
+import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "./stance";
 import { Viewport } from "./viewport";
 
 export interface Body {

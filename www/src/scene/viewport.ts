@@ -3,10 +3,10 @@
 import { PCFShadowMap, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { onThemeChange, theme } from "../ui/palette";
-import { type Fineness, Pace } from "./pace";
+import { type Quality, PictureQuality } from "./picture-quality";
 
 /** Pixels drawn for each of the page's, at most. */
-const PIXELS: Record<Fineness, number> = { fine: 2, plain: 1, coarse: 0.5 };
+const PIXELS: Record<Quality, number> = { fine: 2, plain: 1, coarse: 0.5 };
 
 const UP = new Vector3(0, 1, 0);
 /** How far a key turns the camera: about the vertical axis, and up or down; radians. */
@@ -26,11 +26,11 @@ export class Viewport {
   readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
   readonly controls: OrbitControls;
   readonly #events: ViewportEvents;
-  readonly #pace = new Pace();
+  readonly #pictureQuality = new PictureQuality();
   readonly #observer = new ResizeObserver(() => this.resize());
   readonly #listening = new AbortController();
   readonly #stopThemes: () => void;
-  #fineness: Fineness = "fine";
+  #quality: Quality = "fine";
   #changed = true;
   #drawn = 0;
 
@@ -88,7 +88,7 @@ export class Viewport {
   resize(): void {
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(PIXELS[this.#fineness], devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(PIXELS[this.#quality], devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.#events.resized(width, height);
     this.camera.updateProjectionMatrix();
@@ -99,22 +99,22 @@ export class Viewport {
    * Called once a display frame: how finely to draw now, or null when the picture is as it should be.
    * `seconds` since the last call.
    */
-  next(seconds: number, playing: boolean): Fineness | null {
+  next(seconds: number, playing: boolean): Quality | null {
     this.controls.update();
-    const fineness = this.#pace.next(seconds, this.#changed, playing);
-    if (fineness !== this.#fineness) {
-      this.#fineness = fineness;
+    const quality = this.#pictureQuality.next(seconds, this.#changed, playing);
+    if (quality !== this.#quality) {
+      this.#quality = quality;
       this.resize();
     }
     if (!this.#changed) return null;
     this.#changed = false;
-    return fineness;
+    return quality;
   }
 
   /** The picture was drawn. */
   finish(): void {
     this.#drawn += 1;
-    this.#pace.drawn();
+    this.#pictureQuality.drawn();
   }
 
   #turnByKey(event: KeyboardEvent): void {

@@ -1,6 +1,6 @@
 // The columns over time in place of a figure: what the model rolls out, and dashed what was recorded.
 import { html, nothing, svg } from "lit";
-import { axes, path, type Plot, ticksAcross, widthOf } from "../figures/chart";
+import { axes, path, type Plot, ticksAcross, labelsWidth } from "../figures/chart";
 import "../figures/figures.css";
 import { linearScale } from "../figures/scale";
 import { partColour } from "../ui/palette";
@@ -57,7 +57,7 @@ export class SeriesCurves extends View {
     const up = linearScale([...rolledOut, ...(recorded ?? [])], bottom, top);
     const upTicks = up.ticks(TICKS);
     const plot: Plot = {
-      left: Math.max(44, widthOf(upTicks, TYPE)),
+      left: Math.max(44, labelsWidth(upTicks, TYPE)),
       right: this.room - 8,
       bottom,
       type: TYPE,

@@ -5,8 +5,8 @@ import { type FigureStyle, FigureView } from "../scene/figure";
 import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
-import type { Fineness } from "../scene/pace";
-import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/standing";
+import type { Quality } from "../scene/picture-quality";
+import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/stance";
 import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, Shown, StageStore } from "./stage-store";
@@ -238,9 +238,9 @@ export class Stage {
   /** Draws when something changed. `seconds` since the last call. */
   draw(seconds: number): void {
     const viewport = this.#viewport;
-    const fineness = viewport.next(seconds, this.#playback.playing);
-    if (fineness === null) return;
-    this.#drawShadows(fineness);
+    const quality = viewport.next(seconds, this.#playback.playing);
+    if (quality === null) return;
+    this.#drawShadows(quality);
     const { pose } = this.#playback;
     if (pose && this.#figure) this.#poseAll(pose, seconds);
     viewport.renderer.render(this.#scene, viewport.camera);
@@ -260,10 +260,10 @@ export class Stage {
   }
 
   /** On a machine that falls behind the shadow is drawn anew every third frame only. */
-  #drawShadows(fineness: Fineness): void {
+  #drawShadows(quality: Quality): void {
     const { renderer, drawn } = this.#viewport;
-    renderer.shadowMap.autoUpdate = fineness === "fine";
-    renderer.shadowMap.needsUpdate = fineness === "plain" && drawn % 3 === 0;
+    renderer.shadowMap.autoUpdate = quality === "fine";
+    renderer.shadowMap.needsUpdate = quality === "plain" && drawn % 3 === 0;
   }
 
   /** Poses a figure as its motion is now, laid onto the pose of the one on the stage. */

@@ -8,7 +8,7 @@ export interface Table {
 }
 
 /** "-1234.5 (x 1000)" becomes "−1,234.5 (× 1,000)"; a hyphen within a word stays. */
-export function asOnThePage(cell: string): string {
+export function pageNumbers(cell: string): string {
   const numbers = /(?<![\w.-])-?\d+(?:\.(\d+))?/g;
   return cell
     .replace(numbers, (number: string, decimals = "") => grouped(Number(number), decimals.length))
@@ -16,8 +16,8 @@ export function asOnThePage(cell: string): string {
 }
 
 const rewritten = ({ head, rows }: Table): Table => ({
-  head: head.map(asOnThePage),
-  rows: rows.map((row) => row.map(asOnThePage)),
+  head: head.map(pageNumbers),
+  rows: rows.map((row) => row.map(pageNumbers)),
 });
 
-export const MEASURED = { modular: rewritten(stored.modular), imports: rewritten(stored.imports) };
+export const LESSON_TABLES = { modular: rewritten(stored.modular), imports: rewritten(stored.imports) };

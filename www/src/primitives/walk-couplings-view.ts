@@ -8,9 +8,9 @@ import { View } from "../ui/view";
 import "../terms/term";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
-import { stillWords } from "./stillness";
+import { restingPartsText } from "./resting-parts";
 
-export class CombinationView extends View {
+export class WalkCouplingsView extends View {
   static override properties = { clip: { state: true } };
   declare library: LibraryStore;
   declare fitting: FittingStore;
@@ -29,7 +29,7 @@ export class CombinationView extends View {
 
   /** Where a part stands still, which one, and to whom it listens. */
   #still({ known, uses, moves }: LibraryStore) {
-    const words = known ? stillWords(known.info, uses, moves) : "";
+    const words = known ? restingPartsText(known.info, uses, moves) : "";
     return html`<p class="still-words" role="status" data-testid="still-words">${words}</p>`;
   }
 
@@ -86,4 +86,4 @@ export class CombinationView extends View {
     for (let number = 2; ; number++) if (!taken.includes(`${words} ${number}`)) return `${words} ${number}`;
   }
 }
-customElements.define("pg-combination", CombinationView);
+customElements.define("pg-walk-couplings", WalkCouplingsView);

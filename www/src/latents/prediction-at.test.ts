@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { PredictionsReport, RolloutRequest } from "../engine/protocol";
 import { sameTimes } from "../couplings/same-times";
-import { between, predictedAt } from "./predicted";
+import { between, predictedAt } from "./prediction-at";
 
 const request: RolloutRequest = { frames: 5, sequence: 0, alpha: null, reading: "as learned" };
 const said = (offset: number) => ({

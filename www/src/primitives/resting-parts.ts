@@ -3,7 +3,7 @@ import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { sentence } from "../ui/format";
 
 /** Which parts stand still under these couplings, and to whom they listen; empty where all move. */
-export function stillWords(
+export function restingPartsText(
   { parts, primitives }: LibraryInfo,
   uses: readonly number[],
   moves: readonly PartMotion[],

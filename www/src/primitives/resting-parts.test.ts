@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { LibraryInfo } from "../engine/library-protocol";
-import { stillWords } from "./stillness";
+import { restingPartsText } from "./resting-parts";
 
 const info = {
   parts: [{ name: "lower" }, { name: "upper" }],
@@ -12,15 +12,17 @@ it("says which part stands still, and to whom it listens", () => {
     { share: 1, still: false, leader: { part: 1, weight: 0.2, met } },
     { share: 0, still, leader: { part: 0, weight, met } },
   ];
-  expect(stillWords(info, [0, 1], moves(false, 0.9, false))).toBe("");
-  expect(stillWords(info, [0, 1], moves(true, 0.9, false))).toBe(
+  expect(restingPartsText(info, [0, 1], moves(false, 0.9, false))).toBe("");
+  expect(restingPartsText(info, [0, 1], moves(true, 0.9, false))).toBe(
     "Upper stands still. Lower decides 90 % of what upper does, and lower: walk never learned to drive upper: wave.",
   );
-  expect(stillWords(info, [0, 1], moves(true, 0.9, true))).toContain(
+  expect(restingPartsText(info, [0, 1], moves(true, 0.9, true))).toContain(
     "does not drive it under these couplings.",
   );
-  expect(stillWords(info, [0, 1], moves(true, 0.1, true))).toContain("its own predictions come to rest.");
-  expect(stillWords(info, [0], [{ share: 0, still: true, leader: null }])).toBe(
+  expect(restingPartsText(info, [0, 1], moves(true, 0.1, true))).toContain(
+    "its own predictions come to rest.",
+  );
+  expect(restingPartsText(info, [0], [{ share: 0, still: true, leader: null }])).toBe(
     "Lower stands still. Alone it comes to rest.",
   );
 });

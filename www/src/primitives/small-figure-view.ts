@@ -11,7 +11,7 @@ import { SmallFigure } from "./small-figure";
 /** Milliseconds between two pictures: small figures need no more. */
 const BETWEEN = 40;
 
-export class FigureView extends View {
+export class SmallFigureView extends View {
   static override properties = { motion: {}, body: {}, accent: {}, playing: {} };
   declare body: Body;
   /** Null until it is there. */
@@ -62,4 +62,4 @@ export class FigureView extends View {
     return html`<canvas aria-hidden="true"></canvas>`;
   }
 }
-customElements.define("pg-small-figure", FigureView);
+customElements.define("pg-small-figure", SmallFigureView);

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { PrimitiveOrigin } from "../engine/library-protocol";
-import { originWords } from "./origins";
+import { originText } from "./origin-text";
 
 const clips = ["walk-1", "walk-2", "walk-2", "walk-3"].map((name) => ({ name })) as PrimitiveOrigin["clips"];
 const origin: PrimitiveOrigin = {
@@ -8,9 +8,9 @@ const origin: PrimitiveOrigin = {
 };
 
 it("says what a primitive learned from, and after which other one", () => {
-  expect(originWords(origin)).toBe("Learned from walk-1, walk-2 and 1 more; 400 iterations, seed 8.");
+  expect(originText(origin)).toBe("Learned from walk-1, walk-2 and 1 more; 400 iterations, seed 8.");
   const relearned = { primitive: "walk", frames: "remembered" as const, clips: clips.slice(0, 1) };
-  expect(originWords({ ...origin, relearned, note: "Thanks." })).toBe(
+  expect(originText({ ...origin, relearned, note: "Thanks." })).toBe(
     "Learned again, after walk of another library, which learned from walk-1: from what its file kept of them; 400 iterations, seed 8. Thanks.",
   );
 });

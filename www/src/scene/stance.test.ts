@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { distanceFor, headingOf } from "./standing";
+import { distanceFor, headingOf } from "./stance";
 
 /** A single node that moves by this much a frame. */
 const walk = (dx: number, dz: number) => ({

@@ -1,7 +1,7 @@
 // What the body was measured to do, in plain words, beside what it does as learned.
 import type { BodyReport, Health } from "../engine/protocol";
 
-export interface MeasuredWords {
+export interface MeasuresText {
   /** What the hands and feet of each part do. */
   parts: { part: number; words: string }[];
   /** Whether hands and feet are in step, where it is the same for all; empty where nothing has a step. */
@@ -26,8 +26,8 @@ const OUT_OF_STEP = 0.5;
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
-export function measuredWords(now: BodyReport, learned: BodyReport, names: readonly string[]): MeasuredWords {
-  const trouble = troubleWords(now.health, names);
+export function measuresText(now: BodyReport, learned: BodyReport, names: readonly string[]): MeasuresText {
+  const trouble = troubleText(now.health, names);
   // A figure that stands still has nothing to swing.
   if (now.health.state === "stands still" || now.health.state === "not finite")
     return { parts: [], step: "", trouble };
@@ -69,7 +69,7 @@ function speedWords(
 }
 
 /** How a motion ends where it does not go on, in words to follow "it"; else empty. */
-export function troubleWords({ state, from, part }: Health, names: readonly string[]): string {
+export function troubleText({ state, from, part }: Health, names: readonly string[]): string {
   const since = `from ${(from ?? 0).toFixed(1)} s on`;
   switch (state) {
     case "stands still":

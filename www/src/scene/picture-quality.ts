@@ -6,9 +6,9 @@ const FAST = 0.024;
 /** Seconds without a change after which a coarse picture is drawn again finely. */
 const REST = 0.25;
 
-export type Fineness = "fine" | "plain" | "coarse";
+export type Quality = "fine" | "plain" | "coarse";
 
-export class Pace {
+export class PictureQuality {
   /** Seconds a drawn frame takes, smoothed. */
   #taken = 0.017;
   #slow = false;
@@ -20,7 +20,7 @@ export class Pace {
    * Called once a display frame. `seconds` since the last call; `changed`: there is something to draw;
    * `playing`: or soon will be.
    */
-  next(seconds: number, changed: boolean, playing: boolean): Fineness {
+  next(seconds: number, changed: boolean, playing: boolean): Quality {
     if (this.#drew) this.#taken += 0.1 * (Math.min(seconds, 0.2) - this.#taken);
     this.#drew = false;
     this.#slow = this.#taken > (this.#slow ? FAST : SLOW);

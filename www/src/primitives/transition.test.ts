@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { onwards, SEAM_FRAMES, Seam } from "./seam";
+import { onwards, TRANSITION_FRAMES, Transition } from "./transition";
 
 /** One node that moves on by `step` a frame from `from`. */
 const line = (from: number, step: number, frames: number) =>
@@ -7,14 +7,14 @@ const line = (from: number, step: number, frames: number) =>
 const xOf = (positions: Float32Array) => [...positions].filter((_, i) => i % 3 === 0);
 
 it("lets nothing through but what it is given, without a change", () => {
-  const seam = new Seam();
+  const seam = new Transition();
   const positions = line(1, 0.1, 5);
   seam.pass(positions, 5, 0);
   expect([...positions]).toEqual([...line(1, 0.1, 5)]);
 });
 
 it("lets a jump fade away: no step is much larger than the jump spread over the seam, and nothing is left of it", () => {
-  const seam = new Seam();
+  const seam = new Transition();
   const before = line(0, 0.01, 10);
   const after = line(1, 0.01, 30);
   seam.open(10, after.slice(0, 3), onwards(before.subarray(24, 27), before.subarray(27)));
@@ -22,7 +22,7 @@ it("lets a jump fade away: no step is much larger than the jump spread over the 
   for (let k = 0; k < 10; k++) seam.pass(after.subarray(9 * k, 9 * k + 9), 3, 10 + 3 * k);
   const all = [...xOf(before), ...xOf(after)];
   const steps = all.slice(1).map((x, i) => Math.abs(x - (all[i] ?? 0)));
-  expect(Math.max(...steps)).toBeLessThan(0.01 + (1.6 * 1) / SEAM_FRAMES);
+  expect(Math.max(...steps)).toBeLessThan(0.01 + (1.6 * 1) / TRANSITION_FRAMES);
   // The first frame already goes there.
   expect(steps[9]).toBeGreaterThan(0.015);
   expect(all.at(-1)).toBeCloseTo(1.29, 5);
@@ -30,7 +30,7 @@ it("lets a jump fade away: no step is much larger than the jump spread over the 
 });
 
 it("goes on where it was when frames are computed again", () => {
-  const seam = new Seam();
+  const seam = new Transition();
   const [first, again] = [line(1, 0, 8), line(1, 0, 6)];
   seam.open(4, first.slice(0, 3), line(0, 0, 1));
   seam.pass(first, 8, 4);

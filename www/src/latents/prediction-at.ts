@@ -2,16 +2,16 @@
 import type { Predictions, PredictionsReport } from "../engine/protocol";
 
 /** A Gaussian with the same variance in all latent dimensions. */
-export interface Predicted {
+export interface Gaussian {
   /** [Q] */
   mean: Float64Array;
   variance: number;
 }
 
-export interface PredictedPart {
+export interface PartPrediction {
   /** What each source says. */
-  experts: Predicted[];
-  product: Predicted;
+  experts: Gaussian[];
+  product: Gaussian;
 }
 
 /** Row `index`, which may lie between two rows, of points [n x Q]. */
@@ -35,11 +35,11 @@ export function predictedAt(
   part: number,
   frame: number,
   dimensions: number,
-): PredictedPart | null {
+): PartPrediction | null {
   const said = report.parts[part];
   const row = frame - report.firstFrame;
   if (!said || row < 0 || row > said.product.variances.length - 1) return null;
-  const at = ({ means, variances }: Predictions): Predicted => ({
+  const at = ({ means, variances }: Predictions): Gaussian => ({
     mean: between(means, row, dimensions),
     variance: between(variances, row, 1)[0]!,
   });

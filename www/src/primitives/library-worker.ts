@@ -3,7 +3,7 @@ import type { Addition, CouplingsFrom, LibraryInfo } from "../engine/library-pro
 import type { Couplings } from "../engine/protocol";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 
-export class HeldLibrary {
+export class LibraryWorker {
   readonly #whole: WholeWorkers;
   #text = "";
   #holder: WholeCalls | null = null;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { BodyReport, Health } from "../engine/protocol";
-import { measuredWords } from "./measured";
+import { measuresText } from "./measures-text";
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
@@ -18,7 +18,7 @@ function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5):
   };
 }
 const learned = report([{}, {}]);
-const of = (now: BodyReport) => measuredWords(now, learned, NAMES);
+const of = (now: BodyReport) => measuresText(now, learned, NAMES);
 
 describe("what was measured", () => {
   it("is a multiple of the learned swing, and says once whether all are in step", () => {
@@ -53,7 +53,7 @@ describe("what was measured", () => {
 
   it("gives centimetres where nothing swings as learned", () => {
     const still = report([{ swing: 0.001 }, {}]);
-    expect(measuredWords(report([{}, {}]), still, NAMES).parts[0]?.words).toBe("swings 20 cm");
+    expect(measuresText(report([{}, {}]), still, NAMES).parts[0]?.words).toBe("swings 20 cm");
   });
 
   it("says how fast the body walks where that is another speed", () => {

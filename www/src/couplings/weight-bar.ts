@@ -4,7 +4,7 @@ import { html } from "lit";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { ModelStore } from "./model-store";
-import "./share-bar.css";
+import "./weight-bar.css";
 import { dividers, weightText } from "./weights";
 import { partStyle, styled } from "../ui/styled";
 
@@ -34,7 +34,7 @@ interface Drag {
   place: number;
 }
 
-export class ShareBar extends View {
+export class WeightBar extends View {
   declare model: ModelStore;
   declare target: number;
   #drag: Drag | null = null;
@@ -98,7 +98,7 @@ export class ShareBar extends View {
     const weights = model.couplings.weightsInto(target);
     const said = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
     return html`
-      <div class="share-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
+      <div class="weight-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
         @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
         @dblclick=${() => model.couplings.resetInto(target)}>
         <div class="shares">${weights.map(
@@ -116,4 +116,4 @@ export class ShareBar extends View {
       </div>`;
   }
 }
-customElements.define("pg-share-bar", ShareBar);
+customElements.define("pg-weight-bar", WeightBar);

@@ -2,7 +2,7 @@
 // second. Geometry only.
 
 /** Frames over which the jump fades. */
-export const SEAM_FRAMES = 15;
+export const TRANSITION_FRAMES = 15;
 
 /** From 1 to 0 with no kink at either end. */
 function fade(share: number): number {
@@ -16,7 +16,7 @@ export function onwards(before: Float32Array, last: Float32Array): Float32Array 
 }
 
 /** Adds to each frame what is left of the jump. */
-export class Seam {
+export class Transition {
   #jump: Float32Array | null = null;
   /** The frame before the jump. */
   #start = 0;
@@ -32,7 +32,7 @@ export class Seam {
     const jump = this.#jump;
     if (!jump) return;
     for (let k = 0; k < frames; k++) {
-      const left = fade((first + k - this.#start) / SEAM_FRAMES);
+      const left = fade((first + k - this.#start) / TRANSITION_FRAMES);
       const pose = positions.subarray(k * jump.length, (k + 1) * jump.length);
       if (left > 0) for (let i = 0; i < pose.length; i++) pose[i]! += left * jump[i]!;
     }

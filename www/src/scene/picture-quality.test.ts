@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
-import { Pace } from "./pace";
+import { PictureQuality } from "./picture-quality";
 
-function run(pace: Pace, frames: number, seconds: number, changed = true, playing = true) {
+function run(pace: PictureQuality, frames: number, seconds: number, changed = true, playing = true) {
   let last = "";
   for (let i = 0; i < frames; i++) {
     last = pace.next(seconds, changed, playing);
@@ -11,18 +11,18 @@ function run(pace: Pace, frames: number, seconds: number, changed = true, playin
 }
 
 it("draws finely where it can keep up", () => {
-  expect(run(new Pace(), 100, 0.017)).toBe("fine");
-  expect(run(new Pace(), 100, 0.033)).toBe("fine");
+  expect(run(new PictureQuality(), 100, 0.017)).toBe("fine");
+  expect(run(new PictureQuality(), 100, 0.033)).toBe("fine");
 });
 
 it("gets plain where it cannot, and fine again later", () => {
-  const pace = new Pace();
+  const pace = new PictureQuality();
   expect(run(pace, 30, 0.07)).toBe("plain");
   expect(run(pace, 60, 0.017)).toBe("fine");
 });
 
 it("is coarse only while something is dragged", () => {
-  const pace = new Pace();
+  const pace = new PictureQuality();
   run(pace, 30, 0.07);
   pace.next(0.5, false, false);
   expect(pace.next(0.07, true, false)).toBe("plain");
@@ -32,7 +32,7 @@ it("is coarse only while something is dragged", () => {
 });
 
 it("does not take idle frames for fast ones", () => {
-  const pace = new Pace();
+  const pace = new PictureQuality();
   run(pace, 30, 0.07);
   expect(run(pace, 200, 0.016, false)).toBe("plain");
 });

@@ -15,7 +15,7 @@ function list(names: readonly string[]): string {
 }
 
 /** "Learned from walk-1, walk-2; 400 iterations, seed 8." */
-export function originWords({ clips, iterations, seed, relearned, note }: PrimitiveOrigin): string {
+export function originText({ clips, iterations, seed, relearned, note }: PrimitiveOrigin): string {
   const from = (some: PrimitiveOrigin["clips"]) =>
     list(some.map(({ name }) => name)) || "clips that are not named";
   const how = `${iterations} iterations, seed ${seed}.`;

@@ -1,2 +1,0 @@
-/** What a primitive is known by while it is dragged. */
-export const DRAGGED = "application/x-vcgpdm-primitive";
