@@ -8,7 +8,7 @@ use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use vcgpdm::models::library::{CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
+use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
@@ -57,18 +57,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let recorded =
         trained.library.recorded(&uses).filter(|_| arguments.clips.is_empty() && arguments.name.is_none());
     if recorded.is_none() {
-        let (movement, sequences) = if arguments.clips.is_empty() {
-            (trained.library.nearest_combination(name, &uses)?, trained.start_infos(&uses))
+        if arguments.clips.is_empty() {
+            let sequences = trained.start_infos(&uses);
+            trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
             for place in &arguments.clips {
                 clips.push(trained.observed(&files::read_clip(place)?)?);
             }
-            let mut trainer = trained.coupling_trainer(&uses, &clips, arguments.max_iterations)?;
+            let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;
             reason = Some(train_steps(|| trainer.step(), "bound")?);
-            (trainer.movement(name), clips.into_iter().map(|clip| clip.info).collect())
-        };
-        trained.add(movement, sequences)?;
+            trained = trainer.finish(name)?;
+        }
     }
     let seconds = begin.elapsed().as_secs_f64();
     let index = recorded.unwrap_or(trained.library.movements.len() - 1);

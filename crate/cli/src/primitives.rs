@@ -155,7 +155,7 @@ fn relearn(
         "seconds": begin.elapsed().as_secs_f64(),
         "reason": reason,
     });
-    Ok((trainer.library()?, summary))
+    Ok((trainer.finish()?, summary))
 }
 
 /// Primitives with where they come from, and movements.

@@ -11,9 +11,9 @@ use crate::settings::{Task, settings_from_js};
 use serde::Deserialize;
 use std::rc::Rc;
 use vcgpdm::models::library::{
-    CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement, TrainedLibrary,
+    CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement,
 };
-use vcgpdm::models::{Dataset, SequenceInfo, Source};
+use vcgpdm::models::{Dataset, Source};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -83,9 +83,10 @@ impl LibraryTrainer {
         Ok(())
     }
 
-    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    /// What the user should know, in sentences without a full stop: that a clip does not move or was given
+    /// twice, that a part never changes, and which settings are more than the data allow and were reduced.
     pub fn notices(&self) -> Vec<String> {
-        self.training.notices().to_vec()
+        self.training.warnings()
     }
 
     /// The best library so far, at any time.
@@ -97,9 +98,7 @@ impl LibraryTrainer {
 /// A fit of couplings under way: of a combination, to clips, while its primitives stay.
 #[wasm_bindgen]
 pub struct CouplingTrainer {
-    trained: Rc<TrainedLibrary>,
     fit: Fit,
-    sequences: Vec<SequenceInfo>,
 }
 
 #[wasm_bindgen]
@@ -114,9 +113,7 @@ impl CouplingTrainer {
     ) -> Result<CouplingTrainer, VcgpdmError> {
         let iterations = max_iterations.count(ErrorCode::Training, "the number of iterations")?;
         let observed = library.observed(clips)?;
-        let fit = library.trained.coupling_trainer(&uses_of(&uses)?, &observed, iterations)?;
-        let sequences = observed.into_iter().map(|clip| clip.info).collect();
-        Ok(CouplingTrainer { trained: Rc::clone(&library.trained), fit, sequences })
+        Ok(CouplingTrainer { fit: Fit::new(&library.trained, &uses_of(&uses)?, &observed, iterations)? })
     }
 
     /// One iteration of the optimiser. The bound is that of the clips under the stored primitives.
@@ -135,15 +132,12 @@ impl CouplingTrainer {
     /// combination of the same name makes way, a learned movement does not.
     pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
         let name = name.get(ErrorCode::Model, "the name")?;
-        let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.add(self.fit.movement(&name), self.sequences.clone())?;
-        Ok(Library { trained: Rc::new(trained) })
+        Ok(Library { trained: Rc::new(self.fit.finish(&name)?) })
     }
 
     /// The combination with the best couplings so far.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
-        let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.add(self.fit.movement(""), self.sequences.clone())?;
+        let trained = self.fit.finish("")?;
         Ok(Model { model: Rc::new(trained.movement(trained.library.movements.len() - 1)?) })
     }
 }

@@ -189,6 +189,6 @@ impl ImportTrainer {
 
     /// The library with the primitives as they are at the best bound so far.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
-        Ok(Library { trained: Rc::new(self.import.library()?) })
+        Ok(Library { trained: Rc::new(self.import.finish()?) })
     }
 }

@@ -153,9 +153,10 @@ impl TableTrainer {
         Ok(())
     }
 
-    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    /// What the user should know, in sentences without a full stop: that nothing changes in a table or a
+    /// column, that a table was given twice, and which settings are more than the data allow and were reduced.
     pub fn notices(&mut self) -> Result<Vec<String>, VcgpdmError> {
-        Ok(self.begin()?.notices().to_vec())
+        Ok(self.begin()?.warnings())
     }
 
     /// The best model so far, at any time.

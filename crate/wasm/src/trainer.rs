@@ -96,9 +96,10 @@ impl Trainer {
         Ok(())
     }
 
-    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    /// What the user should know, in sentences without a full stop: that a clip does not move or was given
+    /// twice, that a part never changes, and which settings are more than the data allow and were reduced.
     pub fn notices(&self) -> Vec<String> {
-        self.training.notices().to_vec()
+        self.training.warnings()
     }
 
     /// The best model so far, at any time.

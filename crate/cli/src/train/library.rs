@@ -3,6 +3,7 @@
 use crate::files;
 use crate::numbers::check_fps;
 use crate::primitives::by_part;
+use crate::progress::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
 use crate::train::steps::{train_steps, warn_of_training};
@@ -84,16 +85,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let seed = arguments.options.seed;
     let mut trainer = LibraryTrainer::new(&dataset, &plan, settings, seed)?;
     trainer.use_threads(arguments.options.threads.into());
+    let warnings = trainer.warnings();
+    warnings.iter().for_each(|warning| say(warning));
     let reason = train_steps(|| trainer.step(), "bound")?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
     let end = (&*reason, trainer.progress().setbacks);
-    files::print_summary(
-        &summary(&trained, seconds, end, &[&dataset.warnings, trainer.notices()].concat()),
-        &[&arguments.out],
-    )
+    files::print_summary(&summary(&trained, seconds, end, &warnings), &[&arguments.out])
 }
 
 fn summary(

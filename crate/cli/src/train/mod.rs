@@ -14,6 +14,7 @@ pub use steps::{train_steps, warn_of_cost};
 
 use crate::files;
 use crate::numbers::check_fps;
+use crate::progress::say;
 use crate::usage::usage;
 use body::with_hint;
 use serde_json::json;
@@ -93,13 +94,14 @@ fn learn<S: Observed>(
     let seed = arguments.options.seed;
     let mut trainer = Trainer::new(dataset, &settings, seed)?;
     trainer.use_threads(arguments.options.threads.into());
+    let warnings = trainer.warnings();
+    warnings.iter().for_each(|warning| say(warning));
     if let Some(path) = &arguments.options.write_start {
         write_start(path, dataset, &settings, seed)?;
     }
     let reason = train_steps(|| trainer.step(), objective(kind))?;
     let seconds = begin.elapsed().as_secs_f64();
     let setbacks = trainer.progress().setbacks;
-    let warnings = [&dataset.warnings, trainer.notices()].concat();
 
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);

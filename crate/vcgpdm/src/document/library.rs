@@ -144,7 +144,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+    use crate::models::library::{CouplingTrainer, LibraryPlan, LibraryTrainer, PlannedMovement};
     use crate::models::{Dataset, Model, RolloutRequest, Source, VariationalSettings};
     use crate::motion::{parts, samples};
     use serde_json::json;
@@ -167,13 +167,12 @@ mod tests {
             let plan = LibraryPlan::new(vec![movement("walk"), movement("wave")], vec![true, false]).unwrap();
             let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, 0).unwrap();
             while !trainer.step().done {}
-            let mut library = trainer.finish().unwrap();
+            let library = trainer.finish().unwrap();
             let uses = library.uses("lower=walk,upper=wave").unwrap();
             let fitted = library.observed(&clips[0]).unwrap();
-            let mut fit = library.coupling_trainer(&uses, std::slice::from_ref(&fitted), 4).unwrap();
-            while !fit.step().done {}
-            library.add(fit.movement("fitted"), vec![fitted.info]).unwrap();
-            library
+            let mut fit = CouplingTrainer::new(&library, &uses, &[fitted], 4).unwrap();
+            fit.run();
+            fit.finish("fitted").unwrap()
         })
     }
 

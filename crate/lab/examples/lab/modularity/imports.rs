@@ -72,7 +72,7 @@ fn imported(host: &TrainedLibrary, donor: &TrainedLibrary, frames: ImportFrames,
     let request = ImportRequest { companions: host.companions(donor), max_iterations: ITERATIONS, seed: 1 };
     let mut trainer = ImportTrainer::new(host, donor, frames, &request).unwrap();
     while !trainer.step().done {}
-    let library = trainer.library().unwrap();
+    let library = trainer.finish().unwrap();
     let errors = errors(&library, library.library.movements.len() - 1, actual);
     Came { errors, lost: Some(trainer.lost()) }
 }

@@ -1,66 +1,55 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
-use crate::models::library::{CouplingsFrom, LearnedMovement, Library};
+use crate::gp::linalg::stacked;
+use crate::models::data::dataset::{DatasetError, SequenceInfo};
+use crate::models::library::{
+    CombinationError, CouplingsFrom, LearnedMovement, Library, LibraryError, ObservedClip, TrainedLibrary,
+};
 use crate::models::search::ascent::Phase;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::check_training;
 use crate::models::training::parameters::Group;
 use crate::models::training::progress::Progress;
+use crate::models::training::trainer::run_with;
 use crate::models::variational::{Objective, Params, VariationalTrainer};
 use nalgebra::DMatrix;
+use std::ops::ControlFlow;
 
-/// More iterations than any fit of couplings needs, or learning primitives again.
+/// The most iterations of a training with a library. Fits of couplings and imports need far fewer.
 pub const MOST_ITERATIONS: usize = 10_000;
-/// Iterations in which the latents come near the new frames, before the couplings are free too, as a part of
-/// all.
+/// The couplings are fixed during the first 1/4 of the iterations, while the latents come near the new frames.
 const LATENTS_FIRST: usize = 4;
 
-/// A fit of couplings under way: of a combination of stored primitives, to new frames. Latents of these
-/// frames and couplings are learned; pose maps, primitives and their inducing outputs stay.
+/// A fit of the couplings of a combination of stored primitives to clips. The fit learns couplings and the
+/// latents of the clips; pose maps, primitives and their inducing outputs stay as they are.
 pub struct CouplingTrainer {
     trainer: VariationalTrainer,
+    library: TrainedLibrary,
     uses: Vec<usize>,
+    sequences: Vec<SequenceInfo>,
 }
 
 impl CouplingTrainer {
-    /// Ready to fit the combination `uses` of a library to the observations `y` [N x D_i] of each part,
-    /// centred by the means of the library's columns and stacked as the `lengths` of the sequences say, in at
-    /// most so many iterations.
+    /// A fit that has done no iteration yet, of at most `max_iterations` iterations, for the primitive
+    /// `uses[part]` of each part.
     ///
     /// # Errors
     ///
-    /// When a part is not given one of its primitives, the observations do not fit the library or the
-    /// lengths, or the bound cannot be computed at the start.
+    /// When a part is not given one of its primitives, the clips do not fit the library, or the bound cannot
+    /// be computed at the start; the error names the clip where the reason is in one of them.
     pub fn new(
-        library: &Library,
+        library: &TrainedLibrary,
         uses: &[usize],
-        y: Vec<DMatrix<f64>>,
-        lengths: Vec<usize>,
+        clips: &[ObservedClip],
         max_iterations: usize,
-    ) -> Result<Self, TrainingError> {
-        library.check_uses(uses)?;
-        in_range("the number of iterations", max_iterations, MOST_ITERATIONS)?;
-        let sequences = check_training(&y, lengths, library.largest_latent(), library.order)?;
-        if y.len() != library.part_count() {
-            let (expected, found) = (library.part_count(), y.len());
-            return Err(TrainingError::Parts { expected, found });
-        }
-        for (part, (y, map)) in y.iter().zip(&library.parts).enumerate() {
-            if y.ncols() != map.mean().ncols() {
-                let (expected, found) = (map.mean().ncols(), y.ncols());
-                return Err(TrainingError::Columns { part, expected, found });
-            }
-        }
-        let start = Params {
-            parts: library.parts_near(&y, &sequences),
-            experts: library.experts_of(uses),
-            alpha: vec![library.nearest_couplings(uses)],
-        };
-        let settings = library.settings_of(&start.experts, max_iterations);
-        let stored = library.stored(uses)?;
-        let objective = Objective::new(y, sequences, library.jitter).under(stored);
-        let trainer = VariationalTrainer::from_start(objective, start, phases(max_iterations), &settings, 0)?;
-        Ok(Self { trainer, uses: uses.to_vec() })
+    ) -> Result<Self, LibraryError> {
+        let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
+        let lengths = sequences.iter().map(|info| info.frames).collect();
+        let parts = 0..library.library.part_count();
+        let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
+        let trainer = fit_of(&library.library, uses, y, lengths, max_iterations)
+            .map_err(|reason| DatasetError::about(reason, &sequences))?;
+        Ok(Self { trainer, library: library.clone(), uses: uses.to_vec(), sequences })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -68,7 +57,17 @@ impl CouplingTrainer {
         self.trainer.step()
     }
 
-    /// How far the fit is. The bound is that of the new frames under the stored primitives.
+    /// Fits to the end.
+    pub fn run(&mut self) -> Progress {
+        self.run_with(|_| ControlFlow::Continue(()))
+    }
+
+    /// Fits to the end, or until `watch`, which is called after every iteration, breaks.
+    pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
+        run_with(|| self.trainer.step(), watch)
+    }
+
+    /// How far the fit is. The bound is that of the clips under the stored primitives.
     pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
@@ -78,20 +77,65 @@ impl CouplingTrainer {
         self.trainer.best().alpha.swap_remove(0)
     }
 
-    /// The combination with the best couplings so far, as a movement of that name that starts where the new
-    /// frames do. It has no sums: the primitives have learned nothing from these frames.
-    pub fn movement(&self, name: &str) -> LearnedMovement {
-        let (mut best, progress) = (self.trainer.best(), self.trainer.progress());
-        let objective = self.trainer.objective();
-        let starts = objective.sequences().ranges().map(|range| best.latent_means(&range)).collect();
-        LearnedMovement {
-            name: name.to_owned(),
-            uses: self.uses.clone(),
-            alpha: best.alpha.swap_remove(0),
-            sums: None,
-            starts,
-            couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
+    /// The library with the combination under the best couplings so far as its last movement, which has this
+    /// name and starts where the clips do. It replaces a combination of the same name.
+    ///
+    /// # Errors
+    ///
+    /// When a learned movement has the name.
+    pub fn finish(&self, name: &str) -> Result<TrainedLibrary, CombinationError> {
+        let mut library = self.library.clone();
+        library.add(fitted_movement(&self.trainer, &self.uses, name), self.sequences.clone())?;
+        Ok(library)
+    }
+}
+
+/// A fit to the observations `y` [N x D_i] of each part, centred by the means of the library's columns and
+/// stacked by the `lengths` of the sequences.
+pub(super) fn fit_of(
+    library: &Library,
+    uses: &[usize],
+    y: Vec<DMatrix<f64>>,
+    lengths: Vec<usize>,
+    max_iterations: usize,
+) -> Result<VariationalTrainer, TrainingError> {
+    library.check_uses(uses)?;
+    in_range("the number of iterations", max_iterations, MOST_ITERATIONS)?;
+    let sequences = check_training(&y, lengths, library.largest_latent(), library.order)?;
+    if y.len() != library.part_count() {
+        let (expected, found) = (library.part_count(), y.len());
+        return Err(TrainingError::Parts { expected, found });
+    }
+    for (part, (y, map)) in y.iter().zip(&library.parts).enumerate() {
+        if y.ncols() != map.mean().ncols() {
+            let (expected, found) = (map.mean().ncols(), y.ncols());
+            return Err(TrainingError::Columns { part, expected, found });
         }
+    }
+    let start = Params {
+        parts: library.parts_near(&y, &sequences),
+        experts: library.experts_of(uses),
+        alpha: vec![library.nearest_couplings(uses)],
+    };
+    let settings = library.settings_of(&start.experts, max_iterations);
+    let stored = library.stored(uses)?;
+    let objective = Objective::new(y, sequences, library.jitter).under(stored);
+    VariationalTrainer::from_start(objective, start, phases(max_iterations), &settings, 0)
+}
+
+/// The combination with the best couplings of a fit so far, as a movement of this name. It has no sums,
+/// because the primitives learned nothing from the new frames.
+pub(super) fn fitted_movement(trainer: &VariationalTrainer, uses: &[usize], name: &str) -> LearnedMovement {
+    let (mut best, progress) = (trainer.best(), trainer.progress());
+    let objective = trainer.objective();
+    let starts = objective.sequences().ranges().map(|range| best.latent_means(&range)).collect();
+    LearnedMovement {
+        name: name.to_owned(),
+        uses: uses.to_vec(),
+        alpha: best.alpha.swap_remove(0),
+        sums: None,
+        starts,
+        couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
     }
 }
 

@@ -1,3 +1,4 @@
+use super::coupling::{fit_of, fitted_movement};
 use super::trainer::{library_of, trainer_of};
 use super::*;
 use crate::models::rollout::couplings::Reading;
@@ -144,12 +145,12 @@ fn couplings_are_learned_for_new_frames_while_primitives_stay() {
     // The walk again at another tempo, its columns centred as in the training.
     let all = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
     let y: Vec<_> = all.iter().map(|y| y.rows(5, 30).into_owned()).collect();
-    let mut fit = CouplingTrainer::new(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
+    let mut fit = fit_of(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
     let begin = fit.progress().objective;
     while !fit.step().done {}
     assert!(fit.progress().best > begin);
     let mut extended = library.clone();
-    extended.movements.push(fit.movement("walk again"));
+    extended.movements.push(fitted_movement(&fit, &[0, 1], "walk again"));
     let model = extended.movement(2).unwrap();
     assert_eq!(model.experts[1], library.movement(0).unwrap().experts[1]);
     let latents: Vec<_> = model.starts[0].clone();
@@ -157,7 +158,7 @@ fn couplings_are_learned_for_new_frames_while_primitives_stay() {
         assert!((found - y).amax() < 0.3, "{}", (found - y).amax());
     }
     let words = |uses: &[usize], y: Vec<DMatrix<f64>>| {
-        CouplingTrainer::new(&library, uses, y, vec![30], 10).err().unwrap().to_string()
+        fit_of(&library, uses, y, vec![30], 10).err().unwrap().to_string()
     };
     assert_eq!(words(&[0, 0], y.clone()), "expected a primitive of part 1, found primitive 0");
     assert_eq!(words(&[0], y.clone()), "expected a primitive for each of 2 parts, found 1");

@@ -1,12 +1,11 @@
 //! A library with the body that it moves, and how it was made.
 
-use crate::gp::linalg::stacked;
 use crate::models::data::dataset::{DatasetError, SequenceInfo};
 use crate::models::fitted::body::Body;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::library::{CombinationError, CouplingTrainer, CouplingsFrom, LearnedMovement, Library};
+use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};
@@ -222,26 +221,6 @@ impl TrainedLibrary {
             whole: true,
         };
         Ok(ObservedClip { y: self.body.layout.split(&rows), info })
-    }
-
-    /// A fit of the couplings of a combination to clips, ready to begin.
-    ///
-    /// # Errors
-    ///
-    /// As [`CouplingTrainer::new`].
-    pub fn coupling_trainer(
-        &self,
-        uses: &[usize],
-        clips: &[ObservedClip],
-        max_iterations: usize,
-    ) -> Result<CouplingTrainer, LibraryError> {
-        let lengths = clips.iter().map(|clip| clip.info.frames).collect();
-        let parts = 0..self.library.part_count();
-        let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
-        let trainer = CouplingTrainer::new(&self.library, uses, y, lengths, max_iterations);
-        // Its name says more than its number.
-        let infos = || clips.iter().map(|clip| clip.info.clone()).collect::<Vec<_>>();
-        Ok(trainer.map_err(|reason| DatasetError::about(reason, &infos()))?)
     }
 
     /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where

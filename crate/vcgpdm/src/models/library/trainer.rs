@@ -8,8 +8,10 @@ use crate::models::library::{Library, TrainedLibrary};
 use crate::models::training::error::TrainingError;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
+use crate::models::training::trainer::run_with;
 use crate::models::variational::VariationalTrainer;
 use nalgebra::DMatrix;
+use std::ops::ControlFlow;
 
 /// A training of a library under way: all movements together, with the primitives that they share.
 pub struct LibraryTrainer {
@@ -17,6 +19,7 @@ pub struct LibraryTrainer {
     plan: LibraryPlan,
     body: Body,
     frames_per_second: f64,
+    warnings: Vec<String>,
 }
 
 impl LibraryTrainer {
@@ -39,6 +42,7 @@ impl LibraryTrainer {
             plan: plan.clone(),
             body: Body::new(dataset),
             frames_per_second: dataset.frames_per_second,
+            warnings: dataset.warnings.clone(),
         })
     }
 
@@ -53,19 +57,30 @@ impl LibraryTrainer {
         self.trainer.step()
     }
 
-    /// How far training is.
+    /// Trains to the end.
+    pub fn run(&mut self) -> Progress {
+        self.run_with(|_| ControlFlow::Continue(()))
+    }
+
+    /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
+    pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
+        run_with(|| self.trainer.step(), watch)
+    }
+
+    /// How far the training is.
     pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 
-    /// Allows `iterations` more; a training that has ended goes on where it stopped.
+    /// Allows `iterations` more, during training or at its end, where the training goes on from.
     pub fn extend(&mut self, iterations: usize) {
         self.trainer.extend(iterations);
     }
 
-    /// Settings that are more than the data allow and were reduced, as sentences without a full stop.
-    pub fn notices(&self) -> &[String] {
-        self.trainer.notices()
+    /// What the user should know: the warnings of the data set, then settings that are more than the data
+    /// allow and were reduced. Sentences without a full stop.
+    pub fn warnings(&self) -> Vec<String> {
+        [&self.warnings, self.trainer.notices()].concat()
     }
 
     /// The library of the best bound so far.

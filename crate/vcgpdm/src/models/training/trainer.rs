@@ -39,6 +39,7 @@ pub struct Trainer<S = PoseMapping> {
     settings: Settings,
     seed: u32,
     frames_per_second: f64,
+    warnings: Vec<String>,
 }
 
 impl<S: Observed> Trainer<S> {
@@ -60,6 +61,7 @@ impl<S: Observed> Trainer<S> {
             settings: settings.clone(),
             seed,
             frames_per_second: dataset.frames_per_second,
+            warnings: dataset.warnings.clone(),
         })
     }
 
@@ -74,13 +76,8 @@ impl<S: Observed> Trainer<S> {
     }
 
     /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
-    pub fn run_with(&mut self, mut watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
-        loop {
-            let progress = self.learner.step();
-            if watch(&progress).is_break() || progress.done {
-                return progress;
-            }
-        }
+    pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
+        run_with(|| self.learner.step(), watch)
     }
 
     /// The best model so far.
@@ -116,9 +113,10 @@ impl<S: Observed> Trainer<S> {
         self.learner.progress()
     }
 
-    /// Settings that are more than the data allow and were reduced, as sentences without a full stop.
-    pub fn notices(&self) -> &[String] {
-        self.learner.notices()
+    /// What the user should know: the warnings of the data set, then settings that are more than the data
+    /// allow and were reduced. Sentences without a full stop.
+    pub fn warnings(&self) -> Vec<String> {
+        [&self.warnings, self.learner.notices()].concat()
     }
 
     /// Allows `iterations` more, during training or at its end, where the training goes on from. A bound that
@@ -144,5 +142,18 @@ impl<S: Observed> Trainer<S> {
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.learner.use_threads(threads);
+    }
+}
+
+/// Takes steps to the end, or until `watch` breaks.
+pub(crate) fn run_with(
+    mut step: impl FnMut() -> Progress,
+    mut watch: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Progress {
+    loop {
+        let progress = step();
+        if watch(&progress).is_break() || progress.done {
+            return progress;
+        }
     }
 }

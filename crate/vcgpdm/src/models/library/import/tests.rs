@@ -25,7 +25,7 @@ fn library(name: &str, ids: &[&str], latent: usize, seed: u32) -> TrainedLibrary
     let movement = PlannedMovement { name: name.to_owned(), sequences: ids.len() };
     let plan = LibraryPlan::new(vec![movement], vec![false, false]).unwrap();
     let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, seed).unwrap();
-    while !trainer.step().done {}
+    trainer.run();
     trainer.finish().unwrap()
 }
 
@@ -55,11 +55,11 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
     for frames in [ImportFrames::Remembered, ImportFrames::Clips(&observed)] {
         let mut trainer = ImportTrainer::new(host(), &legs, frames, &request(host(), &legs)).unwrap();
         let begin = trainer.progress().objective;
-        while !trainer.step().done {}
+        trainer.run();
         assert!(trainer.progress().best > begin + 100.0);
         let lost = trainer.lost();
         assert!(lost[0] < 0.05 && (0.0..1.0).contains(&lost[1]), "{lost:?}");
-        let library = trainer.library().unwrap();
+        let library = trainer.finish().unwrap();
         let before = &host().library;
         assert_eq!(library.library.parts, before.parts);
         assert_eq!(library.library.primitives[..2], before.primitives[..]);
@@ -91,8 +91,8 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
 fn a_whole_movement_comes_with_its_rows() {
     let mut trainer =
         ImportTrainer::new(host(), donor(), ImportFrames::Generated, &request(host(), donor())).unwrap();
-    while !trainer.step().done {}
-    let library = trainer.library().unwrap();
+    trainer.run();
+    let library = trainer.finish().unwrap();
     let movement = &library.library.movements[1];
     assert_eq!(movement.uses, [2, 3]);
     assert!(movement.sums.is_some());

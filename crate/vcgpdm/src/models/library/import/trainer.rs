@@ -15,8 +15,10 @@ use crate::models::library::{
 };
 use crate::models::training::error::in_range;
 use crate::models::training::progress::Progress;
+use crate::models::training::trainer::run_with;
 use crate::models::variational::{FittedExpert, VariationalTrainer, expert_offsets, stack_offsets};
 use nalgebra::DMatrix;
+use std::ops::ControlFlow;
 
 /// A primitive that is learned again.
 struct Arriving {
@@ -117,6 +119,16 @@ impl ImportTrainer {
         self.trainer.step()
     }
 
+    /// Trains to the end.
+    pub fn run(&mut self) -> Progress {
+        self.run_with(|_| ControlFlow::Continue(()))
+    }
+
+    /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
+    pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
+        run_with(|| self.trainer.step(), watch)
+    }
+
     /// How far the import is. The bound is that of the frames under what stays.
     pub fn progress(&self) -> Progress {
         self.trainer.progress()
@@ -142,7 +154,7 @@ impl ImportTrainer {
     /// # Errors
     ///
     /// When a covariance cannot be factorised.
-    pub fn library(&self) -> Result<TrainedLibrary, NumericsError> {
+    pub fn finish(&self) -> Result<TrainedLibrary, NumericsError> {
         let mut library = self.host.clone();
         let first = library.library.primitives.len();
         let (best, objective) = (self.trainer.best(), self.trainer.objective());
