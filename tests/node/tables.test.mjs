@@ -49,3 +49,21 @@ it("couplings change the curves, and weights and latents are there", () => {
       assert.ok(Math.abs((weights?.[0]?.[target] ?? 0) + (weights?.[1]?.[target] ?? 0) - 1) < 1e-12);
   assert.equal(changed.latents(1).length, 40 * 2);
 });
+
+it("a training says which columns never change and which clips are given twice", () => {
+  const { Clip, Table, TableTrainer, Trainer, TrainingSet } = installed.vcgpdm;
+  const rows = Array.from({ length: 20 }, (_, t) => [Math.sin(t / 3), 7]);
+  const ofTable = new TableTrainer({ parts: [{ name: "all", columns: ["x", "y"] }], ...settings });
+  ofTable.add(Table.of("trial", ["x", "y"], new Float64Array(rows.flat()), 0.02));
+  assert.deepEqual(ofTable.notices(), ["the column y never changes, so a model learns nothing about it"]);
+
+  const clips = new TrainingSet();
+  for (const _ of [1, 2]) clips.add(Clip.sample("walk-1"));
+  const parts = Clip.sample("walk-1")
+    .info()
+    .presets.find(({ id }) => id === "lower-upper")?.parts;
+  assert.ok(parts);
+  const [notice = "", ...others] = new Trainer(clips, { parts, ...settings }).notices();
+  assert.match(notice, /^the clip walk-1.* is given twice, so its frames count twice$/);
+  assert.deepEqual(others, []);
+});

@@ -298,6 +298,8 @@ interface HeldTraining {
    * the page did.
    */
   report(iteration: number, bound: number, model?: string, health?: Health): boolean;
+  /** Sends the first report, with these notices. */
+  begin(notices: string[]): void;
   end(outcome: TrainingOutcome): void;
   fail(problem: Error): void;
   /** The worker itself dies. */
@@ -332,7 +334,9 @@ export class FakeTrainers {
           const step = progress(iteration, bound);
           return send({ steps: [step], progress: step, elapsed: iteration, found }) === true;
         };
-        this.trainings.push({ job, worker: number, more, signal, report, end, fail, die });
+        const begin = (notices: string[]) =>
+          void send({ steps: [], progress: progress(0, 0), elapsed: 0, found: null, notices });
+        this.trainings.push({ job, worker: number, more, signal, report, begin, end, fail, die });
       });
     const worker: TrainingWorker = {
       train: (job, send, signal) => hold(job, null, send, signal),

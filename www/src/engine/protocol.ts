@@ -207,6 +207,8 @@ export interface TrainingReport<Found> {
   elapsed: number;
   /** The best so far: with the last report, and where the answer to an earlier one asked for it. */
   found: Found | null;
+  /** With the first report: what the visitor should know of the data and the settings. */
+  notices?: string[];
 }
 
 /** May answer that the next report is to bring the best so far. */
@@ -217,7 +219,7 @@ export interface TrainingOutcome {
   cancelled: boolean;
   /** Why training ended; null when it was cancelled. */
   reason: TrainingProgress["reason"];
-  /** What was more than the data allow, and was reduced: sentences without a full stop. */
+  /** What the visitor should know of the data and the settings: sentences without a full stop. */
   notices?: string[];
 }
 

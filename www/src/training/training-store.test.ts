@@ -90,6 +90,18 @@ describe("a training", () => {
     expect(training.whyNot()).toMatch(/do not go together/);
   });
 
+  it("says once for all seeds what the visitor should know, unless a clip in the list says it", async () => {
+    await begin("seed=5&trainings=2");
+    const [clip] = clips.all;
+    if (!clip) throw new Error("no clip");
+    clip.loaded.info.warnings.push("the first row is a T-pose");
+    void training.start();
+    await settled();
+    const shown = `${clip.loaded.info.name}: the first row is a T-pose`;
+    for (const seed of [0, 1]) worker(seed).begin([shown, "the clip b has the same pose"]);
+    expect(notices.all.map(({ text }) => text)).toEqual(["The clip b has the same pose."]);
+  });
+
   it("keeps the best so far when it is cancelled", async () => {
     const over = training.start();
     await settled();

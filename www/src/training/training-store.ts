@@ -4,7 +4,7 @@ import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { TrainedModel, TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
-import { messageOf } from "../ui/format";
+import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { Cost, type CostWords, costWords } from "./cost";
@@ -47,6 +47,7 @@ export class TrainingStore extends Store {
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
   readonly #clips: ClipsStore;
+  readonly #notices: NoticesStore;
   readonly #staging: Staging;
   readonly #kept: Kept;
   readonly #cost: Cost;
@@ -72,6 +73,7 @@ export class TrainingStore extends Store {
     this.#engine = engine;
     this.#settings = settings;
     this.#clips = clips;
+    this.#notices = notices;
     this.#staging = new Staging(model, notices);
     this.#kept = new Kept(engine);
     this.#cost = new Cost(engine, settings, clips, () => this.changed());
@@ -349,8 +351,9 @@ export class TrainingStore extends Store {
     const before = run.elapsed;
     const anew = run.catchingUp;
     const known = run.steps.at(-1)?.iteration ?? 0;
-    const report: Report<TrainedModel> = ({ steps, elapsed, found }) => {
+    const report: Report<TrainedModel> = ({ steps, elapsed, found, notices = [] }) => {
       if (run.state !== "running") return false;
+      for (const notice of notices) this.#warn(notice);
       // What is known of an earlier course comes out the same again.
       run.steps.push(...steps.filter(({ iteration }) => iteration > known));
       run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < known;
@@ -367,7 +370,8 @@ export class TrainingStore extends Store {
       const outcome = await work({ report, signal, begun });
       run.state = outcome.cancelled ? "cancelled" : "done";
       run.open = isOpen(outcome);
-      run.ending = endingWords(outcome, run.steps.at(-1));
+      // The notices are in the list of clips already.
+      run.ending = endingWords({ ...outcome, notices: [] }, run.steps.at(-1));
     } catch (problem) {
       const stopped = problem === signal.reason;
       run.state = stopped ? "cancelled" : "failed";
@@ -377,6 +381,15 @@ export class TrainingStore extends Store {
     }
     run.catchingUp = false;
     this.changed();
+  }
+
+  /** Says once, for all seeds, what no clip in the list says. */
+  #warn(warning: string): void {
+    const infos = this.#clips.all.map(({ loaded }) => loaded.info);
+    const shown = infos.flatMap(({ name, warnings }) => warnings.map((text) => `${name}: ${text}`));
+    const text = sentence(warning);
+    if (shown.includes(warning) || this.#notices.all.some((notice) => notice.text === text)) return;
+    this.#notices.addError("About this training", text);
   }
 
   /** When all runs are over, those that were added meanwhile too: the best is on the stage. */

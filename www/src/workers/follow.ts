@@ -4,7 +4,7 @@ import { inSlices } from "./slices";
 
 interface Training<Found> {
   step(): TrainingProgress;
-  /** Settings that were more than the data allow, and were reduced. */
+  /** What the visitor should know of the data and the settings. */
   notices?(): string[];
   /** The best so far; null while there is nothing worth showing. */
   find(): Found | null;
@@ -20,10 +20,14 @@ export async function follow<Found>(
   let progress = training.step();
   let steps = [progress];
   let wanted = false;
+  const notices = training.notices?.() ?? [];
+  let unsent = notices;
   const send = async (withBest: boolean) => {
     const found = withBest ? training.find() : null;
-    const answer = report({ steps, progress, elapsed: (performance.now() - start) / 1000, found });
+    const elapsed = (performance.now() - start) / 1000;
+    const answer = report({ steps, progress, elapsed, found, notices: unsent });
     steps = [];
+    unsent = [];
     wanted = false;
     wanted = (await answer) === true;
   };
@@ -40,5 +44,5 @@ export async function follow<Found>(
   // Waits until the page has the report: reports and the outcome travel on different ports.
   await send(true);
   const reason = done ? progress.reason : null;
-  return { cancelled: !done, reason, notices: training.notices?.() ?? [] };
+  return { cancelled: !done, reason, notices };
 }

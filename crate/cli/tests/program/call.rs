@@ -28,6 +28,14 @@ pub fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&out).unwrap()
 }
 
+/// The same of a command that also writes to stderr: its JSON object and the lines on stderr.
+pub fn json_and_stderr(arguments: &[&str]) -> (Value, String) {
+    let output = run(arguments);
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{arguments:?}: {err}");
+    (serde_json::from_slice(&output.stdout).unwrap(), err)
+}
+
 /// What a command that must succeed prints.
 pub fn prints(arguments: &[&str]) -> String {
     let output = run(arguments);

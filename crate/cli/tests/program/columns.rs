@@ -1,6 +1,6 @@
 //! Time series that are no body: `vcgpdm train --columns`, `rollout --columns`.
 
-use crate::call::{fails, folder, json, prints, text};
+use crate::call::{fails, folder, json, json_and_stderr, prints, text};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -49,6 +49,19 @@ fn columns_are_trained_on_and_rolled_out() {
     json(&dmp);
     prints(&["rollout", text(&model), "--frames", "9", "--columns", text(&out)]);
     assert_eq!(fs::read_to_string(&out).unwrap().lines().count(), 10);
+}
+
+#[test]
+fn warns_of_a_column_that_never_changes() {
+    let folder = folder("constant-column");
+    let (table, model) = (folder.join("t.csv"), folder.join("m.json"));
+    let rows: String = (0..20).map(|row| format!("{},7\n", (0.4 * f64::from(row)).sin())).collect();
+    fs::write(&table, format!("x,y\n{rows}")).unwrap();
+    let train = ["train", text(&table), "--columns", "--model", "dmp-discrete", "--out", text(&model)];
+    let (summary, stderr) = json_and_stderr(&train);
+    let warning = "the column y never changes, so a model learns nothing about it";
+    assert_eq!(summary["warnings"], serde_json::json!([warning]));
+    assert_eq!(stderr, format!("vcgpdm: {warning}\n"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The terminal program as a user meets it: what it prints, what it writes, how it fails.
 
-use crate::call::{fails, folder, json, one_frame, run, taller_walk, text};
+use crate::call::{fails, folder, json, json_and_stderr, one_frame, run, taller_walk, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -342,6 +342,23 @@ fn training_that_cannot_begin_says_why() {
 }
 
 #[test]
+fn warns_of_a_clip_that_is_given_twice() {
+    let model = folder("twice").join("model.json");
+    let sources = ["sample:walk-1", "sample:walk-1"];
+    let name = "walk-1 (made by this project).bvh";
+    let warning = format!("the clip {name} is given twice, so its frames count twice");
+    let plain = ["train", sources[0], sources[1]];
+    let library = ["train", "--movement", "a=sample:walk-1", "--movement", "b=sample:walk-1"];
+    for arguments in [&plain[..], &library] {
+        let options =
+            ["--parts", "lower,upper", "--fps", "10", "--max-iterations", "1", "--out", text(&model)];
+        let (summary, stderr) = json_and_stderr(&[arguments, &options].concat());
+        assert_eq!(summary["warnings"], serde_json::json!([warning]));
+        assert_eq!(stderr, format!("vcgpdm: {warning}\n"));
+    }
+}
+
+#[test]
 fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
     let folder = folder("bones");
     let taller = taller_walk(&folder);
@@ -351,8 +368,10 @@ fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
     let refused = fails(&arguments);
     assert!(refused.contains("its offset differs") && refused.contains("--first-bones"), "{refused}");
     arguments.push("--first-bones");
-    let warnings = json(&arguments)["warnings"].to_string();
-    assert!(warnings.contains("the way of the root is scaled by 0.9"), "{warnings}");
+    let (summary, stderr) = json_and_stderr(&arguments);
+    for warnings in [summary["warnings"].to_string(), stderr] {
+        assert!(warnings.contains("the way of the root is scaled by 0.9"), "{warnings}");
+    }
     assert!(model.exists());
 }
 

@@ -1,6 +1,7 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
 use crate::gp::linalg::stacked;
+use crate::models::data::warnings::{CLIP, changing_columns, constant_warning, sequence_warnings};
 use crate::models::training::error::TrainingError;
 use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
@@ -138,7 +139,8 @@ pub struct Dataset<S = PoseMapping> {
     pub frame_time: f64,
     /// The frame rate that the data set was asked for, in frames a second; `frame_time` is near its inverse.
     pub frames_per_second: f64,
-    /// What was odd about the clips, such as a T-pose that was left out; each names its clip.
+    /// What a user should know about the clips, such as a T-pose that was left out or a clip that does not
+    /// move: sentences without a full stop, each with the name of its clip, part or column.
     pub warnings: Vec<String>,
 }
 
@@ -230,9 +232,21 @@ impl Dataset {
                 whole: source.first_frames.is_none(),
             }
         };
-        let sequences = clips.iter().zip(&rows).zip(sources).map(info).collect();
+        let sequences: Vec<SequenceInfo> = clips.iter().zip(&rows).zip(sources).map(info).collect();
+        warnings.extend(sequence_warnings(&rows, &sequences, &CLIP));
+        warnings.extend(still_parts(&layout, &changing_columns(&all)));
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, frames_per_second, warnings })
     }
+}
+
+/// A warning about parts that no clip moves. A body has many columns that never change, such as those of
+/// fingers; only a part of nothing else is worth a warning.
+fn still_parts(layout: &PartsLayout, changing: &[bool]) -> Option<String> {
+    let is_still = |part: &usize| !layout.columns(*part).iter().any(|column| changing[*column]);
+    let still: Vec<&str> =
+        (0..layout.parts().len()).filter(is_still).map(|part| layout.parts()[part].name.as_str()).collect();
+    // In a data set of still clips, each clip has its warning.
+    if still.len() == layout.parts().len() { None } else { constant_warning("part", &still) }
 }
 
 impl<S> Dataset<S> {
@@ -244,5 +258,74 @@ impl<S> Dataset<S> {
     /// The numbers of frames T_s of the sequences.
     pub fn lengths(&self) -> Vec<usize> {
         self.sequences.iter().map(|s| s.frames).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{parts, samples};
+
+    /// The clip with the pose of its first frame in all frames.
+    fn still(clip: &Clip, name: &str) -> Clip {
+        let mut still = Clip { name: name.to_owned(), sha256: "another".to_owned(), ..clip.clone() };
+        for frame in 0..still.frames() {
+            still.values.set_row(frame, &clip.values.row(0));
+        }
+        still
+    }
+
+    fn warnings(clips: &[&Clip]) -> Vec<String> {
+        let parts = &parts::presets(&clips[0].skeleton)[1].parts;
+        let sources: Vec<Source> = clips.iter().map(|clip| Source::from(*clip)).collect();
+        Dataset::new(&sources, parts, 30.0).unwrap().warnings
+    }
+
+    #[test]
+    fn samples_give_no_warning() {
+        let clips = ["walk-1", "walk-2", "walk-wave-1"].map(|id| samples::clip(id).unwrap());
+        assert!(warnings(&clips.each_ref()).is_empty());
+    }
+
+    #[test]
+    fn warns_of_a_clip_that_does_not_move() {
+        let walk = samples::clip("walk-1").unwrap().cut(0, 40).unwrap();
+        let still = still(&walk, "still.bvh");
+        let expected = "the clip still.bvh has the same pose in all of its 20 frames";
+        assert_eq!(warnings(&[&walk, &still]), [expected]);
+        assert_eq!(warnings(&[&still]), [expected]);
+    }
+
+    #[test]
+    fn warns_of_a_part_that_no_clip_moves() {
+        let mut walk = samples::clip("walk-1").unwrap();
+        let upper = parts::presets(&walk.skeleton)[1].parts[1].clone();
+        let starts = walk.skeleton.channel_starts();
+        let channels =
+            |joint: usize| starts[joint]..starts[joint] + walk.skeleton.joints[joint].channels.len();
+        let channels: Vec<usize> = upper.joints.iter().flat_map(|joint| channels(*joint)).collect();
+        for channel in channels {
+            let first = walk.values[(0, channel)];
+            walk.values.column_mut(channel).fill(first);
+        }
+        let expected = "the part upper never changes, so a model learns nothing about it";
+        assert_eq!(warnings(&[&walk]), [expected]);
+    }
+
+    #[test]
+    fn warns_of_a_clip_given_twice_but_not_of_its_pieces() {
+        let walk = samples::clip("walk-1").unwrap();
+        let copy = Clip { name: "copy.bvh".to_owned(), ..walk.clone() };
+        let name = &walk.name;
+        assert_eq!(
+            warnings(&[&walk, &walk]),
+            [format!("the clip {name} is given twice, so its frames count twice")]
+        );
+        assert_eq!(
+            warnings(&[&walk, &copy]),
+            [format!("the clip copy.bvh has the same content as {name}, so these frames count twice")]
+        );
+        let pieces = [walk.cut(0, 40).unwrap(), walk.cut(40, 80).unwrap()];
+        assert!(warnings(&pieces.each_ref()).is_empty());
     }
 }

@@ -7,3 +7,4 @@ pub(crate) mod phase;
 pub(crate) mod sequences;
 mod tables;
 pub(crate) mod trials;
+mod warnings;

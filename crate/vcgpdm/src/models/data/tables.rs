@@ -2,6 +2,7 @@
 
 use crate::gp::linalg::stacked;
 use crate::models::data::dataset::{Dataset, SequenceInfo};
+use crate::models::data::warnings::{TABLE, changing_columns, constant_warning, sequence_warnings};
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
 
@@ -16,14 +17,16 @@ impl Dataset<Columns> {
         let first = tables.first().ok_or(SeriesError::Empty)?;
         check_parts(parts, &first.columns)?;
         let tables = tables.iter().map(|table| table.like(first)).collect::<Result<Vec<_>, _>>()?;
-        let mut all = stacked(tables.iter().map(|table| &table.values));
-        let (rows, d) = all.shape();
+        let rows: Vec<_> = tables.iter().map(|table| table.values.clone()).collect();
+        let mut all = stacked(&rows);
+        let changing = changing_columns(&all);
+        let (count, d) = all.shape();
         let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
         let mut units = Vec::with_capacity(d);
         for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
             column.add_scalar_mut(-mean);
-            let deviation = (column.norm_squared() / rows as f64).sqrt();
-            // What does not change beyond rounding has no size of its own.
+            let deviation = (column.norm_squared() / count as f64).sqrt();
+            // A column that changes by rounding alone has no size of its own.
             let unit = if deviation > 1e-9 * mean.abs().max(1e-3) { deviation } else { 1.0 };
             column /= unit;
             units.push(unit);
@@ -38,16 +41,55 @@ impl Dataset<Columns> {
             bones_of: None,
             whole: true,
         };
+        let sequences: Vec<SequenceInfo> = tables.iter().map(info).collect();
+        let mut warnings = sequence_warnings(&rows, &sequences, &TABLE);
+        let names = first.columns.iter().zip(changing).filter(|(_, changes)| !changes);
+        let names: Vec<&str> = names.map(|(name, _)| name.as_str()).collect();
+        // In a data set of still tables, each table has its warning.
+        if names.len() < d {
+            warnings.extend(constant_warning("column", &names));
+        }
         let frame_time = first.frame_time.unwrap_or(1.0 / rate);
         Ok(Self {
             y: layout.split(&all),
             layout,
             mapping: Columns::new(first.columns.clone(), units),
             column_means,
-            sequences: tables.iter().map(info).collect(),
+            sequences,
             frame_time,
             frames_per_second: 1.0 / frame_time,
-            warnings: Vec::new(),
+            warnings,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::series::{read, whole};
+
+    fn table(name: &str, text: &str) -> Table {
+        read(name, text.as_bytes()).unwrap()
+    }
+
+    fn warnings(tables: &[Table]) -> Vec<String> {
+        Dataset::of_tables(tables, &whole(tables[0].columns.len()), 30.0).unwrap().warnings
+    }
+
+    #[test]
+    fn warns_of_still_tables_constant_columns_and_a_table_given_twice() {
+        let moving = table("a.csv", "x,y,z\n1,5,2\n2,5,3\n4,5,2\n");
+        let still = table("b.csv", "x,y,z\n1,5,2\n1,5,2\n");
+        let again = Table { name: "c.csv".to_owned(), ..moving.clone() };
+        assert_eq!(
+            warnings(&[moving.clone(), still.clone(), again]),
+            [
+                "the table b.csv has the same values in all of its 2 rows",
+                "the table c.csv has the same content as a.csv, so these rows count twice",
+                "the column y never changes, so a model learns nothing about it",
+            ]
+        );
+        assert_eq!(warnings(&[still]), ["the table b.csv has the same values in all of its 2 rows"]);
+        assert!(warnings(&[table("d.csv", "x,y\n1,2\n3,1\n")]).is_empty());
     }
 }
