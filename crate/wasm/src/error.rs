@@ -190,7 +190,7 @@ impl LibraryError for TrainingError {
 impl LibraryError for DatasetError {
     fn code(&self) -> ErrorCode {
         match self {
-            DatasetError::Body { reason, .. } if reason.is_of_bones() => ErrorCode::Bones,
+            DatasetError::Body { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
             DatasetError::Empty | DatasetError::Body { .. } => ErrorCode::Clips,
             DatasetError::Short { .. } | DatasetError::Clip(_) | DatasetError::Pose { .. } => ErrorCode::Clip,
             DatasetError::Parts(_) => ErrorCode::Parts,
@@ -247,7 +247,7 @@ impl LibraryError for WalkError {
 impl LibraryError for PrimitivesError {
     fn code(&self) -> ErrorCode {
         match self {
-            PrimitivesError::Body { reason, .. } if reason.is_of_bones() => ErrorCode::Bones,
+            PrimitivesError::Body { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
             PrimitivesError::Body { .. } => ErrorCode::Clips,
             PrimitivesError::Clip(reason) => reason.code(),
             PrimitivesError::Pose { reason, .. } => reason.code(),

@@ -188,7 +188,7 @@ impl Rollout {
         }
         let values = self.positions.len() / frames * first;
         let measured = measures(body.mapping.skeleton(), &self.positions[values..], body.frame_time);
-        let parts = body.layout.parts().iter().map(|part| measured.of_joints(&part.joints)).collect();
+        let parts = body.layout.parts().iter().map(|part| measured.part(&part.joints)).collect();
         to_js_beside(&measured, &Parts { parts })
     }
 

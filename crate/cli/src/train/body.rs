@@ -11,7 +11,7 @@ use vcgpdm::motion::{Skeleton, parts};
 /// The reason, and what helps where only the bones differ.
 pub fn with_hint(reason: DatasetError) -> Box<dyn Error> {
     match &reason {
-        DatasetError::Body { reason: body, .. } if body.is_of_bones() => {
+        DatasetError::Body { reason: body, .. } if body.only_bones_differ() => {
             format!("{reason}; --first-bones gives all clips the bones of the first").into()
         }
         _ => reason.into(),

@@ -179,7 +179,7 @@ impl Maker {
                 names: (0..nodes.len()).map(name).collect(),
                 parents: nodes.iter().map(|node| node.parent).collect(),
                 joints: self.skeleton.joints.len(),
-                landmarks: Landmarks::of(&self.skeleton),
+                landmarks: Landmarks::new(&self.skeleton),
             },
             height: STAGE_HEIGHT,
             unit: UNIT,

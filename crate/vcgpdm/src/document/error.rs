@@ -48,7 +48,8 @@ pub enum DocumentError {
     },
     /// A library, where a model is asked for.
     #[error(
-        "expected a model, found a library of primitives: choose one of its movements, or a primitive for each part"
+        "expected a model, found a library of primitives: choose one of its movements, or a primitive for \
+         each part"
     )]
     Library,
     /// A model, where a library is asked for.

@@ -76,6 +76,6 @@ impl Subject for Columns {
             path: "parts".to_owned(),
             message: problem.to_string(),
         })?;
-        Ok(PartsLayout::of_columns(parts))
+        Ok(PartsLayout::for_table(parts))
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct Anatomy {
 
 impl Anatomy {
     /// Finds two legs, and arms if there are any; `None` where neither names nor shape show them.
-    pub(crate) fn of(skeleton: &Skeleton) -> Option<Anatomy> {
+    pub(crate) fn find(skeleton: &Skeleton) -> Option<Anatomy> {
         let named = Anatomy { regions: by_names(skeleton) };
         if named.has_both_legs() {
             return Some(named);
@@ -50,16 +50,15 @@ impl Anatomy {
         (0..self.regions.len()).filter(|&joint| self.regions[joint] == region).collect()
     }
 
-    /// The places of all nodes but those of the arms, which may be raised above the head.
+    /// The positions of all nodes except those of the arms, which may be raised above the head.
     pub(crate) fn without_arms(&self, skeleton: &Skeleton, places: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let nodes = skeleton.figure();
-        let kept =
+        let others =
             nodes.iter().zip(places).filter(|(node, _)| !matches!(self.regions[node.joint], Region::Arm(_)));
-        kept.map(|(_, place)| *place).collect()
+        others.map(|(_, place)| *place).collect()
     }
 
-    /// The farthest node of a limb, along the bones: the tip of the toes or fingers as far as the file knows
-    /// it.
+    /// The farthest node of a limb, measured along the bones: the tip of the toes or fingers.
     pub(crate) fn tip(&self, skeleton: &Skeleton, limb: Region) -> Option<usize> {
         let paths = path_lengths(skeleton);
         farthest(skeleton, &paths, |joint| self.regions[joint] == limb)
@@ -70,8 +69,8 @@ impl Anatomy {
         self.tip(skeleton, Region::Leg(side))
     }
 
-    /// The top of the head: the farthest trunk node at or beyond a joint named so, else the farthest trunk
-    /// node.
+    /// The top of the head: the farthest node at or below a trunk joint whose name contains "head", else the
+    /// farthest node of the trunk.
     pub(crate) fn head(&self, skeleton: &Skeleton) -> Option<usize> {
         let paths = path_lengths(skeleton);
         let mut within_head = vec![false; skeleton.joints.len()];
@@ -107,7 +106,7 @@ pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
 
 fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     let mut regions: Vec<Region> = Vec::new();
-    // A joint below a limb belongs to it, and a joint below the head to the trunk, whatever their names are.
+    // A joint below a limb belongs to the limb, a joint below the head to the trunk, whatever their names.
     let mut within_head = vec![false; skeleton.joints.len()];
     for (place, joint) in skeleton.joints.iter().enumerate() {
         let Some(parent) = joint.parent else {
@@ -136,7 +135,7 @@ struct Pair {
     depth: usize,
     /// The length along the bones from the common joint to the farthest node.
     reach: f64,
-    /// Where their farthest nodes are in the rest pose.
+    /// The positions of their farthest nodes in the rest pose.
     ends: [Vector3<f64>; 2],
 }
 
@@ -156,8 +155,7 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
         .filter(|pair| height(pair) > height(legs))
         .max_by(|a, b| a.reach.total_cmp(&b.reach));
     let mut regions = vec![Region::Trunk; skeleton.joints.len()];
-    // The toes point to the front, and left = up x front; without toes, left is taken to be where x is
-    // larger.
+    // The toes point to the front, and left = up x front. Without toes, left is the side of larger x.
     let rest = skeleton.rest_pose().positions;
     let mut front = 0.5 * (legs.ends[0] + legs.ends[1] - rest[legs.members[0]] - rest[legs.members[1]]);
     front[up] = 0.0;
@@ -234,8 +232,8 @@ fn is_within(skeleton: &Skeleton, joint: usize, top: usize) -> bool {
     joint == top || ancestors(skeleton, joint).any(|ancestor| ancestor == top)
 }
 
-/// The axis along which a body at rest without names probably stands: y unless z is clearly longer. The span
-/// of the arms is usually along x.
+/// The probable up axis of a rest pose without names: y, unless the body is clearly longer along z. The arms
+/// usually lie along x.
 fn up_of_rest(skeleton: &Skeleton) -> usize {
     let extent = extents(&skeleton.rest_pose().positions);
     match (extent[2] > 1.5 * extent[1], extent[1] > 1e-9 * extent.max()) {
@@ -245,8 +243,8 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// The vector from the feet to the head when the body is at rest; `None` where the body at rest does not
-/// stand, as in files whose offsets all point along the bones' own axes.
+/// The vector from the feet to the head in the rest pose. `None` if the rest pose does not stand, as in files
+/// whose offsets all point along the bones' own axes.
 pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
     let rest = skeleton.rest_pose().positions;
     let paths = path_lengths(skeleton);
@@ -254,7 +252,8 @@ pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option
     (upward.amax() > 0.7 * length).then_some(upward)
 }
 
-/// The vector from the middle of the feet to the top of the head, and its length along the bones.
+/// The vector from the middle of the feet to the top of the head, and the length of that path along the
+/// bones.
 fn feet_to_head(
     skeleton: &Skeleton,
     anatomy: &Anatomy,
@@ -267,8 +266,8 @@ fn feet_to_head(
     Some((upward, paths[head] + 0.5 * (paths[left] + paths[right])))
 }
 
-/// The height of a standing body, as a share of the length along its bones from the toes to the top of the
-/// head: feet and hips lie across.
+/// Height of a standing body divided by the length along its bones from the toes to the top of the head. The
+/// bones of feet and hips are horizontal, so the ratio is below 1.
 const STANDING: f64 = 0.87;
 
 impl Skeleton {
@@ -277,7 +276,7 @@ impl Skeleton {
     /// longest side of its box.
     pub fn height(&self) -> f64 {
         let rest = self.rest_pose().positions;
-        let height = Anatomy::of(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {
+        let height = Anatomy::find(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {
             Some(upward) => Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()]),
             None => {
                 feet_to_head(self, &anatomy, &rest, &path_lengths(self)).map(|(_, length)| STANDING * length)

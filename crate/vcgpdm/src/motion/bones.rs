@@ -1,4 +1,4 @@
-//! A motion on a body of other bones.
+//! A motion transferred to a body with other bones.
 
 use crate::motion::clip::Clip;
 use crate::motion::same_body::BodyMismatch;
@@ -7,11 +7,12 @@ use nalgebra::Vector3;
 
 impl Clip {
     /// The same motion of a body with the bones of `other`, whose joints must have the same names in the same
-    /// tree. The joint angles stay. The way of the root is scaled as the height of the root above the lowest
-    /// point of the body is, on average over the clip: by the length of the legs as the motion uses them, and
-    /// from one file's units to the other's. So feet that stand keep standing on the ground, nearly: a leg
-    /// that is bent elsewhere along its length reaches a little more or less far. A clip of the same body is
-    /// given back as it is; another gets a warning that says what was done.
+    /// tree.
+    ///
+    /// The joint angles do not change. The path of the root is scaled by the ratio of the mean heights of the
+    /// root above the lowest point of the body: this accounts for other legs and other units. Standing feet
+    /// therefore stay on the ground, except for small errors where thigh and shin have other proportions. A
+    /// clip of the same body is returned unchanged; any other clip gets a warning that says what was done.
     ///
     /// # Errors
     ///
@@ -22,11 +23,11 @@ impl Clip {
             return Ok(self.clone());
         }
         let mut clip = self.clone();
-        for (joint, of_other) in clip.skeleton.joints.iter_mut().zip(&other.skeleton.joints) {
-            joint.end_sites.clone_from(&of_other.end_sites);
-            // The root's offset is not a bone: it is where the root stands.
+        for (joint, model) in clip.skeleton.joints.iter_mut().zip(&other.skeleton.joints) {
+            joint.end_sites.clone_from(&model.end_sites);
+            // The root's offset is a place in the world, not a bone.
             if joint.parent.is_some() {
-                joint.offset = of_other.offset;
+                joint.offset = model.offset;
             }
         }
         let (before, after) = (self.root_height(&self.skeleton), self.root_height(&clip.skeleton));
@@ -38,14 +39,14 @@ impl Clip {
             }
             for channel in &own.channels {
                 if !channel.is_rotation() {
-                    // A position replaces the offset; what it adds to that is a movement.
+                    // A position replaces the offset; the difference between the two is a movement.
                     let (from, to) = (own.offset[channel.axis()], joint.offset[channel.axis()]);
                     clip.values.column_mut(column).apply(|value| *value = to + scale * (*value - from));
                 }
                 column += 1;
             }
         }
-        // Rounded here: to write a number with so many digits takes code that nothing else on the page needs.
+        // Formatting with a fixed number of digits would add code to the wasm that nothing else needs.
         let rounded = (1000.0 * scale).round() / 1000.0;
         let first = &other.name;
         clip.bones_of = Some(first.clone());
@@ -75,8 +76,7 @@ mod tests {
     use super::*;
     use crate::motion::{samples, stage::STAGE_HEIGHT};
 
-    /// The walk of another body, in other units: its thighs, shins and arms are longer or shorter by these
-    /// factors.
+    /// The walk of another body in other units. The factors scale its thighs, shins and arms.
     fn other_body(walk: &Clip, thigh: f64, shin: f64, arm: f64, unit: f64) -> Clip {
         let mut other = walk.clone();
         for joint in &mut other.skeleton.joints {
@@ -97,8 +97,7 @@ mod tests {
         other
     }
 
-    /// The lowest point of the body in each frame, in metres on a stage whose ground is that of the whole
-    /// clip.
+    /// The lowest point of the body in each frame, in metres above the ground of the whole clip.
     fn lowest(clip: &Clip) -> Vec<f64> {
         let stage = clip.stage();
         assert!((stage.metres_per_unit() * stage.height - STAGE_HEIGHT).abs() < 1e-9);
@@ -136,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_body_is_left_alone_and_other_joints_are_refused() {
+    fn a_clip_of_the_same_body_is_unchanged_and_other_joints_are_refused() {
         let walk = samples::clip("walk-1").unwrap();
         assert_eq!(walk.with_bones_of(&samples::clip("walk-2").unwrap()).unwrap(), walk);
         let mut other = other_body(&walk, 1.1, 1.1, 1.0, 1.0);
@@ -146,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_that_slides_slides_on_from_its_new_place() {
+    fn position_channels_move_with_the_new_offset() {
         let mut walk = samples::clip("walk-1").unwrap().cut(0, 20).unwrap();
         let last = walk.skeleton.joints.len() - 1;
         walk.skeleton.joints[last].channels.insert(0, crate::motion::skeleton::Channel::Xposition);
@@ -155,7 +154,7 @@ mod tests {
         walk.values = walk.values.clone().insert_column(place, own);
         let other = other_body(&walk, 1.1, 1.1, 0.8, 1.0);
         let moved = walk.with_bones_of(&other).unwrap();
-        let kept = moved.values.column(place);
-        assert!(kept.iter().all(|value| (value - other.skeleton.joints[last].offset[0]).abs() < 1e-9));
+        let positions = moved.values.column(place);
+        assert!(positions.iter().all(|value| (value - other.skeleton.joints[last].offset[0]).abs() < 1e-9));
     }
 }

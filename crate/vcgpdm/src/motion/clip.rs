@@ -9,9 +9,8 @@ use thiserror::Error;
 
 /// A motion: recorded, made by the project, or rolled out from a model.
 ///
-/// Every row belongs to the motion. The T-pose that some files put before it is looked for once, where a
-/// [`Recording`](crate::motion::Recording) becomes a clip, and never again: a clip that is cut may begin with
-/// any jerk and keeps its first frame.
+/// Every row belongs to the motion: the T-pose that some files put before the motion is removed where a
+/// [`Recording`](crate::motion::Recording) becomes a clip. A cut never removes frames for this reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     /// The file's name, for messages and provenance.
@@ -23,20 +22,20 @@ pub struct Clip {
     /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees,
     /// file units).
     pub values: DMatrix<f64>,
-    /// What was odd about the file, in words; it could be read all the same.
+    /// What was unusual about the file, as sentences.
     pub warnings: Vec<String>,
-    /// SHA-256 of the file's bytes in lower-case hexadecimal; for a clip that was never a file, of the text
-    /// that [`bvh::write`](crate::motion::bvh::write) gives. A cut or resampled clip keeps the hash of the
-    /// whole.
+    /// SHA-256 of the file's bytes in lower-case hexadecimal. For a clip that does not come from a file: of
+    /// the text that [`bvh::write`](crate::motion::bvh::write) returns. A cut or resampled clip keeps the
+    /// hash of the whole clip.
     pub sha256: String,
-    /// The frames of the file that a cut kept: the first, and the one after the last; `None`: not cut.
-    /// Counted at the file's rate, from 0, without a leading T-pose.
+    /// The frames of the file that this cut clip contains: the first, and the one after the last. `None` if
+    /// the clip was not cut. Counted from 0 at the file's rate, without a leading T-pose.
     pub piece: Option<(usize, usize)>,
     /// Seconds from one frame of the file to the next. Resampling changes [`frame_time`](Self::frame_time),
     /// not this.
     pub file_frame_time: f64,
-    /// The name of the clip whose bones this one took over ([`Clip::with_bones_of`]); `None`: they are its
-    /// own.
+    /// The name of the clip whose bones this clip was given ([`Clip::with_bones_of`]); `None` if it has its
+    /// own bones.
     pub bones_of: Option<String>,
 }
 
@@ -78,11 +77,11 @@ pub enum ClipError {
     },
 }
 
-/// Rates that differ by less than this share count as equal: files write 1/30 as .033333 and 1/120 as .0083.
+/// Rates that differ by a smaller fraction count as equal: files write 1/30 as .033333 and 1/120 as .0083.
 const RATE_TOLERANCE: f64 = 0.02;
 
 impl Clip {
-    /// Frames a second that a clip can be brought to.
+    /// Frames a second to which a clip can be resampled.
     pub const RATES: RangeInclusive<f64> = 0.1..=10_000.0;
 
     /// The number of frames.
@@ -103,8 +102,8 @@ impl Clip {
         self.skeleton.forward_kinematics(&local.rotations, &local.positions)
     }
 
-    /// The frames from `first` up to but not including `end`, counted from 0. [`Clip::piece`] then says where
-    /// they were in the file.
+    /// The frames from `first` up to but not including `end`, counted from 0. [`Clip::piece`] of the result
+    /// says which frames of the file these are.
     ///
     /// ```
     /// use vcgpdm::motion::samples;
@@ -127,17 +126,17 @@ impl Clip {
         if end - first < self.frames() {
             let (start, _) = self.piece.unwrap_or((0, 0));
             let step = self.frame_time / self.file_frame_time;
-            let of_file = |frame: usize| start + (frame as f64 * step).round() as usize;
-            cut.piece = Some((of_file(first), of_file(end - 1) + 1));
+            let file_frame = |frame: usize| start + (frame as f64 * step).round() as usize;
+            cut.piece = Some((file_frame(first), file_frame(end - 1) + 1));
         }
         Ok(cut)
     }
 
     /// The same motion at about `fps` frames a second.
     ///
-    /// Where the clip's rate is a whole multiple k of `fps` (to 2%), every k-th frame is kept as it is and
-    /// the frame time is exactly k times the clip's. Otherwise rotations are interpolated on the shortest arc
-    /// (slerp) and written back to each joint's own channels, positions linearly.
+    /// If the clip's rate is a whole multiple k of `fps` (to 2%), every k-th frame is kept unchanged and the
+    /// frame time is exactly k times the clip's. Otherwise positions are interpolated linearly, and rotations
+    /// on the shortest arc (slerp), written back to each joint's own channels.
     ///
     /// ```
     /// use vcgpdm::motion::samples;
@@ -161,14 +160,14 @@ impl Clip {
         let step = (rate / fps).round().max(1.0);
         if (rate / (step * fps) - 1.0).abs() <= RATE_TOLERANCE {
             let step = step as usize;
-            let kept: Vec<usize> = (0..self.frames()).step_by(step).collect();
-            return Ok(self.with_values(self.values.select_rows(&kept), self.frame_time * step as f64));
+            let rows: Vec<usize> = (0..self.frames()).step_by(step).collect();
+            return Ok(self.with_values(self.values.select_rows(&rows), self.frame_time * step as f64));
         }
         let Some(last) = self.frames().checked_sub(1) else {
             return Ok(self.with_values(self.values.clone(), 1.0 / fps));
         };
         let last = last as f64;
-        // A little more, so that rounding does not lose the last frame.
+        // The small addition keeps the last frame when the product is rounded down.
         let frames = (last * self.frame_time * fps + 1e-6).floor() as usize + 1;
         let most = self.skeleton.max_frames();
         if frames > most {
@@ -182,7 +181,8 @@ impl Clip {
         Ok(self.with_values(values, 1.0 / fps))
     }
 
-    /// Writes the pose at `at` (in frames of this clip) into a row. Angles continue those of the row before.
+    /// Writes the pose at time `at` (in frames of this clip) into a row. Its angles are those nearest to the
+    /// angles of the row before.
     fn interpolate(&self, at: f64, row: usize, values: &mut DMatrix<f64>) {
         let before = at.floor() as usize;
         let after = (before + 1).min(self.frames() - 1);
@@ -196,7 +196,7 @@ impl Clip {
                 columns.clone().filter(|c| joint.channels[c - columns.start].is_rotation()).collect();
             for c in columns {
                 let (a, b) = (self.values[(before, c)], self.values[(after, c)]);
-                // Angles take the short way round. Joints with three angles are written again below.
+                // The shorter way round. Joints with three angles are overwritten below.
                 let change =
                     if turned.contains(&c) { (b - a) - 360.0 * ((b - a) / 360.0).round() } else { b - a };
                 values[(row, c)] = a + share * change;
@@ -218,7 +218,7 @@ impl Clip {
         }
     }
 
-    /// This clip with other values, at another rate.
+    /// This clip with other values and another frame time.
     pub(crate) fn with_values(&self, values: DMatrix<f64>, frame_time: f64) -> Clip {
         Clip {
             name: self.name.clone(),
@@ -247,7 +247,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
     use proptest::prelude::*;
 
-    /// One joint that goes along x by 1 and turns about y by `degrees` a frame.
+    /// One joint that moves along x by 1 and turns about y by `degrees` in each frame.
     fn turning(frames: usize, frame_time: f64, degrees: f64) -> Clip {
         let channels = vec![Channel::Xposition, Channel::Zrotation, Channel::Yrotation, Channel::Xrotation];
         let root =
@@ -261,13 +261,13 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_knows_which_piece_of_the_whole_it_is() {
+    fn a_cut_clip_says_which_frames_of_the_file_it_contains() {
         let clip = turning(40, 0.1, 3.0);
         assert_eq!(clip.cut(0, 40).unwrap().piece, None);
         let piece = clip.cut(10, 30).unwrap();
         assert_eq!(piece.piece, Some((10, 30)));
         assert_eq!(piece.cut(5, 20).unwrap().piece, Some((15, 30)));
-        // At another rate it is the same piece; cut there, it still counts the file's frames: 12 and 14.
+        // At another rate the piece is the same; a cut of it still counts frames of the file.
         let slow = piece.resample(5.0).unwrap();
         assert_eq!(slow.cut(0, 10).unwrap().piece, Some((10, 30)));
         assert_eq!(slow.cut(1, 3).unwrap().piece, Some((12, 15)));

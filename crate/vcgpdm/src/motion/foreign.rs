@@ -1,24 +1,26 @@
-//! Other formats of motion, known by their first bytes, so that an error can say what to do.
+//! Recognises other motion formats by their first bytes, so that an error can say how to convert them.
 
-/// What a file is that is no BVH, and how its motion is had; `None` for what is not known.
+/// The format of a file that is not BVH, and how to convert the file; `None` for an unknown format.
 ///
 /// ```
-/// let said = vcgpdm::motion::foreign(b"Kaydara FBX Binary  \0");
-/// assert!(said.is_some_and(|said| said.starts_with("an FBX file")));
+/// let format = vcgpdm::motion::foreign_format(b"Kaydara FBX Binary  \0");
+/// assert!(format.is_some_and(|format| format.starts_with("an FBX file")));
 /// ```
-pub fn foreign(bytes: &[u8]) -> Option<&'static str> {
+pub fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
     let head = &bytes[..bytes.len().min(512)];
     let begins = |with: &[u8]| head.starts_with(with);
     let text = String::from_utf8_lossy(head);
     let text = text.trim_start_matches('\u{feff}').trim_start();
     if begins(b"Kaydara FBX Binary") || text.starts_with("; FBX") {
         return Some(
-            "an FBX file (Blender turns it into BVH: blender --background --python to_bvh.py -- IN.fbx OUT.bvh, with docs/examples/to_bvh.py)",
+            "an FBX file (Blender turns it into BVH: blender --background --python to_bvh.py -- IN.fbx \
+             OUT.bvh, with docs/examples/to_bvh.py)",
         );
     }
     if begins(b"glTF") || text.starts_with('{') && text.contains("\"asset\"") {
         return Some(
-            "a glTF file (Blender turns it into BVH: blender --background --python to_bvh.py -- IN.glb OUT.bvh, with docs/examples/to_bvh.py)",
+            "a glTF file (Blender turns it into BVH: blender --background --python to_bvh.py -- IN.glb \
+             OUT.bvh, with docs/examples/to_bvh.py)",
         );
     }
     if begins(b"BLENDER") {
@@ -29,20 +31,23 @@ pub fn foreign(bytes: &[u8]) -> Option<&'static str> {
     if begins(b"PXR-USD") {
         return Some("a USD file (import it into Blender and export the armature as BVH)");
     }
-    // The second byte of every C3D file; the first one says where its parameters begin.
+    // The second byte of a C3D file is always 0x50; the first says where its parameters begin.
     if head.len() >= 512 && head[1] == 0x50 && (1..=16).contains(&head[0]) {
         return Some(
-            "a C3D file, which holds markers and no joints (fit a skeleton to them first, and save that as BVH)",
+            "a C3D file, which holds markers and no joints (fit a skeleton to them first, and save that as \
+             BVH)",
         );
     }
     if begins(b"PK\x03\x04") || begins(b"\x93NUMPY") {
         return Some(
-            "a zip file or arrays of numpy, such as AMASS's npz (bring the body into Blender with its add-on and export the armature as BVH; columns of numbers can be trained on from CSV)",
+            "a zip file or arrays of numpy, such as AMASS's npz (bring the body into Blender with its \
+             add-on and export the armature as BVH; columns of numbers can be trained on from CSV)",
         );
     }
     if text.starts_with(":FULLY-SPECIFIED") || text.starts_with("#!OML:ASF") || text.contains("\n:DEGREES") {
         return Some(
-            "an AMC motion (it needs the .asf skeleton of the same person: vcgpdm clip BODY.asf MOTION.amc --out MOTION.bvh)",
+            "an AMC motion (it needs the .asf skeleton of the same person: vcgpdm clip BODY.asf MOTION.amc \
+             --out MOTION.bvh)",
         );
     }
     if text.contains(":bonedata") || text.starts_with(":version") || text.contains("\n:units") {

@@ -1,5 +1,5 @@
-//! What the name of a joint says: which limb, which side. Knows the conventions of CMU, Mixamo, Biovision,
-//! Perception Neuron, Biped, Xsens, Acclaim and others, in any spelling.
+//! Finds limb and side in the name of a joint. The word lists cover CMU, Mixamo, Biovision, Perception
+//! Neuron, Biped, Xsens, Acclaim and other conventions, in any spelling.
 
 /// A side of the body, as the body itself sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -28,28 +28,28 @@ const ARM_WORDS: [&str; 22] = [
 const SPINE_WORDS: [&str; 9] =
     ["spine", "chest", "torso", "abdomen", "back", "thorax", "neck", "lumbar", "vertebra"];
 
-/// The limb and the side that a name says; `None` for the trunk and for names that say neither.
+/// The limb and the side that a name contains; `None` for the trunk and for names without limb or side.
 pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     let (side, rest) = side_of(&words(name))?;
-    let says = |list: &[&str]| rest.iter().any(|word| list.iter().any(|known| word.contains(known)));
-    if says(&LEG_WORDS) {
+    let contains = |list: &[&str]| rest.iter().any(|word| list.iter().any(|part| word.contains(part)));
+    if contains(&LEG_WORDS) {
         Some((Limb::Leg, side))
-    } else if says(&ARM_WORDS) {
+    } else if contains(&ARM_WORDS) {
         Some((Limb::Arm, side))
     } else {
         None
     }
 }
 
-/// Whether the name contains "head". Callers also check which joint it belongs to, because a "headlight" may
-/// be in a hand.
+/// Whether the name contains "head". Callers also check the joint's region, because a hand may hold a
+/// "headlight".
 pub(crate) fn looks_like_head(name: &str) -> bool {
     words(name).iter().any(|word| word.contains("head"))
 }
 
 /// Whether the name is that of the back or chest.
 pub(crate) fn looks_like_spine(name: &str) -> bool {
-    words(name).iter().any(|word| SPINE_WORDS.iter().any(|known| word.contains(known)))
+    words(name).iter().any(|word| SPINE_WORDS.iter().any(|part| word.contains(part)))
 }
 
 /// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg`
@@ -61,7 +61,7 @@ fn words(name: &str) -> Vec<String> {
     for (at, &c) in letters.iter().enumerate() {
         let before = at.checked_sub(1).map(|at| letters[at]);
         let after = letters.get(at + 1).copied();
-        // A new word at "tU" in LeftUp, and at "Hi" in LHip, the last capital of a run.
+        // A new word starts at U in LeftUp, and at H in LHip: the last capital of several.
         let new = c.is_ascii_uppercase()
             && (before.is_some_and(|c| c.is_ascii_lowercase())
                 || before.is_some_and(|c| c.is_ascii_uppercase())
@@ -79,7 +79,7 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// The words we know are ASCII; tables of all the other letters would be a twentieth of the wasm.
+/// All words in the lists are ASCII. Tables of all other letters would be a twentieth of the wasm.
 fn is_letter(c: char) -> bool {
     c.is_ascii_alphabetic() || !c.is_ascii()
 }
@@ -91,27 +91,27 @@ fn side_of(words: &[String]) -> Option<(Side, Vec<String>)> {
         "r" | "right" | "rgt" => Some(Side::Right),
         _ => None,
     };
-    // A word of its own: Left Arm, arm_l, Bip01 L Thigh.
+    // A separate word: Left Arm, arm_l, Bip01 L Thigh.
     if let Some(found) = words.iter().find_map(|word| side(word)) {
         let rest = words.iter().filter(|word| side(word).is_none()).cloned().collect();
         return Some((found, rest));
     }
-    // Joined to the front of a word: leftarm, lfemur, and LU of LUArm.
+    // The start of a word: leftarm, lfemur, and LU of LUArm.
     for (at, word) in words.iter().enumerate() {
         for prefix in ["left", "right", "l", "r"] {
             let Some(rest) = word.strip_prefix(prefix) else { continue };
-            let known = LEG_WORDS.iter().chain(&ARM_WORDS).any(|known| rest.starts_with(known))
+            let is_limb = LEG_WORDS.iter().chain(&ARM_WORDS).any(|limb| rest.starts_with(limb))
                 || ["u", "f", "up", "upper", "lower", "fore"].contains(&rest) && at + 1 < words.len()
                 || ["upleg", "uparm", "upperarm", "upperleg", "lowerarm", "lowerleg", "forearm"]
                     .contains(&rest);
-            if known {
+            if is_limb {
                 let mut others = words.to_vec();
                 others[at] = rest.to_owned();
                 return side(prefix).map(|side| (side, others));
             }
         }
     }
-    // Joined to its end: armleft, thighright.
+    // The end of a word: armleft, thighright.
     for (at, word) in words.iter().enumerate() {
         for suffix in ["left", "right"] {
             if let Some(rest) = word.strip_suffix(suffix) {

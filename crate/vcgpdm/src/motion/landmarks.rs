@@ -1,4 +1,4 @@
-//! Nodes of a figure that a picture of it needs by name: head, feet, and the dots of a point-light walker.
+//! Nodes that a picture of a figure needs: head, feet, and the dots of a point-light walker.
 
 use crate::motion::Clip;
 use crate::motion::anatomy::{Anatomy, Region};
@@ -9,20 +9,20 @@ use nalgebra::Vector3;
 /// Nodes of [`Skeleton::figure`], by their places in it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Landmarks {
-    /// The top of the head; absent where it is not known.
+    /// The top of the head; `None` if it was not found.
     pub head: Option<usize>,
-    /// The tips of the left and the right foot; absent where these are not known.
+    /// The tips of the left and the right foot; `None` if they were not found.
     pub feet: Option<[usize; 2]>,
-    /// What a point-light walker (Johansson 1973) shows: the head, and shoulders, elbows, wrists, hips, knees
-    /// and ankles where these are known; else every node.
+    /// The nodes that a point-light walker (Johansson 1973) shows: head, shoulders, elbows, wrists, hips,
+    /// knees and ankles as far as they were found. All nodes if no limbs were found.
     pub dots: Vec<usize>,
 }
 
 impl Landmarks {
-    /// Those of a skeleton.
-    pub fn of(skeleton: &Skeleton) -> Self {
+    /// Finds the landmarks of a skeleton.
+    pub fn new(skeleton: &Skeleton) -> Self {
         let nodes = skeleton.figure();
-        let Some(anatomy) = Anatomy::of(skeleton) else {
+        let Some(anatomy) = Anatomy::find(skeleton) else {
             return Self { head: None, feet: None, dots: (0..nodes.len()).collect() };
         };
         let sides = [Side::Left, Side::Right];
@@ -39,8 +39,7 @@ impl Landmarks {
     }
 }
 
-/// The ends of the two bones of a limb that together are longest, and the joint between: hip, knee and ankle
-/// of a leg.
+/// The three nodes along the two longest successive bones of a limb: hip, knee and ankle of a leg.
 fn hinges(skeleton: &Skeleton, anatomy: &Anatomy, limb: Region) -> Vec<usize> {
     let nodes = skeleton.figure();
     let rest = skeleton.rest_pose().positions;
@@ -58,10 +57,10 @@ fn hinges(skeleton: &Skeleton, anatomy: &Anatomy, limb: Region) -> Vec<usize> {
     longest.map_or(chain.clone(), <[usize]>::to_vec)
 }
 
-/// The direction in which a body faces on the stage, averaged over the frames of its places [frames x nodes x
-/// 3]: level, of length 1. Absent where left and right are not known, or the body turns too much for a mean.
+/// The horizontal unit vector in which a body faces on the stage, averaged over its positions [frames x nodes
+/// x 3]. `None` if left and right were not found, or the body turns too much for a mean.
 pub fn facing(skeleton: &Skeleton, positions: &[f32]) -> Option<Vector3<f64>> {
-    let anatomy = Anatomy::of(skeleton)?;
+    let anatomy = Anatomy::find(skeleton)?;
     let nodes = skeleton.node_count();
     let (left, right) = (anatomy.joints(Region::Leg(Side::Left)), anatomy.joints(Region::Leg(Side::Right)));
     let mut sum = Vector3::zeros();
@@ -70,7 +69,7 @@ pub fn facing(skeleton: &Skeleton, positions: &[f32]) -> Option<Vector3<f64>> {
         let middle =
             |joints: &[usize]| joints.iter().map(place).sum::<Vector3<f64>>() / joints.len().max(1) as f64;
         let leftward = middle(&left) - middle(&right);
-        // With y up and the left to the side of x, the body faces z.
+        // With y up and left along x, the body faces z.
         let forward = leftward.cross(&Vector3::y());
         sum += Vector3::new(forward.x, 0.0, forward.z).try_normalize(1e-9).unwrap_or_default();
     }
@@ -78,9 +77,9 @@ pub fn facing(skeleton: &Skeleton, positions: &[f32]) -> Option<Vector3<f64>> {
 }
 
 impl Clip {
-    /// The nodes of its figure that a picture needs by name.
+    /// The nodes of the figure that a picture needs.
     pub fn landmarks(&self) -> Landmarks {
-        Landmarks::of(&self.skeleton)
+        Landmarks::new(&self.skeleton)
     }
 }
 

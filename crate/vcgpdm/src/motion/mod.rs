@@ -1,10 +1,11 @@
 //! Motion: bodies, clips and BVH files, and the poses of a clip as rows of numbers that a model can learn
 //! from.
 //!
-//! The way of a clip: [`bvh::read`] gives a [`Recording`], what the file holds; [`Recording::into_clip`]
-//! makes a [`Clip`] of it, without the T-pose that some files put before the motion; a [`pose::PoseMapping`]
-//! turns the poses of a clip into rows of Y and back; [`parts`] says which columns of Y belong to which part
-//! of the body; [`measures`] says what a body does. [`samples`] are clips that the project makes itself.
+//! [`bvh::read`] returns a [`Recording`], the content of the file. [`Recording::into_clip`] makes it a
+//! [`Clip`], without the T-pose that some files put before the motion. A [`pose::PoseMapping`] turns the
+//! poses of a clip into rows of Y and back. [`parts`] says which columns of Y belong to which part of the
+//! body, and [`measures`] computes swing, speed and phase of the limbs. [`samples`] are clips that the
+//! project makes itself.
 //!
 //! ```
 //! use vcgpdm::motion::pose::PoseMapping;
@@ -45,7 +46,7 @@ mod testing;
 
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError};
-pub use foreign::foreign;
+pub use foreign::foreign_format;
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::Recording;
 pub use same_body::BodyMismatch;

@@ -1,7 +1,6 @@
-//! The upper end of a set of numbers, where a few outliers must not count.
+//! The upper end of a set of numbers, robust against a few outliers.
 
-/// The value that 95 of 100 values do not exceed, and the largest value; both are 0 where there are no
-/// values.
+/// The 95th percentile and the maximum; both are 0 for an empty list.
 pub(crate) fn upper_end(mut values: Vec<f64>) -> (f64, f64) {
     values.sort_unstable_by(f64::total_cmp);
     let last = values.len().saturating_sub(1);

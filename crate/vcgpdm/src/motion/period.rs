@@ -1,16 +1,16 @@
-//! How often a movement repeats: the autocorrelation of all columns together.
+//! The period of a movement, from the autocorrelation of all columns together.
 
 use nalgebra::DMatrix;
 
-/// A movement that repeats itself less exactly than this is not rhythmic.
+/// A movement with a smaller correlation one period later is not rhythmic.
 pub const RHYTHMIC: f64 = 0.6;
-/// Of peaks nearly as high as the highest, the one of the shortest lag is the period; the others are its
-/// multiples.
+/// A peak of at least this fraction of the highest peak may be the period. The first such peak is: later ones
+/// are its multiples.
 const NEARLY: f64 = 0.9;
-/// Lags that fewer frames than this support are not looked at.
+/// A lag needs at least this number of pairs of frames.
 const LEAST_FRAMES: usize = 8;
 
-/// How often a movement repeats.
+/// The period of a movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Period {
     /// Frames from one repetition to the next.
@@ -19,16 +19,16 @@ pub struct Period {
     pub correlation: f64,
 }
 
-/// The period of `sequences` (each [T_s x D]), absent where no lag stands out.
+/// The period of `sequences` (each [T_s x D]); `None` if the autocorrelation has no peak.
 ///
 /// For each lag L, rho(L) = sum y_t . y_{t+L} / sqrt(sum |y_t|^2 sum |y_{t+L}|^2) over all columns, frames
-/// and sequences, each sequence centred by itself. The period is the first high peak behind the first place
-/// where rho turns upward again, refined by a parabola. Half a gait cycle is no such peak: left and right
-/// swap there, and what is correlated in the trunk is anticorrelated in the limbs.
+/// and sequences, each sequence centred by itself. The period is the first high peak after the first lag at
+/// which rho increases, refined by a parabola. Half a gait cycle gives no such peak: left and right swap, so
+/// the trunk is correlated with itself but the limbs are anticorrelated.
 pub fn period(sequences: &[DMatrix<f64>]) -> Option<Period> {
     let centred: Vec<DMatrix<f64>> = sequences.iter().filter(|y| y.nrows() > 1).map(centred).collect();
     let longest = centred.iter().map(|y| y.ncols()).max()?;
-    // Beyond, the correlation would rest on the ends of a trial alone.
+    // A longer lag would compare only the two ends of a trial.
     let last = (2 * longest / 3).min(longest.saturating_sub(LEAST_FRAMES));
     let rho: Vec<f64> = (0..=last).map(|lag| correlation(&centred, lag)).collect();
     let first = (1..rho.len()).find(|&lag| rho[lag] > rho[lag - 1])?;
@@ -42,7 +42,7 @@ pub fn period(sequences: &[DMatrix<f64>]) -> Option<Period> {
     Some(Period { frames: peak as f64 + shift, correlation: at })
 }
 
-/// Frames as columns [D x T], so that a frame is a slice, minus their mean.
+/// The frames minus their mean, as columns [D x T] so that each frame is contiguous in memory.
 fn centred(y: &DMatrix<f64>) -> DMatrix<f64> {
     let mut frames = y.transpose();
     let mean = frames.column_mean();
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn the_whole_cycle_is_found_not_its_half_nor_its_double() {
+    fn the_period_is_the_whole_cycle_and_not_half_or_twice_of_it() {
         let found = period(&[gait(110, 33.4, 0.1), gait(95, 33.4, 0.6)]).unwrap();
         assert!((found.frames - 33.4).abs() < 0.3, "{found:?}");
         assert!(found.correlation > 0.99, "{found:?}");

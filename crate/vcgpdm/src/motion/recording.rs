@@ -1,4 +1,4 @@
-//! What a file holds before it is a clip, and the T-pose that some conversions put before a motion.
+//! The rows of a file, and the T-pose that some conversions put before a motion.
 
 use crate::motion::clip::Clip;
 use crate::motion::percentile::upper_end;
@@ -6,8 +6,8 @@ use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton};
 use nalgebra::DMatrix;
 
-/// The rows of a file as they were recorded. The first row, or several, may be a T-pose that does not belong
-/// to the motion: [`Recording::into_clip`] looks for it, once, and leaves it out.
+/// The rows of a file as recorded. The first rows may be a T-pose that does not belong to the motion:
+/// [`Recording::into_clip`] finds and removes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     /// The file's name, for messages and provenance.
@@ -19,17 +19,17 @@ pub struct Recording {
     /// Channel values [frames x channels], in the order of the joints and of each joint's channels (degrees,
     /// file units).
     pub values: DMatrix<f64>,
-    /// What was odd about the file, in words; it could be read all the same.
+    /// What was unusual about the file, as sentences.
     pub warnings: Vec<String>,
     /// SHA-256 of the file's bytes in lower-case hexadecimal.
     pub sha256: String,
 }
 
-/// A step from the first frame below this (degrees, mean over the joints) is no change of pose.
+/// A smaller step (degrees, mean over the joints) from the first frame is no change of pose.
 const SMALLEST_STEP: f64 = 3.0;
-/// One joint counts for at most this angle (degrees): a sensor that flips over is no new pose.
+/// Upper limit (degrees) for one joint's contribution to a step: a sensor that flips over is no new pose.
 const LARGEST_ANGLE: f64 = 60.0;
-/// So many rows may stand before a motion.
+/// The largest number of T-pose rows that is looked for.
 const MOST_ADDED: usize = 3;
 
 impl Recording {
@@ -38,8 +38,7 @@ impl Recording {
         self.values.nrows()
     }
 
-    /// The motion: the rows without the T-pose that may stand before them. Where it was left out, a warning
-    /// says so.
+    /// The motion without leading T-pose rows. A warning says when rows were removed.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
@@ -49,7 +48,8 @@ impl Recording {
                 "the first row is a T-pose that does not belong to the motion: it was left out".to_owned()
             } else {
                 format!(
-                    "the first {added} rows are a T-pose that does not belong to the motion: they were left out"
+                    "the first {added} rows are a T-pose that does not belong to the motion: they were \
+                     left out"
                 )
             });
         }
@@ -66,12 +66,12 @@ impl Recording {
         }
     }
 
-    /// How many rows there are before the motion: a T-pose.
+    /// The number of leading T-pose rows.
     ///
-    /// Conversions of the CMU recordings add the body at rest as row 0, and sometimes twice. Rows in which
-    /// nearly all angles are zero are known by the step to the next row, which is larger than the steps of
-    /// the motion itself; a single first row is known by a far larger step, whatever its angles. A motion
-    /// that starts smoothly from rest keeps its first frame.
+    /// Conversions of the CMU recordings add the rest pose as row 0, sometimes twice. Rows whose angles are
+    /// nearly all zero count as T-pose if the step to the next row is larger than the usual steps of the
+    /// motion. A single first row counts whatever its angles are, if the step after it is far larger. A
+    /// motion that starts smoothly from rest keeps its first frame.
     pub fn rows_before_motion(&self) -> usize {
         let steps = self.steps();
         let ends = |added: usize| {
@@ -88,13 +88,13 @@ impl Recording {
         (1..=MOST_ADDED).rev().find(|added| ends(*added)).unwrap_or(0)
     }
 
-    /// The share of angles that are zero in a row, among those that are in use (not zero in the row `first`
-    /// of the motion).
+    /// The fraction of zero angles in a row, among the angles that are not zero in the row `first` of the
+    /// motion.
     fn share_at_rest(&self, row: usize, first: usize) -> f64 {
-        // The root is left out: the added pose keeps the place, and sometimes the heading, of the body.
+        // Without the root: added rows keep its position, and sometimes its heading.
         let channels = self.skeleton.joints.iter().skip(1).flat_map(|joint| &joint.channels);
-        let of_root = self.skeleton.joints[0].channels.len();
-        let used: Vec<usize> = (channels.zip(of_root..))
+        let root_channels = self.skeleton.joints[0].channels.len();
+        let used: Vec<usize> = (channels.zip(root_channels..))
             .filter(|(channel, column)| channel.is_rotation() && self.values[(first, *column)].abs() > 1e-6)
             .map(|(_, column)| column)
             .collect();
@@ -102,8 +102,7 @@ impl Recording {
         zero as f64 / used.len().max(1) as f64
     }
 
-    /// How far the joints turn from each frame to the next: the mean angle over the joints that can turn
-    /// [frames - 1], degrees.
+    /// The mean angle, over all joints with angles, from each frame to the next [frames - 1], degrees.
     fn steps(&self) -> Vec<f64> {
         let turning: Vec<usize> = (self.skeleton.joints.iter().enumerate())
             .filter(|(_, joint)| joint.rotation_axes().next().is_some())
@@ -130,7 +129,7 @@ mod tests {
     use super::*;
     use crate::motion::skeleton::{Channel, Joint};
 
-    /// A chain of three joints that swing by `angle(frame)` degrees; row 0 as given.
+    /// A chain of three joints that swing by `angle(frame)` degrees; row 0 may be a rest pose.
     fn swinging(frames: usize, first_row_at_rest: bool, angle: impl Fn(usize) -> f64) -> Recording {
         let rotations = [Channel::Zrotation, Channel::Xrotation, Channel::Yrotation];
         let joint = |place: usize| Joint {
@@ -162,9 +161,9 @@ mod tests {
         assert!(clip.warnings.iter().any(|warning| warning.contains("T-pose")));
     }
 
-    /// CMU subject 7, trial 12: the body at rest but for a few joints, once more at rest, and then the walk.
-    /// With the second row, whatever predicts from the first frames began with a body that flies. In a file
-    /// of a lower rate the motion's own steps are large, too.
+    /// CMU subject 7, trial 12 begins with two rest poses, the first with a few other angles. When the second
+    /// was kept, predictions from the first frames began in the wrong pose. At a lower rate the motion's own
+    /// steps are large, too.
     #[test]
     fn two_added_rows_are_left_out() {
         for slower in [1, 4, 12] {
@@ -181,9 +180,9 @@ mod tests {
         }
     }
 
-    /// A sensor that jumps early on is no T-pose: what comes before it moves as what comes after.
+    /// A sensor that jumps early is no T-pose: the rows before the jump move like those after it.
     #[test]
-    fn a_jump_leaves_the_rows_before_it() {
+    fn rows_before_a_jump_are_kept() {
         for place in [2, 3, 4, 6] {
             let jump = |frame: usize| swing(frame) + if frame < place { 90.0 } else { 0.0 };
             assert_eq!(swinging(50, false, jump).into_clip().frames(), 50, "{place}");
@@ -199,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn recordings_too_short_to_tell_are_left_alone() {
+    fn recordings_of_one_or_two_rows_are_kept_whole() {
         assert_eq!(swinging(2, true, |_| 40.0).into_clip().frames(), 2);
         assert_eq!(swinging(1, true, |_| 40.0).into_clip().frames(), 1);
     }

@@ -1,5 +1,4 @@
-//! Rotations as files and models need them: Euler angles in any order and rotation vectors, both without
-//! jumps in time.
+//! Euler angles in any order and rotation vectors, both without jumps in time.
 
 use crate::elementary::Elementary;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -7,11 +6,11 @@ use std::f64::consts::{PI, TAU};
 
 /// The rotation by `|r|` radians about `r` (the exponential map).
 pub fn exp(r: &Vector3<f64>) -> UnitQuaternion<f64> {
-    // Every joint of every frame comes here. nalgebra's own norms take libm's square root, which in wasm is
-    // many instructions; the processor's is rounded the same way.
+    // This runs for every joint of every frame. nalgebra's norm calls libm's square root, which takes many
+    // instructions in wasm; the processor's square root gives the same bits.
     let half = 0.5 * r.norm_squared().sqrt();
     let (sine, cosine) = half.sine_cosine();
-    // sin(half) / |r|; the series loses nothing below 1e-4: its next term is of the order 1e-18.
+    // sin(half) / |r|. Below 1e-4 the next term of the series is of order 1e-18.
     let factor = if half < 1e-4 { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * sine / half };
     let q = Quaternion::from_parts(cosine, r * factor);
     UnitQuaternion::new_unchecked(q / q.norm_squared().sqrt())
@@ -65,15 +64,14 @@ pub fn wrapped(angle: f64) -> f64 {
 /// Angles a, b, c (radians) with `R = R_i(a) R_j(b) R_k(c)` for the axes `i, j, k`, all different.
 ///
 /// Of the two solutions, (a, b, c) and (a + pi, pi - b, c + pi), and all full turns, the one nearest to
-/// `previous`. Where the first and the last axis fall together (gimbal lock), a stays what it was.
+/// `previous`. In gimbal lock, where the first and the last axis coincide, a does not change.
 pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3]) -> [f64; 3] {
     let [i, j, k] = axes;
     let sign = parity(i, j);
     let m = q.to_rotation_matrix();
     let (sine, cosine) = (-sign * m[(j, k)], m[(k, k)]);
     let a = if sine.hypotenuse(cosine) < 1e-12 { previous[0] } else { sine.arctangent(cosine) };
-    // The rest is solved after removing R_i(a), so that c corrects for an inaccurate a: the product stays
-    // exact.
+    // b and c are computed after removing R_i(a), so c corrects an inaccurate a and the product is exact.
     let rest = about(i, -a).to_rotation_matrix() * m;
     let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
     let c = (sign * rest[(j, i)]).arctangent(rest[(j, j)]);
@@ -84,14 +82,14 @@ pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3])
 }
 
 /// Angles of a joint's rotation channels (radians, in the order of `axes`, 0 to 3 different axes), nearest to
-/// `previous`. With fewer than three axes they give the part of the rotation that those axes can express.
+/// `previous`. With fewer than three axes: the part of the rotation that those axes can express.
 pub fn angles_near(q: &UnitQuaternion<f64>, axes: &[usize], previous: &[f64]) -> [f64; 3] {
     match *axes {
         [i, j, k] => euler_near(q, [i, j, k], [previous[0], previous[1], previous[2]]),
         [i, j] => {
             let (k, sign) = (3 - i - j, parity(i, j));
             let m = q.to_rotation_matrix();
-            // R_i(a) R_j(b) leaves the direction of axis j to a alone.
+            // In R_i(a) R_j(b) the direction of axis j depends on a alone.
             let a = (sign * m[(k, j)]).arctangent(m[(j, j)]);
             let rest = about(i, -a).to_rotation_matrix() * m;
             let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
@@ -150,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn euler_angles_follow_a_turn_through_the_lock() {
+    fn euler_angles_follow_a_turn_through_gimbal_lock() {
         let mut previous = [0.3, 0.0, -0.2];
         for step in 0..400 {
             let truth = [0.3, 0.05 * f64::from(step), -0.2];
@@ -177,7 +175,7 @@ mod tests {
         }
 
         #[test]
-        fn euler_angles_in_any_order_give_the_rotation_back(x in -3.0..3.0, y in -3.0..3.0, z in -3.0..3.0, p in -9.0..9.0) {
+        fn euler_angles_in_any_order_reproduce_the_rotation(x in -3.0..3.0, y in -3.0..3.0, z in -3.0..3.0, p in -9.0..9.0) {
             let q = exp(&Vector3::new(x, y, z));
             for axes in orders() {
                 let angles = euler_near(&q, axes, [p, -p, 0.5 * p]);
@@ -186,7 +184,7 @@ mod tests {
         }
 
         #[test]
-        fn fewer_channels_give_their_own_rotation_back(a in -3.0..3.0, b in -3.0..3.0) {
+        fn angles_of_one_or_two_axes_are_recovered(a in -3.0..3.0, b in -3.0..3.0) {
             for [i, j, _] in orders() {
                 let q = product(&[i, j], &[a, b]);
                 let found = angles_near(&q, &[i, j], &[a, b]);

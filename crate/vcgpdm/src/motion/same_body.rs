@@ -9,14 +9,14 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum BodyMismatch {
     /// The numbers of joints differ.
-    #[error("expected {expected} joints, found {found}{}", .missing.as_ref().map_or(String::new(), |m| format!(" ({m})")))]
+    #[error("expected {expected} joints, found {found}{}", .difference.as_ref().map_or(String::new(), |m| format!(" ({m})")))]
     JointCount {
         /// Joints of the first body.
         expected: usize,
         /// Joints of the other.
         found: usize,
-        /// The first difference, in words.
-        missing: Option<String>,
+        /// The first difference, as a phrase.
+        difference: Option<String>,
     },
     /// The joints at one place have different names.
     #[error("joint {joint}: expected {expected:?}, found {found:?}")]
@@ -42,7 +42,8 @@ pub enum BodyMismatch {
     },
     /// A bone has clearly another length or direction.
     #[error(
-        "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most {limit}%): expected {expected:?}, found {found:?}"
+        "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most \
+         {limit}%): expected {expected:?}, found {found:?}"
     )]
     Offset {
         /// The place of the joint.
@@ -51,7 +52,7 @@ pub enum BodyMismatch {
         name: String,
         /// The difference in percent of the body's height.
         percent: f64,
-        /// The most that is taken for the same body, in percent.
+        /// The largest difference within one body, in percent.
         limit: f64,
         /// The offset in the first body, in its file's units.
         expected: [f64; 3],
@@ -61,28 +62,28 @@ pub enum BodyMismatch {
 }
 
 impl BodyMismatch {
-    /// Whether the joints are the same and only the bones differ: then
-    /// [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) makes one body of the two.
-    pub fn is_of_bones(&self) -> bool {
+    /// Whether the joints are the same and only the bones differ. Then
+    /// [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) can give both clips the same bones.
+    pub fn only_bones_differ(&self) -> bool {
         matches!(self, BodyMismatch::Offset { .. })
     }
 }
 
-/// The most that an offset may differ, relative to the body's height. Files of one subject have equal offsets
-/// up to rounding; grown-ups recorded with the same joints differ by 2% and more in some bone.
+/// Largest difference of an offset within one body, relative to the body's height. Files of one subject have
+/// equal offsets up to rounding; adults recorded with the same joints differ by 2% or more in some bone.
 const SAME_BODY_TOLERANCE: f64 = 0.01;
 
 impl Skeleton {
-    /// Whether the other is the same body: the same joints in the same places of the tree, offsets equal to
-    /// 1% of the body's height. Channels may differ: motions are compared as rotations.
+    /// Checks that the other is the same body: the same joint tree, and offsets equal to 1% of the body's
+    /// height. Channels may differ.
     ///
     /// # Errors
     ///
-    /// A [`BodyMismatch`] that names the first difference, or the largest of the offsets.
+    /// A [`BodyMismatch`] with the first difference of the tree, or else the largest difference of an offset.
     pub fn same_body(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
         self.same_joints(other)?;
         let height = self.height().max(f64::MIN_POSITIVE);
-        // The root's offset is not a bone: its place comes from its channels.
+        // The root's offset is a place in the world, not a bone.
         let differences =
             (self.joints.iter().zip(&other.joints).enumerate().skip(1)).map(|(joint, (a, b))| {
                 (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
@@ -101,14 +102,14 @@ impl Skeleton {
         Ok(())
     }
 
-    /// Whether the other has the same joints in the same places of the tree, whatever their bones.
+    /// Checks that the other has the same joint tree; offsets may differ.
     pub(crate) fn same_joints(&self, other: &Skeleton) -> Result<(), BodyMismatch> {
         for (joint, (a, b)) in self.joints.iter().zip(&other.joints).enumerate() {
             if a.name != b.name {
                 if self.joints.len() != other.joints.len() {
-                    let missing =
+                    let difference =
                         Some(format!("joint {joint} is {:?} in one and {:?} in the other", a.name, b.name));
-                    return Err(self.count_mismatch(other, missing));
+                    return Err(self.count_mismatch(other, difference));
                 }
                 return Err(BodyMismatch::Name { joint, expected: a.name.clone(), found: b.name.clone() });
             }
@@ -130,8 +131,8 @@ impl Skeleton {
         Ok(())
     }
 
-    fn count_mismatch(&self, other: &Skeleton, missing: Option<String>) -> BodyMismatch {
-        BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), missing }
+    fn count_mismatch(&self, other: &Skeleton, difference: Option<String>) -> BodyMismatch {
+        BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), difference }
     }
 }
 
@@ -157,13 +158,13 @@ mod tests {
         let mut second = first.clone();
         second.joints[1].channels.clear();
         second.joints[2].offset[0] = 0.1;
-        // The place of the root does not belong to the body.
+        // The root's offset does not belong to the body.
         second.joints[0].offset = [99.0, 0.0, 0.0];
         assert_eq!(first.same_body(&second), Ok(()));
     }
 
     #[test]
-    fn what_differs_is_told() {
+    fn the_error_names_the_difference() {
         let first = chain(&["a", "b", "c"]);
         let mut longer = first.clone();
         longer.joints[1].offset[1] = 10.4;
@@ -179,7 +180,7 @@ mod tests {
         ] {
             let message = first.same_body(&other).unwrap_err().to_string();
             assert!(message.contains(wanted), "{message}");
-            assert_eq!(first.same_body(&other).unwrap_err().is_of_bones(), wanted.contains("offset"));
+            assert_eq!(first.same_body(&other).unwrap_err().only_bones_differ(), wanted.contains("offset"));
         }
     }
 }

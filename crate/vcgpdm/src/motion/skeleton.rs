@@ -1,18 +1,18 @@
-//! The joint tree of a body: names, parents, offsets and the channels each joint is recorded in.
+//! The joint tree of a body: names, parents, offsets and channels.
 
 use crate::motion::rotation;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
-/// The most joints that a body may have, and the most end sites; a file with more is broken or hostile.
+/// Largest number of joints of a body, and of its end sites.
 pub const MAX_JOINTS: usize = 2_000;
 
-/// The most places (a node in a frame) that one clip may hold: what a browser's memory and a visitor's
-/// patience bear. A body of 40 nodes can move for 17 minutes at 120 frames a second.
-pub const MAX_PLACES: usize = 5_000_000;
+/// Largest number of positions (frames x nodes) of one clip, which limits memory and time in a browser. A
+/// body of 40 nodes can move for 17 minutes at 120 frames a second.
+pub const MAX_POSITIONS: usize = 5_000_000;
 
-/// Nothing in a file is larger, in any unit; sums and products of such numbers stay finite.
+/// Largest size of a number in a file; sums and products of such numbers are finite.
 pub(crate) const LARGEST_NUMBER: f64 = 1e9;
 
 /// One degree of freedom of a joint, as BVH files name it. Rotations are in degrees, positions in file units.
@@ -43,7 +43,7 @@ impl Channel {
         Channel::Zrotation,
     ];
 
-    /// The name a BVH file gives it.
+    /// Its name in a BVH file.
     pub fn name(self) -> &'static str {
         match self {
             Channel::Xposition => "Xposition",
@@ -75,15 +75,14 @@ impl Channel {
     }
 }
 
-/// One joint. A joint is identified by its place in the skeleton (its index), because names need not be
-/// unique.
+/// One joint. Its index in the skeleton identifies a joint, because names may repeat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The name as written in the file.
     pub name: String,
-    /// The place of the parent, which always comes before its children; `None` for the root.
+    /// The index of the parent, which is smaller than the joint's own; `None` for the root.
     pub parent: Option<usize>,
-    /// The joint's place in its parent's frame, in file units.
+    /// The joint's position in its parent's frame, in file units.
     pub offset: [f64; 3],
     /// The channels in the order in which a row of the file holds them.
     pub channels: Vec<Channel>,
@@ -97,27 +96,27 @@ impl Joint {
         self.channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis())
     }
 
-    /// Whether it has a channel for its position along every axis.
+    /// Whether it has a position channel for every axis.
     pub fn is_placed(&self) -> bool {
         self.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3
     }
 }
 
-/// A joint tree with one root at place 0 and parents before children.
+/// A joint tree with one root at index 0 and parents before children.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
     /// The joints, in the order of the file.
     pub joints: Vec<Joint>,
 }
 
-/// One point of the figure that is drawn: a joint or the end of a bone.
+/// One node of the drawn figure: a joint or an end site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct FigureNode {
-    /// The place of the joint; for an end site, of the joint whose bone ends here.
+    /// The index of the joint; for an end site, of the joint whose bone ends there.
     pub joint: usize,
-    /// The node that the bone to this node comes from; `None` for the root.
+    /// The node where the bone to this node begins; `None` for the root.
     pub parent: Option<usize>,
-    /// Whether it is the end of a bone rather than a joint.
+    /// Whether it is an end site.
     pub end_site: bool,
 }
 
@@ -128,7 +127,7 @@ pub enum SkeletonError {
     /// There is no joint at all.
     #[error("expected at least one joint, found none")]
     Empty,
-    /// More than `MAX_JOINTS` joints, or as many end sites.
+    /// More than `MAX_JOINTS` joints or end sites.
     #[error("expected at most {MAX_JOINTS} joints, found {0}")]
     TooLarge(usize),
     /// Joint 0 has a parent, another joint has none, or a parent comes after its child.
@@ -176,9 +175,9 @@ impl Skeleton {
         self.joints.iter().map(|joint| 1 + joint.end_sites.len()).sum()
     }
 
-    /// The most frames that a clip of this body may have: `MAX_PLACES` for all nodes together.
+    /// Largest number of frames of a clip of this body: `MAX_POSITIONS` divided by the number of nodes.
     pub fn max_frames(&self) -> usize {
-        MAX_PLACES / self.node_count().max(1)
+        MAX_POSITIONS / self.node_count().max(1)
     }
 
     /// The column of each joint's first channel.
@@ -194,14 +193,14 @@ impl Skeleton {
             .collect()
     }
 
-    /// The places of a joint's child joints.
+    /// The indices of a joint's children.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
         self.joints.iter().enumerate().filter(move |(_, j)| j.parent == Some(joint)).map(|(i, _)| i)
     }
 
-    /// Checks what every other method relies on: one root in place 0, parents before children, finite offsets
-    /// and each channel at most once in a joint. A skeleton from [`bvh::read`](crate::motion::bvh::read) is
-    /// always valid.
+    /// Checks the conditions of all other methods: one root at index 0, parents before children, finite
+    /// offsets and each channel at most once in a joint. A skeleton from
+    /// [`bvh::read`](crate::motion::bvh::read) is always valid.
     ///
     /// # Errors
     ///
@@ -237,7 +236,7 @@ impl Skeleton {
         Ok(())
     }
 
-    /// The points to draw: node `i` is joint `i`; the end sites follow, in the order of their joints.
+    /// The nodes to draw: node `i` is joint `i`; the end sites follow, in the order of their joints.
     pub fn figure(&self) -> Vec<FigureNode> {
         let joints = self.joints.iter().enumerate();
         let nodes = joints.clone().map(|(joint, j)| FigureNode { joint, parent: j.parent, end_site: false });
@@ -271,10 +270,10 @@ impl Skeleton {
         pose
     }
 
-    /// World places of all nodes of [`Skeleton::figure`] and world rotations of all joints.
+    /// World positions of all nodes of [`Skeleton::figure`] and world rotations of all joints.
     ///
     /// `p_j = p_parent + R_parent t_j`, `R_j = R_parent Q_j`, with the local rotations `Q_j` and local
-    /// positions `t_j` [one for each joint]; those of the root are its orientation and place in the world.
+    /// positions `t_j` [one for each joint]; those of the root are its orientation and position in the world.
     pub fn forward_kinematics(
         &self,
         rotations: &[UnitQuaternion<f64>],
@@ -285,7 +284,7 @@ impl Skeleton {
         pose
     }
 
-    /// [`Skeleton::forward_kinematics`] into an existing pose, whose memory is used again.
+    /// [`Skeleton::forward_kinematics`] into an existing pose, whose memory is reused.
     pub fn forward_kinematics_into(
         &self,
         rotations: &[UnitQuaternion<f64>],
@@ -326,14 +325,14 @@ impl Skeleton {
 pub struct LocalPose {
     /// The rotation of each joint in its parent's frame; the root's is in the world.
     pub rotations: Vec<UnitQuaternion<f64>>,
-    /// The place of each joint in its parent's frame, in file units; the root's is in the world.
+    /// The position of each joint in its parent's frame, in file units; the root's is in the world.
     pub positions: Vec<Vector3<f64>>,
 }
 
 /// One pose in the world.
 #[derive(Clone, Debug, Default)]
 pub struct WorldPose {
-    /// World place of each node of [`Skeleton::figure`], in file units.
+    /// World position of each node of [`Skeleton::figure`], in file units.
     pub positions: Vec<Vector3<f64>>,
     /// World rotation of each joint.
     pub rotations: Vec<UnitQuaternion<f64>>,

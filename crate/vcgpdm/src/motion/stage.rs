@@ -1,5 +1,5 @@
-//! The stage: the world in which bodies are shown, with y up, in metres, every body 1.7 m tall, the ground at
-//! y = 0. From a clip it finds which way is up, how tall the body is and where the ground is.
+//! The stage: the world in which bodies are shown, in metres, with y up, the ground at y = 0 and every body
+//! 1.7 m tall. Finds the up axis, the height of the body and the ground of a clip.
 
 use crate::motion::anatomy::{Anatomy, extents, standing_at_rest};
 use crate::motion::clip::Clip;
@@ -79,14 +79,14 @@ impl UpAxis {
     }
 }
 
-/// What must be known of a clip to put its body on the stage.
+/// The quantities that bring a clip to the stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// The axis that points up in the file.
     pub up: UpAxis,
     /// Height of the body in file units.
     pub height: f64,
-    /// Height of the ground in file units: the lowest point that the body reaches in the clip.
+    /// Height of the ground in file units: the lowest point of the body in the clip.
     pub ground: f64,
 }
 
@@ -96,25 +96,25 @@ impl Stage {
         STAGE_HEIGHT / self.height
     }
 
-    /// The place on the stage [x, y, z] of a point that is given with y up in file units.
+    /// The stage coordinates [x, y, z] of a point with y up in file units.
     pub(crate) fn place(&self, y_up: &Vector3<f64>) -> [f32; 3] {
         let scale = self.metres_per_unit();
         [(y_up.x * scale) as f32, ((y_up.y - self.ground) * scale) as f32, (y_up.z * scale) as f32]
     }
 }
 
-/// Where a body is over a whole clip, in file units.
+/// Directions and extremes of a body over a whole clip, in file units.
 struct Reach {
-    /// The sum of the directions from the feet to the head; `None` where these are not known.
+    /// The sum of the unit vectors from the feet to the head; `None` if feet or head were not found.
     upward: Option<Vector3<f64>>,
-    /// The lowest place along each axis.
+    /// The smallest coordinate along each axis.
     low: Vector3<f64>,
-    /// The highest place along each axis.
+    /// The largest coordinate along each axis.
     high: Vector3<f64>,
 }
 
 impl Clip {
-    /// Which way is up, how tall the body is and where the ground is.
+    /// The up axis, the height of the body and the ground.
     pub fn stage(&self) -> Stage {
         let reach = self.reach();
         let up = self.up_axis_of(&reach);
@@ -125,20 +125,20 @@ impl Clip {
         Stage { up, height: self.height_with(up), ground }
     }
 
-    /// The axis that points up: from the feet to the head in the motion; the rest pose decides where the
-    /// motion does not.
+    /// The axis that points up: from the feet to the head in the motion, or in the rest pose if the motion is
+    /// not clear.
     pub fn up_axis(&self) -> UpAxis {
         self.up_axis_of(&self.reach())
     }
 
     /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height);
-    /// for a skeleton whose rest pose does not stand, as high as the body (without arms) gets in 95 of 100
-    /// frames.
+    /// for a skeleton whose rest pose does not stand, the 95th percentile of the height of the body without
+    /// its arms over the frames.
     pub fn height(&self) -> f64 {
         self.height_with(self.up_axis())
     }
 
-    /// World positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its
+    /// Stage positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its
     /// lowest point over the clip at y = 0.
     pub fn stage_positions(&self) -> Vec<f32> {
         let stage = self.stage();
@@ -151,10 +151,9 @@ impl Clip {
         all
     }
 
-    /// Where the body is over the whole clip, frame after frame: a long clip's places are never held
-    /// together.
+    /// Computes the reach frame by frame, without the positions of all frames in memory.
     fn reach(&self) -> Reach {
-        let ends = Anatomy::of(&self.skeleton).and_then(|anatomy| {
+        let ends = Anatomy::find(&self.skeleton).and_then(|anatomy| {
             let foot = |side| anatomy.foot(&self.skeleton, side);
             Some((anatomy.head(&self.skeleton)?, foot(Side::Left)?, foot(Side::Right)?))
         });
@@ -178,8 +177,8 @@ impl Clip {
     }
 
     fn up_axis_of(&self, reach: &Reach) -> UpAxis {
-        let Some(anatomy) = Anatomy::of(&self.skeleton) else {
-            // Only the figure is known: it stands along the longest side of its box, y before z before x.
+        let Some(anatomy) = Anatomy::find(&self.skeleton) else {
+            // Without limbs: the longest side of the rest pose's box, y before z before x.
             let extent = extents(&self.skeleton.rest_pose().positions);
             let longest = extent.max() * 0.999;
             let axis = [1, 2, 0].into_iter().find(|&axis| extent[axis] >= longest).unwrap_or(1);
@@ -192,21 +191,21 @@ impl Clip {
         let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
         if let Some(rest) = rest {
             let standing = rest.iamax();
-            // A body that lies on the ground for the whole clip points along another axis than at rest: the
-            // ground decides.
+            // A body that lies on the ground in the whole clip points along another axis than the rest pose.
+            // Its lowest point is then near zero along the true up axis.
             let on_ground = near_zero(ends(standing).0) && !near_zero(ends(axis).0);
             if standing != axis && (!clear || on_ground) {
                 return UpAxis::new(standing, rest[standing] < 0.0);
             }
         }
-        // Upside down: a world whose axis points down, unless the body stands on its hands on the ground.
+        // A body upside down means that the axis points down, unless it stands on its hands on the ground.
         let (low, high) = ends(axis);
         let on_hands = near_zero(low) && !near_zero(high);
         UpAxis::new(axis, clear && mean[axis] < 0.0 && !on_hands)
     }
 
     fn height_with(&self, up: UpAxis) -> f64 {
-        let height = match Anatomy::of(&self.skeleton) {
+        let height = match Anatomy::find(&self.skeleton) {
             Some(anatomy) if self.frames() > 0 && standing_at_rest(&self.skeleton, &anatomy).is_none() => {
                 let turn = up.to_y_up();
                 let extent = |frame| {
@@ -217,7 +216,7 @@ impl Clip {
             }
             _ => self.skeleton.height(),
         };
-        // A single joint has no height; anything but zero keeps it visible.
+        // A single joint has no height; a positive number avoids a division by zero.
         if height > 1e-9 { height } else { 1.0 }
     }
 }
@@ -253,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn every_up_axis_is_found_and_shown_the_same() {
+    fn every_up_axis_is_found_and_gives_the_same_positions() {
         let clip = &clips()[0];
         let upright = clip.stage_positions();
         assert_eq!(clip.up_axis(), UpAxis::Y);

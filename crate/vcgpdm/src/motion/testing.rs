@@ -1,4 +1,4 @@
-//! Made-up clips for the tests of this room.
+//! Random clips for the tests of this module.
 
 use crate::motion::clip::Clip;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
@@ -15,13 +15,12 @@ pub(crate) fn any_clip() -> impl Strategy<Value = Clip> {
         let joints: Vec<Joint> = (joints.into_iter().enumerate())
             .map(|(place, (mut channels, offset, end_sites, parent))| {
                 if place == 0 {
-                    // A root that can be anywhere, in an order of its own.
+                    // The root has all six channels, in a random order.
                     let missing: Vec<Channel> =
                         Channel::ALL.into_iter().filter(|c| !channels.contains(c)).collect();
                     channels.extend(missing);
                 }
-                // The parent of each joint is the one before it or the root, so that the order is that of a
-                // file.
+                // The parent is the joint before or the root, so the order is that of a file.
                 let parent = (place > 0).then(|| if parent.index(3) > 0 { place - 1 } else { 0 });
                 Joint { name: format!("joint {place}"), parent, offset, channels, end_sites }
             })

@@ -1,7 +1,7 @@
 //! What the columns of a model are: the poses of a body, or the columns of tables.
 
 use crate::motion::pose::PoseMapping;
-use crate::motion::skeleton::MAX_PLACES;
+use crate::motion::skeleton::MAX_POSITIONS;
 use crate::series::Columns;
 use std::fmt::Debug;
 
@@ -55,6 +55,6 @@ impl Observed for Columns {
     }
 
     fn most_frames(&self) -> usize {
-        MAX_PLACES / self.names().len().max(1)
+        MAX_POSITIONS / self.names().len().max(1)
     }
 }

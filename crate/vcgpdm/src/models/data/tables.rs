@@ -31,7 +31,7 @@ impl Dataset<Columns> {
             column /= unit;
             units.push(unit);
         }
-        let layout = PartsLayout::of_columns(parts);
+        let layout = PartsLayout::for_table(parts);
         let info = |table: &Table| SequenceInfo {
             name: table.name.clone(),
             sha256: table.sha256.clone(),

@@ -8,7 +8,7 @@ use crate::models::rollout::request::RolloutError;
 use crate::motion::Clip;
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};
-use crate::motion::skeleton::MAX_PLACES;
+use crate::motion::skeleton::MAX_POSITIONS;
 use nalgebra::DMatrix;
 
 /// The body that a model moves, whatever the model; or, with [`Columns`](crate::series::Columns) in the place
@@ -46,7 +46,7 @@ impl<S: Observed> Body<S> {
     ///
     /// When there is no frame, or there are too many.
     pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
-        let most = MOST_FRAMES.min(self.mapping.most_frames()).min(MAX_PLACES / width.max(1));
+        let most = MOST_FRAMES.min(self.mapping.most_frames()).min(MAX_POSITIONS / width.max(1));
         if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }
     }
 

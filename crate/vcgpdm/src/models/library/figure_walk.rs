@@ -104,11 +104,11 @@ impl LibraryWalk {
         let y = trained.body.columns(&observed);
         let mapping = &trained.body.mapping;
         let (mut track, earlier) = (self.track.clone(), frames - states.len());
-        let mut positions = mapping.decode_positions_on(&y.rows(0, earlier).into_owned(), &mut track)?;
+        let mut positions = mapping.continue_positions(&y.rows(0, earlier).into_owned(), &mut track)?;
         let mut made = VecDeque::new();
         for (k, latents) in states.into_iter().enumerate() {
             let row = y.rows(earlier + k, 1).into_owned();
-            positions.extend(mapping.decode_positions_on(&row, &mut track)?);
+            positions.extend(mapping.continue_positions(&row, &mut track)?);
             made.push_back(State { latents, track: track.clone() });
         }
         self.states.extend(made);

@@ -55,7 +55,7 @@ impl LiveRollout {
         let history = |x: &DMatrix<f64>| x.rows(newest + 1 - order, order).into_owned();
         let start: Vec<_> = rollout.latents.iter().map(history).collect();
         let mut track = model.body.mapping.track(&RootStart::default());
-        model.body.mapping.decode_positions_on(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
+        model.body.mapping.continue_positions(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
         let paths = LatentPaths::new(&start, order, &model.model.latent_dimensions())?;
         Ok(Self { paths, track, cycle: model.model.cycle(sequence)? })
     }
@@ -77,7 +77,7 @@ impl LiveRollout {
         dynamics.extend(&mut self.paths, before + frames);
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));
-        let positions = model.body.mapping.decode_positions_on(&y, &mut self.track)?;
+        let positions = model.body.mapping.continue_positions(&y, &mut self.track)?;
         let parts = 0..latents.len();
         let places =
             (before + 1..=before + frames).flat_map(|end| parts.clone().map(move |part| (end, part)));
@@ -115,7 +115,7 @@ impl LiveRollout {
         let q = newest[part].ncols();
         let place = |latents: &[DMatrix<f64>]| -> Result<Vector3<f64>, RolloutError> {
             let y = model.body.columns(&model.model.observations(latents));
-            let positions = model.body.mapping.decode_positions_on(&y, &mut self.track.clone())?;
+            let positions = model.body.mapping.continue_positions(&y, &mut self.track.clone())?;
             Ok(Vector3::from_fn(|axis, _| f64::from(positions[3 * node + axis])))
         };
         let mut slopes: Vec<Vector3<f64>> = Vec::with_capacity(q);

@@ -1,13 +1,13 @@
-//! A file, and its lines as words.
+//! A file by name and bytes, and its lines split into words.
 
 use crate::motion::asf::error::AsfError;
 
-/// A file by its name.
+/// A file: its name and its bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct File<'a> {
     /// For messages.
     pub name: &'a str,
-    /// What stands in it.
+    /// Its content.
     pub bytes: &'a [u8],
 }
 
@@ -26,7 +26,7 @@ impl<'a> Line<'a> {
         AsfError { file: self.file.to_owned(), line: self.number, expected: expected.into(), found }
     }
 
-    /// Numbers after the first word, as many.
+    /// `count` numbers after the first word.
     pub(super) fn numbers(&self, count: usize) -> Result<Vec<f64>, AsfError> {
         let read = |word: &&str| word.parse::<f64>().ok().filter(|number| number.abs() < 1e9);
         let numbers: Option<Vec<f64>> = self.words.iter().skip(1).take(count).map(read).collect();
@@ -36,7 +36,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// All lines with words, without comments; and one without, which is the end.
+/// All lines with words, without comments, and an empty line for the end of the file.
 pub(super) fn lines<'a>(file: &'a str, text: &'a str) -> Vec<Line<'a>> {
     let line = |(k, line): (usize, &'a str)| {
         let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();

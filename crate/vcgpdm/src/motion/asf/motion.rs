@@ -1,4 +1,4 @@
-//! The rows of an AMC file.
+//! Reads the frames of an AMC file.
 
 use crate::motion::asf::error::AsfError;
 use crate::motion::asf::file::{File, Line, lines};
@@ -17,8 +17,7 @@ pub(super) fn read(file: File, body: &AsfBody) -> Result<DMatrix<f64>, AsfError>
     let channels = body.skeleton.channel_count();
     let most = body.skeleton.max_frames();
     let mut values: Vec<f64> = Vec::new();
-    // Angles as in the frame before, so that they do not jump; a joint that a frame does not name stays at
-    // rest.
+    // Angles of the previous frame, so that the next do not jump. A joint that a frame omits is at rest.
     let mut previous = vec![[0.0; 3]; body.turnings.len()];
     let mut row: Option<Vec<f64>> = None;
     for line in &lines {
@@ -59,7 +58,7 @@ pub(super) fn read(file: File, body: &AsfBody) -> Result<DMatrix<f64>, AsfError>
     Ok(DMatrix::from_row_slice(values.len() / channels, channels, &values))
 }
 
-/// Where a joint is moved and how it is turned by the numbers of a line.
+/// Position and rotation of a joint from the numbers of a line.
 fn moved(
     line: &Line,
     body: &AsfBody,
@@ -75,8 +74,8 @@ fn moved(
     let mut turns = Vec::new();
     for (dof, number) in turning.dofs.iter().zip(numbers) {
         match *dof {
-            Dof::Way(axis) => place[axis] += number,
-            Dof::Turn(axis) => turns.push((axis, unit * number)),
+            Dof::Translation(axis) => place[axis] += number,
+            Dof::Rotation(axis) => turns.push((axis, unit * number)),
             Dof::Length => {}
         }
     }
@@ -84,6 +83,6 @@ fn moved(
     if joint == 0 {
         return Ok((body.root_place + place, own * body.root_turn));
     }
-    // The bone's axis is given at rest, in the world: it turns there and goes back.
+    // The file gives the bone's axis in the world at rest.
     Ok((place, turning.axis * own * turning.axis.inverse()))
 }

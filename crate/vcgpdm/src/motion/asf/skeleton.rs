@@ -1,4 +1,4 @@
-//! A skeleton from an ASF file.
+//! Reads the skeleton of an ASF file.
 
 use crate::motion::asf::error::AsfError;
 use crate::motion::asf::file::{File, Line, lines};
@@ -45,45 +45,45 @@ const NAMES: [(&str, &str); 31] = [
     ("rthumb", "RThumb"),
 ];
 
-/// A number of a row of a motion.
+/// A degree of freedom: the meaning of a number in an AMC line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Dof {
-    /// Along an axis.
-    Way(usize),
-    /// About an axis.
-    Turn(usize),
-    /// The bone's length, which does not change here.
+    /// Translation along an axis.
+    Translation(usize),
+    /// Rotation about an axis.
+    Rotation(usize),
+    /// The bone's length, which is ignored.
     Length,
 }
 
-/// What turns a joint.
+/// The degrees of freedom of a joint.
 #[derive(Clone, Debug)]
 pub(super) struct Turning {
     /// The bone's name in the files.
     pub(super) name: String,
-    /// The frame in which it turns.
+    /// The orientation of the bone's own axes.
     pub(super) axis: UnitQuaternion<f64>,
-    /// The order of its numbers.
+    /// Its numbers in their order.
     pub(super) dofs: Vec<Dof>,
 }
 
-/// A skeleton as BVH has it, and what turns each of its joints.
+/// A skeleton with the joints of BVH, and the degrees of freedom of each joint.
 pub(super) struct AsfBody {
     pub(super) skeleton: Skeleton,
     pub(super) turnings: Vec<Turning>,
     /// Whether angles are degrees.
     pub(super) degrees: bool,
-    /// Where the root stands and how it is turned before any motion.
+    /// Position and orientation of the root at rest.
     pub(super) root_place: Vector3<f64>,
     pub(super) root_turn: UnitQuaternion<f64>,
 }
 
-/// The rotation of angles about axes that are applied one after the other, all fixed in space.
+/// The product of rotations about fixed axes, the first applied first.
 pub(super) fn turned(order: impl Iterator<Item = (usize, f64)>) -> UnitQuaternion<f64> {
     order.fold(UnitQuaternion::identity(), |turn, (axis, angle)| rotation::about(axis, angle) * turn)
 }
 
-/// A bone as it stands in the file.
+/// A bone of the file.
 struct Bone {
     turning: Turning,
     reach: Vector3<f64>,
@@ -110,8 +110,7 @@ pub(super) fn read(file: File) -> Result<AsfBody, AsfError> {
     let (root, root_place, root_turn) = root(section(":root")?, unit)?;
     let bones = bones(section(":bonedata")?, unit)?;
     let parents = section(":hierarchy")?;
-    let skeleton = joints(root, bones, parents)?;
-    let (skeleton, turnings) = skeleton;
+    let (skeleton, turnings) = joints(root, bones, parents)?;
     Ok(AsfBody { skeleton, turnings, degrees, root_place, root_turn })
 }
 
@@ -161,14 +160,14 @@ fn bones(lines: &[Line], unit: f64) -> Result<HashMap<String, Bone>, AsfError> {
                     );
                 }
             }
-            // Limits, numbers, masses: a rollout needs none.
+            // Limits, ids and masses are ignored.
             _ => {}
         }
     }
     Ok(bones)
 }
 
-/// The joints, parents first, each after its parent and before its parent's next child.
+/// The joints in depth-first order.
 fn joints(
     root: Turning,
     mut bones: HashMap<String, Bone>,
@@ -184,19 +183,20 @@ fn joints(
         places.into_iter().filter(|_| root).chain(turns).collect()
     };
     let mut joints = vec![Joint {
-        name: usual(&root.name),
+        name: bvh_name(&root.name),
         parent: None,
         offset: [0.0; 3],
         channels: channels(true),
         end_sites: Vec::new(),
     }];
     let mut turnings = vec![root];
-    // Of each joint that is still to be made: its name, its parent, where it stands; the last is made first.
-    let of = |name: &str, parent: usize, offset: Vector3<f64>| -> Vec<(String, usize, Vector3<f64>, usize)> {
-        let Some((line, names)) = children.get(name) else { return Vec::new() };
-        names.iter().rev().map(|child| ((*child).to_owned(), parent, offset, line.number)).collect()
-    };
-    let mut open = of("root", 0, Vector3::zeros());
+    // A stack of joints to add: name, parent, offset, line.
+    let children_of =
+        |name: &str, parent: usize, offset: Vector3<f64>| -> Vec<(String, usize, Vector3<f64>, usize)> {
+            let Some((line, names)) = children.get(name) else { return Vec::new() };
+            names.iter().rev().map(|child| ((*child).to_owned(), parent, offset, line.number)).collect()
+        };
+    let mut open = children_of("root", 0, Vector3::zeros());
     while let Some((name, parent, offset, number)) = open.pop() {
         let Some(Bone { turning, reach }) = bones.remove(&name) else {
             let line = lines.iter().find(|line| line.number == number);
@@ -204,10 +204,10 @@ fn joints(
             return Err(error.unwrap_or_else(|| lines[0].error("bones of :bonedata")));
         };
         let place = joints.len();
-        let next = of(&name, place, reach);
+        let next = children_of(&name, place, reach);
         let end_sites = if next.is_empty() { vec![reach.into()] } else { Vec::new() };
         joints.push(Joint {
-            name: usual(&name),
+            name: bvh_name(&name),
             parent: Some(parent),
             offset: offset.into(),
             channels: channels(false),
@@ -219,16 +219,16 @@ fn joints(
     Ok((Skeleton { joints }, turnings))
 }
 
-fn usual(name: &str) -> String {
-    let known = NAMES.iter().find(|(bone, _)| *bone == name);
-    known.map_or(name, |(_, joint)| joint).to_owned()
+fn bvh_name(name: &str) -> String {
+    let entry = NAMES.iter().find(|(bone, _)| *bone == name);
+    entry.map_or(name, |(_, joint)| joint).to_owned()
 }
 
 fn dof(word: &str, line: &Line) -> Result<Dof, AsfError> {
     let lower = word.to_ascii_lowercase();
     match lower.as_str() {
-        "tx" | "ty" | "tz" => Ok(Dof::Way(usize::from(lower.as_bytes()[1] - b'x'))),
-        "rx" | "ry" | "rz" => Ok(Dof::Turn(usize::from(lower.as_bytes()[1] - b'x'))),
+        "tx" | "ty" | "tz" => Ok(Dof::Translation(usize::from(lower.as_bytes()[1] - b'x'))),
+        "rx" | "ry" | "rz" => Ok(Dof::Rotation(usize::from(lower.as_bytes()[1] - b'x'))),
         "l" => Ok(Dof::Length),
         _ => Err(line.error("some of TX, TY, TZ, RX, RY, RZ and L")),
     }

@@ -1,8 +1,66 @@
 use super::*;
 use nalgebra::{Rotation3, Vector3};
 
-const ASF: &str = "# a body of three bones\n:version 1.10\n:name TEST\n:units\n  mass 1.0\n  length 0.45\n  angle deg\n:root\n   order TX TY TZ RX RY RZ\n   axis XYZ\n   position 0 0 0\n   orientation 0 0 0\n:bonedata\n  begin\n     id 1\n     name lhipjoint\n     direction 1 0 0\n     length 2\n     axis 0 0 0 XYZ\n  end\n  begin\n     id 2\n     name lfemur\n     direction 0.34202 -0.939693 0\n     length 7\n     axis 10 20 30 XYZ\n    dof rx ry rz\n    limits (-160.0 20.0)\n           (-70.0 70.0)\n           (-60.0 70.0)\n  end\n  begin\n     id 3\n     name ltibia\n     direction 0 -1 0\n     length 6\n     axis 0 0 20 XYZ\n    dof rx\n  end\n:hierarchy\n  begin\n    root lhipjoint\n    lhipjoint lfemur\n    lfemur ltibia\n  end\n";
-const AMC: &str = "#!OML:ASF\n:FULLY-SPECIFIED\n:DEGREES\n1\nroot 1 2 3 10 -20 30\nlfemur 15 25 -35\nltibia 40\n2\nroot 1 2 4 11 -20 30\nlfemur 16 25 -35\nltibia 41\n";
+const ASF: &str = "\
+# a body of three bones
+:version 1.10
+:name TEST
+:units
+  mass 1.0
+  length 0.45
+  angle deg
+:root
+   order TX TY TZ RX RY RZ
+   axis XYZ
+   position 0 0 0
+   orientation 0 0 0
+:bonedata
+  begin
+     id 1
+     name lhipjoint
+     direction 1 0 0
+     length 2
+     axis 0 0 0 XYZ
+  end
+  begin
+     id 2
+     name lfemur
+     direction 0.34202 -0.939693 0
+     length 7
+     axis 10 20 30 XYZ
+    dof rx ry rz
+    limits (-160.0 20.0)
+           (-70.0 70.0)
+           (-60.0 70.0)
+  end
+  begin
+     id 3
+     name ltibia
+     direction 0 -1 0
+     length 6
+     axis 0 0 20 XYZ
+    dof rx
+  end
+:hierarchy
+  begin
+    root lhipjoint
+    lhipjoint lfemur
+    lfemur ltibia
+  end
+";
+const AMC: &str = "\
+#!OML:ASF
+:FULLY-SPECIFIED
+:DEGREES
+1
+root 1 2 3 10 -20 30
+lfemur 15 25 -35
+ltibia 40
+2
+root 1 2 4 11 -20 30
+lfemur 16 25 -35
+ltibia 41
+";
 
 fn file<'a>(name: &'a str, text: &'a str) -> File<'a> {
     File { name, bytes: text.as_bytes() }
@@ -12,14 +70,14 @@ fn recording(asf: &str, amc: &str) -> Result<Recording, AsfError> {
     read(file("body.asf", asf), file("walk.amc", amc), CMU_RATE)
 }
 
-/// As the format's definition has it: x first, then y, then z, about axes that stay.
+/// The format's definition: rotations about the fixed axes x, y, z in this order.
 fn xyz(x: f64, y: f64, z: f64) -> Rotation3<f64> {
     let about = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle.to_radians());
     about(Vector3::z(), z) * about(Vector3::y(), y) * about(Vector3::x(), x)
 }
 
 #[test]
-fn the_joints_stand_where_the_definition_says() {
+fn joint_positions_follow_the_definition_of_the_format() {
     let clip = recording(ASF, AMC).unwrap().into_clip();
     let names: Vec<&str> = clip.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
     assert_eq!(names, ["Hips", "LHipJoint", "LeftUpLeg", "LeftLeg"]);
@@ -39,9 +97,8 @@ fn the_joints_stand_where_the_definition_says() {
     assert!((end - ankle).norm() < 1e-9, "{end} {ankle}");
 }
 
-/// What it is for: the same motion through BVH.
 #[test]
-fn it_is_the_same_motion_as_bvh() {
+fn a_recording_written_as_bvh_is_read_as_the_same_motion() {
     let clip = recording(ASF, AMC).unwrap().into_clip();
     let written = crate::motion::bvh::write(&clip);
     let again = crate::motion::bvh::read("walk.bvh", written.as_bytes()).unwrap().into_clip();
@@ -51,7 +108,7 @@ fn it_is_the_same_motion_as_bvh() {
 
 #[test]
 fn errors_name_file_and_line() {
-    let said = |asf: &str, amc: &str| recording(asf, amc).unwrap_err().to_string();
+    let refusal = |asf: &str, amc: &str| recording(asf, amc).unwrap_err().to_string();
     for (from, to, expected) in [
         (
             "length 7\n",
@@ -68,7 +125,7 @@ fn errors_name_file_and_line() {
         ),
     ] {
         let asf = ASF.replacen(from, to, 1);
-        assert!(said(&asf, AMC).contains(expected), "{}", said(&asf, AMC));
+        assert!(refusal(&asf, AMC).contains(expected), "{}", refusal(&asf, AMC));
     }
     for (from, to, expected) in [
         ("ltibia 40\n", "ltibia 40 1\n", "walk.amc, line 7: expected 1 numbers of ltibia"),
@@ -77,7 +134,7 @@ fn errors_name_file_and_line() {
         ("15 25", "15 x", "walk.amc, line 6: expected \"lfemur\" and 3 numbers"),
     ] {
         let amc = AMC.replacen(from, to, 1);
-        assert!(said(ASF, &amc).contains(expected), "{}", said(ASF, &amc));
+        assert!(refusal(ASF, &amc).contains(expected), "{}", refusal(ASF, &amc));
     }
-    assert!(said(ASF, ":DEGREES\n").contains("expected at least one frame, found the end of the file"));
+    assert!(refusal(ASF, ":DEGREES\n").contains("expected at least one frame, found the end of the file"));
 }

@@ -18,7 +18,7 @@ pub struct BvhError {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum BvhProblem {
-    /// Something else stands where the format requires something.
+    /// The format requires something else at this place.
     #[error("expected {expected}, found {found}")]
     Expected {
         /// What was expected.
@@ -37,7 +37,8 @@ pub enum BvhProblem {
     },
     /// More frames than [`Skeleton::max_frames`](crate::motion::skeleton::Skeleton::max_frames).
     #[error(
-        "expected at most {most} frames of a body with {nodes} joints and end sites, found {frames}: please cut the recording, or leave \
+        "expected at most {most} frames of a body with {nodes} joints and end sites, found {frames}: \
+         please cut the recording, or leave \
          out every second frame"
     )]
     TooManyFrames {
@@ -69,14 +70,14 @@ pub enum BvhProblem {
 }
 
 impl BvhProblem {
-    /// "expected this, found that", with the word shortened and quoted.
+    /// An error with the found word shortened and quoted.
     pub(super) fn expected(expected: &str, found: Option<&str>) -> BvhProblem {
         let found = found.map_or("the end of the file".to_owned(), quoted);
         BvhProblem::Expected { expected: expected.to_owned(), found }
     }
 }
 
-/// A word of the file for a message: quoted, escaped, cut to a readable length.
+/// A word of the file for a message: escaped, in quotes, at most 40 characters.
 pub(super) fn quoted(word: &str) -> String {
     const LONGEST: usize = 40;
     if word.chars().count() <= LONGEST {

@@ -1,4 +1,4 @@
-//! The HIERARCHY of a file: from words to joints.
+//! Reads the HIERARCHY section of a file.
 
 use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::Cursor;
@@ -12,9 +12,9 @@ struct Open {
     children: bool,
 }
 
-/// Reads from the start of the file to the word MOTION, which it takes.
+/// Reads from the start of the file up to and including the word MOTION.
 ///
-/// Open joints are kept in a vector, not on the call stack, which a deeply nested file could exhaust.
+/// Open joints are in a vector because a deeply nested file could exhaust the call stack.
 pub(super) fn read(cursor: &mut Cursor) -> Result<Skeleton, BvhError> {
     cursor.expect("HIERARCHY")?;
     cursor.expect("ROOT")?;

@@ -1,4 +1,4 @@
-//! The MOTION of a file: the header's two numbers, then the rows.
+//! Reads the MOTION section of a file: two numbers, then the rows.
 
 use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::bvh::text::{Cursor, finite, is_blank, not_a_number};
@@ -9,11 +9,11 @@ pub(super) struct Motion {
     pub(super) frames: usize,
     /// Seconds.
     pub(super) frame_time: f64,
-    /// Frame by frame [frames x channels].
+    /// Channel values [frames x channels], row by row.
     pub(super) values: Vec<f64>,
 }
 
-/// Reads what follows the word MOTION. Every channel of the skeleton has a number in each frame.
+/// Reads the section from behind the word MOTION to the end of the file.
 pub(super) fn read(
     cursor: &mut Cursor,
     skeleton: &Skeleton,
@@ -36,7 +36,7 @@ pub(super) fn read(
     }
     let difference = found.abs_diff(declared);
     if difference > 0 {
-        // Files are often one or two rows off; far more means a file cut short or put together wrongly.
+        // A wrong count by one or two rows is common. A larger difference means that the file was cut short.
         if difference > 5.max(declared / 50) {
             return Err(cursor.error_at(header_line, BvhProblem::RowCount { declared, found }));
         }
@@ -47,8 +47,8 @@ pub(super) fn read(
     Ok(Motion { frames: found, frame_time, values })
 }
 
-/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order. A body like this can
-/// have so many frames at `most`.
+/// The numbers after `Frames:` and `Frame Time:` (or `Frames Time:`), in either order. `most` is the largest
+/// number of frames of this body.
 fn header(cursor: &mut Cursor, most: usize, warnings: &mut Vec<String>) -> Result<(usize, f64), BvhError> {
     let (mut frames, mut frame_time) = (None, None);
     while frames.is_none() || frame_time.is_none() {
@@ -98,11 +98,11 @@ fn header(cursor: &mut Cursor, most: usize, warnings: &mut Vec<String>) -> Resul
     Ok((frames.unwrap_or(0), frame_time.unwrap_or(0.0)))
 }
 
-/// All rows one after the other. A row may go over several lines, but ends where a line ends; a line may hold
-/// several whole rows. No line is read after more than `most` numbers.
+/// The values of all rows. A row may span several lines but ends at the end of a line; a line may hold
+/// several whole rows. Stops after the line in which there are more than `most` numbers.
 fn rows(cursor: &mut Cursor, channels: usize, most: usize) -> Result<Vec<f64>, BvhError> {
     let mut values = Vec::new();
-    // The row that is not complete yet: the line where it began and its numbers so far.
+    // The line where the incomplete row began, and the count of its numbers until now.
     let mut first_line = 0;
     let mut pending = 0;
     while let Some((line, text)) = cursor.line() {
@@ -124,7 +124,7 @@ fn rows(cursor: &mut Cursor, channels: usize, most: usize) -> Result<Vec<f64>, B
         if pending % channels == 0 && (pending == channels || pending == length) {
             pending = 0;
         } else if pending > channels {
-            // Told of the line that began the row: it is the odd one.
+            // The line where the row began is the wrong one.
             let frame = (values.len() - pending) / channels + 1;
             let found = if pending > length { pending - length } else { length };
             return Err(

@@ -1,10 +1,10 @@
-//! A whole file: bytes to recording, with what was odd about it.
+//! Reads a whole file, and warns of what is unusual in it.
 
 use crate::motion::bvh::error::{BvhError, BvhProblem, quoted};
 use crate::motion::bvh::text::{Cursor, decode};
 use crate::motion::bvh::{hierarchy, motion};
 use crate::motion::clip::sha256;
-use crate::motion::foreign::foreign;
+use crate::motion::foreign::foreign_format;
 use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
@@ -12,8 +12,8 @@ use nalgebra::DMatrix;
 /// Reads a BVH file. `name` is used in messages and kept as the recording's name.
 ///
 /// It accepts any hierarchy with one root, any channel order, the line ends CR, LF and CR LF, keywords in any
-/// case, a byte order mark, Latin-1 names, and row counts that are off by a little; what was odd is in
-/// [`Recording::warnings`]. [`Recording::into_clip`] makes the motion of it.
+/// case, UTF-16, a byte order mark, Latin-1 names, and row counts that are slightly wrong.
+/// [`Recording::warnings`] says what was unusual. [`Recording::into_clip`] makes the recording a clip.
 ///
 /// ```
 /// use vcgpdm::motion::bvh;
@@ -44,9 +44,9 @@ use nalgebra::DMatrix;
 ///
 /// # Errors
 ///
-/// A [`BvhError`] with the line, for everything that is not such a file.
+/// A [`BvhError`] with the line, when the file is not a valid BVH file.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
-    if let Some(found) = foreign(bytes) {
+    if let Some(found) = foreign_format(bytes) {
         let problem = BvhProblem::Expected { expected: "a BVH file".to_owned(), found: found.to_owned() };
         return Err(BvhError { file: name.to_owned(), line: 1, problem });
     }
@@ -98,7 +98,8 @@ fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
         .collect();
     if !odd.is_empty() {
         warnings.push(format!(
-            "{} names hold blanks or colons, or are empty ({}): they are kept, but some programs cannot read them",
+            "{} names hold blanks or colons, or are empty ({}): they are kept, but some programs cannot \
+             read them",
             odd.len(),
             listed(&odd)
         ));

@@ -1,11 +1,11 @@
-//! What real and broken files do to the reader.
+//! Reading of valid, unusual and broken files.
 
 use crate::motion::bvh::parse::read;
 use crate::motion::bvh::write::write;
 use crate::motion::clip::Clip;
 use crate::motion::pose::PoseMapping;
 use crate::motion::recording::Recording;
-use crate::motion::skeleton::{Channel, Joint, MAX_PLACES, Skeleton};
+use crate::motion::skeleton::{Channel, Joint, MAX_POSITIONS, Skeleton};
 use crate::motion::testing::any_clip;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
@@ -43,7 +43,7 @@ fn with(from: &str, to: &str) -> String {
     SMALL.replacen(from, to, 1)
 }
 
-fn reads_the_same(text: &[u8]) -> Recording {
+fn read_as_small(text: &[u8]) -> Recording {
     let clip = read("walk.bvh", text).unwrap_or_else(|error| panic!("{error}"));
     let small = read("walk.bvh", SMALL.as_bytes()).unwrap();
     assert_eq!((&clip.skeleton, &clip.values), (&small.skeleton, &small.values));
@@ -51,8 +51,8 @@ fn reads_the_same(text: &[u8]) -> Recording {
 }
 
 #[test]
-fn a_small_file() {
-    let clip = reads_the_same(SMALL.as_bytes());
+fn a_small_file_is_read_as_it_is_written() {
+    let clip = read_as_small(SMALL.as_bytes());
     assert_eq!((clip.frames(), clip.frame_time), (3, 0.0333333));
     assert_eq!(clip.skeleton.joints[1].parent, Some(0));
     assert_eq!(
@@ -90,14 +90,14 @@ fn line_ends_blanks_and_case_do_not_matter() {
         format!("{SMALL}\u{1A}"),
         SMALL.replace("JOINT Chest", "JOINT\nChest"),
     ] {
-        reads_the_same(text.as_bytes());
+        read_as_small(text.as_bytes());
     }
     let utf16: Vec<u8> =
         [0xFEFF].into_iter().chain(SMALL.encode_utf16()).flat_map(u16::to_le_bytes).collect();
-    assert!(reads_the_same(&utf16).warnings[0].contains("UTF-16"));
+    assert!(read_as_small(&utf16).warnings[0].contains("UTF-16"));
     for unit in [u16::to_le_bytes, u16::to_be_bytes] {
         let without_mark: Vec<u8> = SMALL.encode_utf16().flat_map(unit).collect();
-        assert!(reads_the_same(&without_mark).warnings[0].contains("UTF-16"));
+        assert!(read_as_small(&without_mark).warnings[0].contains("UTF-16"));
     }
 }
 
@@ -140,7 +140,7 @@ fn errors_say_where_what_was_expected_and_what_was_found() {
             with("Frames: 3", "Frames: 99999999999999"),
             r#"line 17: expected a number of frames from 1 to 1666666, found "99999999999999""#.into(),
         ),
-        // Whether rows follow or not: a file that says so contradicts itself, or holds no motion.
+        // With rows the file contradicts itself; without rows it holds no motion.
         (
             with("Frames: 3", "Frames: 0"),
             r#"line 17: expected a number of frames from 1 to 1666666, found "0""#.into(),
@@ -208,7 +208,7 @@ fn odd_names_are_kept_with_a_warning() {
 }
 
 #[test]
-fn frozen_and_empty_rows_are_told() {
+fn frozen_and_empty_rows_give_a_warning() {
     let rows = "2 2 3 4 5 6 7 8 9\n";
     let clip = read("a", (with("Frames: 3", "Frames: 7") + &rows.repeat(4)).as_bytes()).unwrap();
     assert!(clip.warnings[0].contains("the last 4 rows are the same"), "{:?}", clip.warnings);
@@ -227,11 +227,12 @@ fn positions_of_a_joint_replace_its_offset() {
 }
 
 #[test]
-fn neither_depth_nor_size_brings_the_reader_down() {
+fn deep_and_large_hierarchies_do_not_crash_the_reader() {
     let deep: String = (0..1_900).map(|_| "JOINT a { OFFSET 0 1 0 CHANNELS 1 Xrotation ").collect();
     let rows = "0 ".repeat(1_901);
     let text = format!(
-        "HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Yrotation {deep}{} MOTION\nFrames: 1\nFrame Time: .1\n{rows}",
+        "HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Yrotation {deep}{} MOTION\nFrames: 1\nFrame Time: \
+         .1\n{rows}",
         "}".repeat(1_901)
     );
     let clip = read("deep", text.as_bytes()).unwrap().into_clip();
@@ -244,7 +245,7 @@ fn neither_depth_nor_size_brings_the_reader_down() {
 }
 
 #[test]
-fn names_from_elsewhere_cannot_break_a_written_file() {
+fn characters_in_names_cannot_break_a_written_file() {
     let mut clip = read("a", SMALL.as_bytes()).unwrap().into_clip();
     clip.skeleton.joints[1].name = "x\n}{ MOTION".to_owned();
     let again = read("b", write(&clip).as_bytes()).unwrap();
@@ -283,7 +284,7 @@ proptest! {
     fn any_clip_is_read_back_as_it_was_written(clip in any_clip()) {
         let again = read("random.bvh", write(&clip).as_bytes()).unwrap();
         prop_assert_eq!(&again.values, &clip.values);
-        // Where a root has places of its own, its offset means nothing, and is left out.
+        // The offset of a root with position channels has no meaning and is written as zero.
         let mut skeleton = clip.skeleton.clone();
         let root = &mut skeleton.joints[0];
         if root.is_placed() {
@@ -295,19 +296,19 @@ proptest! {
     }
 
     #[test]
-    fn no_bytes_bring_the_reader_down(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+    fn random_bytes_do_not_crash_the_reader(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
         let _ = read("noise", &bytes);
     }
 
     #[test]
-    fn no_change_to_a_file_brings_anything_down(
+    fn a_changed_file_crashes_neither_the_reader_nor_later_steps(
         at in 0..SMALL.len(), length in 0..40_usize, put in "[-0-9. {}\n\rA-Za-z]{0,12}"
     ) {
         let mut text = SMALL.to_owned();
         text.replace_range(at..(at + length).min(SMALL.len()), &put);
         match read("changed", text.as_bytes()) {
             Ok(recording) => {
-                // Whatever was read is fit for everything that follows.
+                // A recording that was read can be used in all later steps.
                 let clip = recording.into_clip();
                 prop_assert!(clip.skeleton.validate().is_ok());
                 prop_assert!(clip.stage_positions().iter().all(|x| x.is_finite()));
@@ -325,14 +326,14 @@ proptest! {
     }
 }
 
-/// 150 kB of such a file once took a minute and 5 GB: joints without channels cost nothing in the file, but a
-/// place in every frame.
+/// A file of 150 kB once took a minute and 5 GB: joints without channels are short in the file, but have a
+/// position in every frame.
 #[test]
 fn a_small_file_cannot_ask_for_much_memory() {
     let joints = 1_999;
     let inner = "JOINT j { OFFSET 0 1 0 ".repeat(joints) + &"}".repeat(joints);
     let header = format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Xposition {inner} }} MOTION\n");
-    let most = MAX_PLACES / (joints + 1);
+    let most = MAX_POSITIONS / (joints + 1);
     for declared in [50_000, 5] {
         let rows = "0\n".repeat(50_000);
         let found = message(&format!("{header}Frames: {declared}\nFrame Time: 0.01\n{rows}"));

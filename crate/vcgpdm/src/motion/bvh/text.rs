@@ -1,4 +1,4 @@
-//! From bytes to words with their lines: encodings, line ends, numbers.
+//! Splits the bytes of a file into words with line numbers, and reads numbers.
 
 use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::skeleton::LARGEST_NUMBER;
@@ -32,7 +32,7 @@ fn decode_utf16(bytes: &[u8]) -> Option<String> {
     Some(String::from_utf16_lossy(&units))
 }
 
-/// Blanks between words. Ctrl-Z and NUL end some old files.
+/// Whether a character separates words. Ctrl-Z and NUL end some old files.
 pub(super) fn is_blank(c: char) -> bool {
     c.is_whitespace() || c == '\u{1A}' || c == '\0' || c == '\u{FEFF}'
 }
@@ -43,7 +43,7 @@ pub(super) struct Cursor<'a> {
     rest: &'a str,
     /// The line of the next character, counted from 1.
     line: usize,
-    /// The line on which the last word stood, for messages about it.
+    /// The line of the last word, for messages.
     word_line: usize,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Cursor<'a> {
         Some(self.advance(length))
     }
 
-    /// The word that [`Cursor::word`] would give, without taking it.
+    /// The next word, which stays the next word.
     pub(super) fn peek(&mut self) -> Option<&'a str> {
         let (rest, line) = (self.rest, self.line);
         let word = self.word();
@@ -101,7 +101,7 @@ impl<'a> Cursor<'a> {
         self.advance(length).trim_matches(is_blank)
     }
 
-    /// A name that stands on a line of its own.
+    /// A name on the next line.
     pub(super) fn name_on_next_line(&mut self) -> &'a str {
         self.skip_blanks();
         self.name()
@@ -129,7 +129,7 @@ impl<'a> Cursor<'a> {
         BvhError { file: self.file.to_owned(), line, problem }
     }
 
-    /// Takes one word and checks it, whatever its case.
+    /// Takes one word, which must be this keyword in any case.
     pub(super) fn expect(&mut self, keyword: &str) -> Result<(), BvhError> {
         match self.word() {
             Some(word) if word.eq_ignore_ascii_case(keyword) => Ok(()),
@@ -144,7 +144,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// The number a word spells; `None` for anything else: NaN, infinities and absurd sizes included.
+/// The number that a word spells; `None` for NaN, infinities, numbers above 1e9 and other words.
 pub(super) fn finite(word: &str) -> Option<f64> {
     word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST_NUMBER)
 }
@@ -152,10 +152,10 @@ pub(super) fn finite(word: &str) -> Option<f64> {
 /// The largest finite number has 309 digits before its point.
 const LONGEST_NUMBER: usize = 1000;
 
-/// The message about a word that is no number.
+/// The problem with a word that is not a number.
 pub(super) fn not_a_number(word: Option<&str>) -> BvhProblem {
     let Some(text) = word else { return BvhProblem::expected("a number", None) };
-    // No number is as long, and looking for two numbers in a word of a megabyte would take hours.
+    // Looking for two numbers in a word of a megabyte would take hours.
     if text.len() > LONGEST_NUMBER {
         return BvhProblem::expected("a number", word);
     }

@@ -1,4 +1,4 @@
-//! Clip to text, and the hash of what was never a file.
+//! Writes clips as BVH, and hashes clips that do not come from a file.
 
 use crate::motion::clip::{Clip, sha256};
 use crate::motion::recording::Recording;
@@ -6,14 +6,14 @@ use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
 use std::fmt::Write;
 
-/// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order, numbers with as many
-/// digits as bring back the same value.
+/// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order. Numbers have the
+/// digits that are read back as the same value.
 pub fn write(clip: &Clip) -> String {
     text(&clip.skeleton, clip.frame_time, &clip.values)
 }
 
 impl Clip {
-    /// A motion that was made, not recorded. Its hash is that of the text that [`write()`] gives.
+    /// A motion that was computed, not recorded. Its hash is that of the text that [`write()`] returns.
     ///
     /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in
     /// seconds.
@@ -33,8 +33,8 @@ impl Clip {
 }
 
 impl Recording {
-    /// Rows that were recorded but do not come from a BVH file. Its hash is that of the text that [`write()`]
-    /// would give.
+    /// A recording that does not come from a BVH file. Its hash is that of the text that [`write()`] would
+    /// return.
     ///
     /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in
     /// seconds.
@@ -69,8 +69,7 @@ fn text(skeleton: &Skeleton, frame_time: f64, values: &DMatrix<f64>) -> String {
     text
 }
 
-/// Writes the joint tree and gives the order in which its joints were written: depth first, as braces force
-/// it.
+/// Writes the joint tree and returns the order in which the joints were written, which is depth first.
 fn hierarchy(skeleton: &Skeleton, text: &mut String) -> Vec<usize> {
     enum Step {
         Open(usize),
@@ -127,7 +126,7 @@ fn spaced(offset: &[f64; 3]) -> String {
     format!("{} {} {}", offset[0], offset[1], offset[2])
 }
 
-/// A name from a shared model may hold what would break the file.
+/// The name without characters that would break the file: it may come from a stranger's model.
 fn safe_name(name: &str) -> String {
     name.chars().map(|c| if c.is_control() || c == '{' || c == '}' { '_' } else { c }).collect()
 }

@@ -1,4 +1,4 @@
-//! The ends of hands and feet, and their places along the heading of the body.
+//! The tips of hands and feet, and their positions along the heading of the body.
 
 use crate::elementary::Elementary;
 use crate::motion::Skeleton;
@@ -45,9 +45,9 @@ impl Limb {
 /// The end of a limb.
 pub(super) struct End {
     pub(super) limb: Limb,
-    /// The node of the figure: the tip of the fingers or toes, as far as the file knows them.
+    /// The node of the figure: the tip of the fingers or toes.
     node: usize,
-    /// The joint that bears it.
+    /// The joint of that node.
     pub(super) joint: usize,
 }
 
@@ -68,7 +68,7 @@ pub(super) fn ends(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<End> {
     ends
 }
 
-/// The place of each end along the heading, relative to the root, in metres: one row of frames for each end.
+/// The position of each end along the heading, relative to the root, in metres [ends x frames].
 pub(super) fn forward_places(
     skeleton: &Skeleton,
     anatomy: &Anatomy,
@@ -83,20 +83,20 @@ pub(super) fn forward_places(
         for &[on_left, on_right] in &across {
             left += track.at(frame, on_left) - track.at(frame, on_right);
         }
-        // Front = left x up. A body that lies on its side keeps the heading that it had.
+        // Front = left x up. A body that lies on its side keeps its last heading.
         let length = left.x.hypotenuse(left.z);
         if length > 1e-6 {
             forward = Vector3::new(-left.z / length, 0.0, left.x / length);
         }
         for (places, end) in places.iter_mut().zip(ends) {
-            places.push(track.beside_root(frame, end.node).dot(&forward));
+            places.push(track.from_root(frame, end.node).dot(&forward));
         }
     }
     places
 }
 
-/// Pairs of a left and a right joint that lie across the body whatever the limbs do: the hips and the
-/// shoulders. In walking these two turn against each other, so that both together keep the heading.
+/// The left and right hip and the left and right shoulder. In walking hips and shoulders turn against each
+/// other, so their sum keeps the heading.
 fn across(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<[usize; 2]> {
     let rest = skeleton.rest_pose().positions;
     let apart = 0.02 * skeleton.height();

@@ -1,6 +1,6 @@
-//! What a body does, measured: how far hands and feet swing, whether they swing in step, how fast the body
-//! walks, whether it stands still. All from the places of its nodes over time, so that recorded clips and
-//! rollouts are measured alike.
+//! Measures of a motion: how far hands and feet swing, whether they swing in step, how fast the body walks,
+//! whether it stands still. All are computed from the positions of its nodes, so they apply to recorded clips
+//! and rollouts alike.
 
 mod limbs;
 mod rhythm;
@@ -18,10 +18,10 @@ use track::Track;
 pub use limbs::Limb;
 pub use speed::{rests_from, still_from};
 
-/// A limb that swings less than this, in metres, has no phase: what is left is noise.
+/// A smaller swing, in metres, is noise and has no phase.
 const LEAST_SWING: f64 = 0.01;
 
-/// What a body does in a stretch of frames.
+/// Measures of a whole body over some frames.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measures {
     /// The hands and feet that the body has: left hand, right hand, left foot, right foot.
@@ -30,46 +30,45 @@ pub struct Measures {
     pub joint_speed: f64,
     /// Speed of the root over the ground, over whole seconds, in metres a second.
     pub walking_speed: f64,
-    /// Horizontal speed of the lowest node of the legs, as a share of the walking speed. A foot that stands
-    /// does not slide: 0. Absent where the body hardly walks or has no legs.
+    /// Horizontal speed of the lowest node of the legs divided by the walking speed; 0 for standing feet that
+    /// do not slide. `None` if the body hardly walks or has no legs.
     pub foot_slide: Option<f64>,
 }
 
-/// What one hand or foot does.
+/// Measures of one hand or foot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LimbMeasures {
     /// Which limb it is.
     pub limb: Limb,
-    /// The joint at the end of the limb, by its place in the skeleton.
+    /// The index of the joint at the end of the limb.
     pub joint: usize,
     /// Standard deviation of the limb's end along the heading, relative to the root, in metres for a body 1.7
     /// m tall.
     pub swing: f64,
-    /// Seconds from one swing to the next; absent where it does not swing, or does not repeat itself.
+    /// Seconds from one swing to the next; `None` if it does not swing or is not periodic.
     pub period: Option<f64>,
-    /// How far its swing is ahead of that of the foot or hand of the *other* side, in cycles from -0.5 to
-    /// 0.5: 0 when both are in front at the same time, as in walking. Absent where `locking` is.
+    /// Phase relative to the foot or hand of the *other* side, in cycles from -0.5 to 0.5; 0 when both are in
+    /// front at the same time, as in walking. `None` exactly if `locking` is.
     pub ahead: Option<f64>,
-    /// How constant that phase difference is, 0 to 1: |mean of exp(i difference)| over the stretch. 1: in
-    /// step; near 0: each at its own pace. Absent where one of the two does not swing, or the foot does not
-    /// repeat itself.
+    /// Constancy of that phase difference, |mean of exp(i difference)|: 1 if both swing in step, near 0 if
+    /// they swing at different rates. `None` if one of the two does not swing, or the foot is not periodic.
     pub locking: Option<f64>,
 }
 
-/// What a part of the body does: the mean over the hands and feet that belong to it.
+/// Measures of a part: the means over its hands and feet.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartMeasures {
-    /// Mean of [`LimbMeasures::swing`], in metres; absent where no hand or foot belongs to the part.
+    /// Mean of [`LimbMeasures::swing`], in metres; `None` if the part has no hand or foot.
     pub swing: Option<f64>,
-    /// Mean of [`LimbMeasures::period`] where it is there, in seconds.
+    /// Mean of the existing [`LimbMeasures::period`]s, in seconds.
     pub period: Option<f64>,
-    /// Mean of [`LimbMeasures::locking`] where it is there.
+    /// Mean of the existing [`LimbMeasures::locking`]s.
     pub locking: Option<f64>,
 }
 
 impl Measures {
     /// The measures of the part of the body with these joints.
-    pub fn of_joints(&self, joints: &[usize]) -> PartMeasures {
+    pub fn part(&self, joints: &[usize]) -> PartMeasures {
         let limbs = || self.limbs.iter().filter(|limb| joints.contains(&limb.joint));
         PartMeasures {
             swing: mean(limbs().map(|limb| limb.swing)),
@@ -84,12 +83,12 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     (count > 0).then(|| sum / f64::from(count))
 }
 
-/// Measures a stretch of frames: `positions` [frames x nodes x 3] of the figure's nodes, y up, in metres for
-/// a body 1.7 m tall, as [`Clip::stage_positions`](crate::motion::Clip::stage_positions) gives them;
+/// Measures a motion from the `positions` [frames x nodes x 3] of the figure's nodes: y up, in metres for a
+/// body 1.7 m tall, as [`Clip::stage_positions`](crate::motion::Clip::stage_positions) returns them;
 /// `frame_time` in seconds.
 ///
-/// The phases of a hand and a foot are those of complex demodulations at the period of the foot, in windows
-/// of one such period.
+/// The phases of a hand and a foot come from complex demodulation at the period of the foot, in windows of
+/// one period.
 ///
 /// ```
 /// use vcgpdm::motion::measures::measures;
@@ -106,18 +105,18 @@ pub fn measures(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Meas
     let walking_speed = speed::walking(&track);
     let mut measures = Measures {
         limbs: Vec::new(),
-        joint_speed: speed::of_joints(&track),
+        joint_speed: speed::joint_speed(&track),
         walking_speed,
         foot_slide: None,
     };
-    if let Some(anatomy) = Anatomy::of(skeleton) {
-        measures.limbs = of_limbs(skeleton, &anatomy, &track);
+    if let Some(anatomy) = Anatomy::find(skeleton) {
+        measures.limbs = limb_measures(skeleton, &anatomy, &track);
         measures.foot_slide = speed::foot_slide(skeleton, &anatomy, &track, walking_speed);
     }
     measures
 }
 
-fn of_limbs(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track) -> Vec<LimbMeasures> {
+fn limb_measures(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track) -> Vec<LimbMeasures> {
     let ends = ends(skeleton, anatomy);
     let places = forward_places(skeleton, anatomy, &ends, track);
     let mut limbs = Vec::new();
@@ -134,7 +133,7 @@ fn of_limbs(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track) -> Vec<LimbMe
         periods.push(repeats);
     }
     for k in 0..ends.len() {
-        // The foot or hand of the other side, with which it swings in walking.
+        // In walking, a hand swings with the foot of the other side.
         let Some(other) = ends.iter().position(|end| end.limb == ends[k].limb.other()) else { continue };
         let foot = if ends[k].limb.is_hand() { other } else { k };
         let swinging = limbs[k].swing.min(limbs[other].swing) >= LEAST_SWING;

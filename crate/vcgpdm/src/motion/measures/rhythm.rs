@@ -4,20 +4,20 @@ use crate::elementary::Elementary;
 use nalgebra::Vector2;
 use std::f64::consts::TAU;
 
-/// How two swings go together.
+/// The phase relation of two swings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    /// How far the first is ahead of the second, in cycles, -0.5 to 0.5.
+    /// Phase of the first relative to the second, in cycles, -0.5 to 0.5.
     pub(super) ahead: f64,
-    /// How constant that is, 0 to 1.
+    /// Constancy of that phase, 0 to 1.
     pub(super) locking: f64,
 }
 
-/// How the swing `a` goes together with the swing `b`, of equal length, at a common `period` in frames;
-/// `None` where there is not one period of them.
+/// The phase relation of two swings of equal length at a common `period` in frames; `None` if they are
+/// shorter than one period.
 pub(super) fn step(a: &[f64], b: &[f64], period: f64) -> Option<Step> {
     let (a, b) = (demodulated(a, period), demodulated(b, period));
-    // exp(i difference) at each time: of a times the conjugate of b, only the direction counts.
+    // exp(i difference) at each time: the direction of a times the conjugate of b.
     let directions = a.iter().zip(&b).map(|(a, b)| {
         let product = Vector2::new(a.dot(b), a.y * b.x - a.x * b.y);
         product.try_normalize(0.0).unwrap_or_default()
@@ -27,8 +27,8 @@ pub(super) fn step(a: &[f64], b: &[f64], period: f64) -> Option<Step> {
     (!a.is_empty()).then_some(step)
 }
 
-/// The swing around its mean as a number that turns with it, [real, imaginary]: 2 / W sum_k (x_k - mean)
-/// exp(-i 2 pi k / period), for each window of W frames, the period to the nearest frame.
+/// The complex demodulation [real, imaginary] of a swing: 2 / W sum_k (x_k - mean) exp(-i 2 pi k / period)
+/// for each window of W frames, where W is the period rounded to frames.
 fn demodulated(swing: &[f64], period: f64) -> Vec<Vector2<f64>> {
     let width = (period.round() as usize).max(2);
     let turns: Vec<Vector2<f64>> = (0..swing.len())
@@ -71,8 +71,7 @@ mod tests {
 
     #[test]
     fn two_swings_at_different_paces_are_not_locked() {
-        // 9 and 10 cycles in 300 frames: over all frames but the first window, the difference goes around
-        // nearly once.
+        // 9 and 10 cycles in 300 frames: the phase difference passes through nearly a whole cycle.
         let found = step(&swing(30.0, 0.0), &swing(100.0 / 3.0, 0.0), 31.6).unwrap();
         assert!(found.locking < 0.2, "{found:?}");
     }

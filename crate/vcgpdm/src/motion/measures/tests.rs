@@ -1,4 +1,4 @@
-//! Measures of motions that are made here, so that the answers are known.
+//! Measures of computed motions, whose correct values are known.
 
 use super::*;
 use crate::motion::samples;
@@ -32,8 +32,8 @@ fn skeleton() -> Skeleton {
     }
 }
 
-/// A body that walks: the amplitudes in metres and the periods in seconds of hands and feet, its heading in
-/// radians from z about y, its speed.
+/// A walking body: amplitudes in metres and periods in seconds of hands and feet, the heading in radians from
+/// z about y, the speed in metres a second.
 #[derive(Clone, Copy)]
 struct Made {
     hands: (f64, f64),
@@ -100,7 +100,7 @@ fn hands_and_feet_of_a_walk_swing_in_step_whatever_the_heading() {
 }
 
 #[test]
-fn hands_at_a_pace_of_their_own_are_not_in_step() {
+fn hands_with_another_period_than_the_feet_are_not_in_step() {
     let found = Made { hands: (0.15, 1.45), ..WALK }.measures();
     for limb in &found.limbs {
         assert!(limb.locking.unwrap() < 0.2, "{limb:?}");
@@ -119,7 +119,7 @@ fn hands_that_hang_have_no_phase() {
 
 #[test]
 fn joints_move_as_fast_as_they_swing() {
-    // A sine of amplitude A goes 4 A in a period. Four of the eight nodes beside the root move.
+    // A sine of amplitude A goes 4 A in a period. Four of the eight nodes other than the root move.
     let found = WALK.measures();
     let expected = (2.0 * 4.0 * 0.15 + 2.0 * 4.0 * 0.25) / 1.1 / 8.0;
     assert!(near(found.joint_speed, expected, 0.01 * expected), "{found:?} {expected}");
@@ -142,7 +142,7 @@ fn a_body_that_glides_in_one_pose_stands_still() {
     let moves = Made { seconds: 3.0, ..WALK }.positions();
     let width = 3 * skeleton().joints.len();
     let last = moves[moves.len() - width..].to_vec();
-    // It goes on in the last pose.
+    // It continues in the last pose.
     let glide = |frames: usize| {
         let steps = (1..=frames).flat_map(|frame| {
             let way = (WALK.speed * FRAME_TIME * frame as f64) as f32;
@@ -152,17 +152,17 @@ fn a_body_that_glides_in_one_pose_stands_still() {
     };
     let from = |positions: &[f32]| still_from(&skeleton(), positions, FRAME_TIME);
     assert_eq!(from(&moves), None);
-    assert_eq!(from(&glide(20)), None, "less than a second at the end says nothing");
+    assert_eq!(from(&glide(20)), None, "the body must stand still for a second");
     assert!(near(from(&glide(60)).unwrap(), 3.0 - FRAME_TIME, 0.5 * FRAME_TIME), "{:?}", from(&glide(60)));
 }
 
 #[test]
-fn a_part_swings_as_its_limbs_do() {
+fn measures_of_a_part_are_the_means_over_its_limbs() {
     let found = Made { hands: (0.15, 1.45), ..WALK }.measures();
-    let upper = found.of_joints(&[5, 6, 7, 8]);
+    let upper = found.part(&[5, 6, 7, 8]);
     assert!(near(upper.swing.unwrap(), 0.15 / 2.0_f64.sqrt(), 5e-3), "{upper:?}");
     assert!(upper.locking.unwrap() < 0.2, "{upper:?}");
-    assert_eq!(found.of_joints(&[0]), PartMeasures { swing: None, period: None, locking: None });
+    assert_eq!(found.part(&[0]), PartMeasures { swing: None, period: None, locking: None });
 }
 
 #[test]

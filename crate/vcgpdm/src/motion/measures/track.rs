@@ -1,9 +1,9 @@
-//! Places of a figure's nodes over time.
+//! Positions of a figure's nodes over time.
 
 use crate::motion::Skeleton;
 use nalgebra::Vector3;
 
-/// Places of nodes [frames x nodes x 3], y up, in metres.
+/// Positions of nodes [frames x nodes x 3], y up, in metres.
 pub(super) struct Track<'a> {
     positions: &'a [f32],
     pub(super) nodes: usize,
@@ -25,8 +25,8 @@ impl<'a> Track<'a> {
         Vector3::from_fn(|axis, _| f64::from(self.positions[first + axis]))
     }
 
-    /// The node as seen from the root, in axes that do not turn.
-    pub(super) fn beside_root(&self, frame: usize, node: usize) -> Vector3<f64> {
+    /// The vector from the root to the node.
+    pub(super) fn from_root(&self, frame: usize, node: usize) -> Vector3<f64> {
         self.at(frame, node) - self.at(frame, 0)
     }
 }

@@ -1,12 +1,12 @@
-//! A split made by hand, read from JSON.
+//! Reads a split that a user wrote as JSON.
 
 use crate::json::place;
 use crate::motion::parts::spec::{PartSpec, PartsError, check};
 use crate::motion::skeleton::Skeleton;
 use serde::Deserialize;
 
-/// Reads a split made by hand: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or
-/// by place (counted from 0). Every joint must be in one part.
+/// Reads a split: `[{"name": "legs", "joints": ["LeftUpLeg", 3]}, ...]` with joints by name or
+/// by index (counted from 0). Every joint must be in one part.
 ///
 /// # Errors
 ///
@@ -44,7 +44,7 @@ pub fn from_json(text: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Parts
     Ok(parts)
 }
 
-/// The place of a joint given by name or number, or what was expected instead.
+/// The index of a joint given by name or number, or the expectation that it does not meet.
 fn find_joint(value: &serde_json::Value, skeleton: &Skeleton) -> Result<usize, String> {
     let last = skeleton.joints.len() - 1;
     let Some(name) = value.as_str() else {

@@ -16,7 +16,7 @@ impl PartsLayout {
     ///
     /// # Errors
     ///
-    /// When a column has no part or two, or a part has none.
+    /// When a column has no part or two parts, or a part has no column.
     pub fn new(parts: &[PartSpec], mapping: &PoseMapping) -> Result<PartsLayout, PartsError> {
         check(parts, mapping.skeleton())?;
         let mapped = mapping.columns();
@@ -28,9 +28,8 @@ impl PartsLayout {
         Ok(PartsLayout { parts: parts.to_vec(), columns })
     }
 
-    /// The layout of parts that name their columns themselves, as those of tables do: the places in `parts`
-    /// are columns.
-    pub fn of_columns(parts: &[PartSpec]) -> PartsLayout {
+    /// The layout of the parts of a table, whose `joints` are columns.
+    pub fn for_table(parts: &[PartSpec]) -> PartsLayout {
         let sorted = |part: &PartSpec| {
             let mut columns = part.joints.clone();
             columns.sort_unstable();

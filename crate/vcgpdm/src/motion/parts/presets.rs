@@ -1,5 +1,4 @@
-//! Splits of a body that are found automatically: whole, lower and upper, body with arms, legs with trunk and
-//! arms.
+//! The usual splits of a body: whole, lower and upper, body and arms, legs and trunk and arms.
 
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::{Side, looks_like_spine};
@@ -12,15 +11,15 @@ use serde::Serialize;
 pub struct PartsPreset {
     /// "whole", "lower-upper", "body-arms" or "legs-trunk-arms".
     pub id: String,
-    /// Its title for a person to read.
+    /// Its title for users.
     pub title: String,
     /// The parts; each joint is in one of them.
     pub parts: Vec<PartSpec>,
 }
 
-/// The ways to split a body that follow from the names of its joints, or else from its shape: always "whole";
-/// "lower-upper" where legs were found; "body-arms" (the three parts of Velychko et al. 2018, section 5.3)
-/// and "legs-trunk-arms" where arms were found too.
+/// The splits of a body, found from the names of its joints or else from its shape: always "whole";
+/// "lower-upper" if legs were found; "body-arms" (the three parts of Velychko et al. 2018, section 5.3) and
+/// "legs-trunk-arms" if arms were found too.
 ///
 /// ```
 /// use vcgpdm::motion::{parts, samples};
@@ -36,7 +35,7 @@ pub struct PartsPreset {
 pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
     let every_joint: Vec<usize> = (0..skeleton.joints.len()).collect();
     let mut presets = vec![preset("whole", "Whole body", vec![("body", every_joint)])];
-    let Some(anatomy) = Anatomy::of(skeleton) else { return presets };
+    let Some(anatomy) = Anatomy::find(skeleton) else { return presets };
     let leg = |region: Region| matches!(region, Region::Leg(_));
     let hips = hips(skeleton, &anatomy);
     let joints = |wanted: &dyn Fn(usize) -> bool| -> Vec<usize> {
@@ -74,8 +73,8 @@ fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset 
     PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }
 }
 
-/// For each joint, whether it belongs to the hips: the root, and what lies between it and the legs unless its
-/// name is that of a part of the back.
+/// For each joint, whether it belongs to the hips: the root, and the trunk joints between the root and the
+/// legs whose names are not those of the back.
 fn hips(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<bool> {
     let mut bears_legs = vec![false; skeleton.joints.len()];
     for (place, joint) in skeleton.joints.iter().enumerate().rev() {

@@ -1,4 +1,4 @@
-//! A part, and when a split of a body into parts is valid.
+//! A part, and the conditions for a valid split into parts.
 
 use crate::motion::skeleton::Skeleton;
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use thiserror::Error;
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,
-    /// The places of its joints in the skeleton; of a part of a table, those of its columns.
+    /// The indices of its joints in the skeleton; for a part of a table, those of its columns.
     pub joints: Vec<usize>,
 }
 
@@ -29,7 +29,7 @@ pub enum PartsError {
         /// The name of the part.
         name: String,
     },
-    /// A name that is empty, or that two parts have.
+    /// An empty name, or a name that two parts have.
     #[error("part {part}: expected a name of its own, found {name:?}")]
     PartName {
         /// The number of the part, counted from 1.
@@ -51,7 +51,7 @@ pub enum PartsError {
         /// What was found.
         found: String,
     },
-    /// Joints that are in more than one part, or twice in one.
+    /// Joints that are in more than one part, or twice in one part.
     #[error("expected each joint in one part, found {0} more than once")]
     Doubled(String),
     /// Joints that are in no part.
@@ -59,12 +59,13 @@ pub enum PartsError {
     Missing(String),
     /// A text that is not a list of parts.
     #[error(
-        "expected a list like [{{\"name\": \"legs\", \"joints\": [\"LeftUpLeg\", 3]}}], found at {path}: {problem}"
+        "expected a list like [{{\"name\": \"legs\", \"joints\": [\"LeftUpLeg\", 3]}}], found at {path}: \
+         {problem}"
     )]
     Json {
-        /// Where in the text.
+        /// The path of the wrong entry.
         path: String,
-        /// What the JSON reader says.
+        /// The message of the JSON reader.
         problem: String,
     },
 }
@@ -79,9 +80,9 @@ pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> 
         return Err(PartsError::NoParts);
     }
     let mut uses = vec![0_usize; skeleton.joints.len()];
-    for (at, part) in parts.iter().enumerate() {
-        let (number, name) = (at + 1, part.name.clone());
-        if part.name.trim().is_empty() || parts[..at].iter().any(|other| other.name == part.name) {
+    for (index, part) in parts.iter().enumerate() {
+        let (number, name) = (index + 1, part.name.clone());
+        if part.name.trim().is_empty() || parts[..index].iter().any(|other| other.name == part.name) {
             return Err(PartsError::PartName { part: number, name });
         }
         if part.joints.is_empty() {
@@ -102,9 +103,9 @@ pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> 
     }
     let names = |wanted: &dyn Fn(usize) -> bool| -> Option<String> {
         let joints: Vec<usize> = (0..uses.len()).filter(|&joint| wanted(uses[joint])).collect();
-        let shown =
+        let first =
             joints.iter().take(8).map(|&joint| format!("{:?} ({joint})", skeleton.joints[joint].name));
-        let mut text = shown.collect::<Vec<_>>().join(", ");
+        let mut text = first.collect::<Vec<_>>().join(", ");
         if joints.len() > 8 {
             text += &format!(" and {} more", joints.len() - 8);
         }

@@ -6,7 +6,7 @@ use crate::motion::pose::PoseMapping;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
 
-/// A body as BVH text from lines "name parent x y z"; z up if asked for.
+/// A body of joints (name, parent, offset).
 fn body(joints: &[(&str, Option<usize>, [f64; 3])]) -> Skeleton {
     let joints = joints.iter().map(|&(name, parent, offset)| crate::motion::skeleton::Joint {
         name: name.to_owned(),
@@ -46,7 +46,7 @@ fn parts_of(skeleton: &Skeleton, id: &str) -> Vec<(String, Vec<usize>)> {
 }
 
 #[test]
-fn bodies_of_many_conventions_split_the_same() {
+fn bodies_of_many_naming_conventions_have_the_same_parts() {
     let conventions = [
         [
             "Hips",
@@ -123,7 +123,7 @@ fn bodies_of_many_conventions_split_the_same() {
             "upperarm_r",
             "lowerarm_r",
         ],
-        // No names at all: the shape tells.
+        // Names without meaning: the parts follow from the shape.
         ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m"],
     ];
     for names in conventions {
@@ -162,7 +162,7 @@ fn a_body_that_is_no_person_is_one_part() {
 }
 
 #[test]
-fn a_split_by_hand_names_joints_or_counts_them() {
+fn a_split_as_json_has_joints_by_name_or_index() {
     let tail =
         body(&[("a", None, [0.0; 3]), ("b", Some(0), [0.0, 1.0, 0.0]), ("b", Some(1), [0.0, 1.0, 0.0])]);
     let read = |text: &str| from_json(text, &tail).map_err(|error| error.to_string());

@@ -1,4 +1,4 @@
-//! Rows of Y back to clips and to positions on the stage.
+//! From rows of Y to clips and to positions on the stage.
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS};
@@ -8,17 +8,15 @@ use crate::motion::skeleton::{LARGEST_NUMBER, WorldPose};
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 
 impl PoseMapping {
-    /// The motion of rows of Y [frames x columns] that begins at `start`, `frame_time` seconds a frame: the
-    /// inverse of [`PoseMapping::encode`]. Each joint gets its own channels back, with angles that do not
-    /// jump where that is possible.
-    ///
-    /// A joint with fewer than three angles gets the part of its rotation that they can express.
+    /// The clip of rows of Y [frames x columns] that begins at `start`, with `frame_time` in seconds: the
+    /// inverse of [`PoseMapping::encode`]. Angles are continuous in time where that is possible. A joint with
+    /// fewer than three angles gets the part of its rotation that they can express.
     ///
     /// # Errors
     ///
     /// [`PoseError::Columns`] for rows of another width, [`PoseError::NotFinite`] and [`PoseError::Field`]
     /// for numbers that are not finite or too large, [`PoseError::Away`] for a root that goes farther than a
-    /// file can say.
+    /// file can store.
     pub fn decode(&self, y: &DMatrix<f64>, start: &RootStart, frame_time: f64) -> Result<Clip, PoseError> {
         self.check_start(start)?;
         self.check(y)?;
@@ -46,8 +44,8 @@ impl PoseMapping {
                 }
             }
         });
-        if let Some(at) = values.iter().position(|x| x.abs() > LARGEST_NUMBER) {
-            return Err(PoseError::Away { frame: at % y.nrows(), found: values.as_slice()[at] });
+        if let Some(index) = values.iter().position(|x| x.abs() > LARGEST_NUMBER) {
+            return Err(PoseError::Away { frame: index % y.nrows(), found: values.as_slice()[index] });
         }
         Ok(Clip::new("motion.bvh", self.skeleton.clone(), frame_time, values))
     }
@@ -60,26 +58,22 @@ impl PoseMapping {
     /// As [`PoseMapping::decode`].
     pub fn decode_positions(&self, y: &DMatrix<f64>, start: &RootStart) -> Result<Vec<f32>, PoseError> {
         self.check_start(start)?;
-        self.decode_positions_on(y, &mut self.track(start))
+        self.continue_positions(y, &mut self.track(start))
     }
 
-    /// Where a motion that begins at `start` stands before its first row.
+    /// The state before the first row of a motion that begins at `start`.
     pub fn track(&self, start: &RootStart) -> RootTrack {
         let place = self.stage.up.to_y_up() * Vector3::from(start.position) / self.leg();
         RootTrack::new(RootPose { place, angles: [start.yaw, 0.0, 0.0] })
     }
 
-    /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion, which stands at `track`
-    /// and afterwards stands behind them.
+    /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion; `track` is its state
+    /// before the rows, and after the call its state behind them.
     ///
     /// # Errors
     ///
     /// As [`PoseMapping::decode`].
-    pub fn decode_positions_on(
-        &self,
-        y: &DMatrix<f64>,
-        track: &mut RootTrack,
-    ) -> Result<Vec<f32>, PoseError> {
+    pub fn continue_positions(&self, y: &DMatrix<f64>, track: &mut RootTrack) -> Result<Vec<f32>, PoseError> {
         self.check(y)?;
         let nodes = self.skeleton.figure().len();
         let mut places = Vec::with_capacity(y.nrows() * nodes * 3);
@@ -104,7 +98,7 @@ impl PoseMapping {
         let mut rotations = vec![UnitQuaternion::identity(); self.skeleton.joints.len()];
         for t in 0..y.nrows() {
             let row: [f64; 6] = std::array::from_fn(|column| y[(t, column)]);
-            let root = track.follow(&row);
+            let root = track.push(&row);
             rotations[0] = root.orientation() * upright;
             for (joint, rotation) in rotations.iter_mut().enumerate().skip(1) {
                 let column = ROOT_COLUMNS.len() + 3 * (joint - 1);
@@ -119,13 +113,13 @@ impl PoseMapping {
         if y.ncols() != self.column_count() {
             return Err(PoseError::Columns { expected: self.column_count(), found: y.ncols() });
         }
-        let known = |x: &f64| x.abs() <= LARGEST_NUMBER;
-        // Without a way out of the loop it is done for several numbers at once.
-        if y.as_slice().iter().fold(true, |all, x| all & known(x)) {
+        let valid = |x: &f64| x.abs() <= LARGEST_NUMBER;
+        // A loop without an early exit can use SIMD.
+        if y.as_slice().iter().fold(true, |all, x| all & valid(x)) {
             return Ok(());
         }
-        let at = y.iter().position(|x| !known(x)).unwrap_or_default();
-        Err(PoseError::NotFinite { frame: at % y.nrows(), column: at / y.nrows(), found: y[at] })
+        let index = y.iter().position(|x| !valid(x)).unwrap_or_default();
+        Err(PoseError::NotFinite { frame: index % y.nrows(), column: index / y.nrows(), found: y[index] })
     }
 
     fn check_start(&self, start: &RootStart) -> Result<(), PoseError> {

@@ -1,4 +1,4 @@
-//! Clips to rows of Y.
+//! From clips to rows of Y.
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::mapping::{PoseError, PoseMapping, ROOT_COLUMNS, mean_positions};
@@ -14,16 +14,16 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Encoded {
     /// Poses [frames x columns of the mapping].
     pub y: DMatrix<f64>,
-    /// Where the clip starts. Together with `y` it determines the whole motion.
+    /// The start of the clip. Together with `y` it determines the whole motion.
     pub start: RootStart,
-    /// What of the clip the rows cannot hold, in words.
+    /// Which parts of the clip the rows cannot hold, as sentences.
     pub warnings: Vec<String>,
 }
 
-/// A displacement or a height beyond this many leg lengths is no motion of a body.
+/// Largest displacement or height in leg lengths: a larger one is a fault of the recording.
 const FARTHEST: f64 = 1e5;
 
-/// Positions that vary by less than this share of the body's height count as constant.
+/// Positions that vary by a smaller fraction of the body's height count as constant.
 const STILL: f64 = 1e-3;
 
 impl PoseMapping {
@@ -32,8 +32,8 @@ impl PoseMapping {
     ///
     /// # Errors
     ///
-    /// [`PoseError::Body`] when the clip shows another body, [`PoseError::Spike`] when its root is absurdly
-    /// far away.
+    /// [`PoseError::Body`] for a clip of another body, [`PoseError::Spike`] when its root is absurdly far
+    /// away.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -82,8 +82,8 @@ impl PoseMapping {
     }
 }
 
-/// The rotation vector that continues `previous`: the nearest one, unless even that is far away. Otherwise a
-/// sensor that flips over would wind the joint up, turn by turn.
+/// The rotation vector nearest to `previous`, or the shortest vector if even the nearest is far away:
+/// otherwise a sensor that flips over would add a turn each time.
 fn next_rotation(rotation: &UnitQuaternion<f64>, previous: &Vector3<f64>) -> Vector3<f64> {
     let near = rotation::log_near(rotation, previous);
     if (near - previous).norm() > FRAC_PI_2 { rotation::log(rotation) } else { near }

@@ -1,4 +1,4 @@
-//! How poses of one body become rows of Y: the columns, and what the mapping keeps of the body.
+//! The mapping between poses of one body and rows of Y: its columns, and the facts of the body that it needs.
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::root;
@@ -9,27 +9,27 @@ use crate::motion::stage::Stage;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use thiserror::Error;
 
-/// What one column of Y holds.
+/// The quantity in a column of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ColumnKind {
-    /// Change of the root's heading since the frame before, radians, to the left positive.
+    /// Change of the root's heading since the previous frame, radians, positive to the left.
     YawRate,
-    /// Displacement since the frame before along the heading, in leg lengths.
+    /// Displacement since the previous frame along the heading, in leg lengths.
     Forward,
-    /// Displacement since the frame before to the left of the heading, in leg lengths.
+    /// Displacement since the previous frame to the left of the heading, in leg lengths.
     Sideways,
     /// Height of the root, in leg lengths.
     Height,
-    /// Rotation of the root about its left, after the heading, radians; forward positive.
+    /// Rotation of the root about its left axis, after the heading, radians, positive forward.
     Pitch,
-    /// Rotation of the root about its front, after heading and pitch, radians.
+    /// Rotation of the root about its front axis, after heading and pitch, radians.
     Roll,
     /// A component (0, 1, 2) of a joint's rotation vector in its parent's frame, radians.
     Rotation(usize),
 }
 
 impl ColumnKind {
-    /// Its name, as tables have it.
+    /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
             ColumnKind::YawRate => "yaw_rate",
@@ -48,13 +48,13 @@ impl ColumnKind {
 /// One column of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// The place of the joint that it belongs to.
+    /// The index of its joint.
     pub joint: usize,
-    /// What it holds.
+    /// Its quantity.
     pub kind: ColumnKind,
 }
 
-/// Columns of the root, always the first.
+/// The columns of the root, which are the first.
 pub(crate) const ROOT_COLUMNS: [ColumnKind; 6] = [
     ColumnKind::YawRate,
     ColumnKind::Forward,
@@ -76,7 +76,7 @@ pub enum PoseError {
         /// The difference.
         reason: BodyMismatch,
     },
-    /// The rows have another width.
+    /// Rows of a wrong width.
     #[error("expected {expected} columns, found {found}")]
     Columns {
         /// Columns of the mapping.
@@ -94,7 +94,7 @@ pub enum PoseError {
         /// The number found.
         found: f64,
     },
-    /// The root has gone so far, step after step, that no file can say where it is.
+    /// The root has moved too far for a file to store its position.
     #[error("frame {frame}: expected a place from -1e9 to 1e9 in the units of the file, found {found:e}")]
     Away {
         /// The frame, counted from 0.
@@ -102,9 +102,10 @@ pub enum PoseError {
         /// The number found.
         found: f64,
     },
-    /// The root is so far away that squares of its numbers would drown all others.
+    /// The root is so far away that the squares of its numbers would dominate all others.
     #[error(
-        "frame {frame}: expected the root less than {most} leg lengths from the frame before and from the ground, found {found:.0}; is \
+        "frame {frame}: expected the root less than {most} leg lengths from the frame before and from the \
+         ground, found {found:.0}; is \
          there a spike in the recording?"
     )]
     Spike {
@@ -125,7 +126,7 @@ pub enum PoseError {
     },
 }
 
-/// How poses of one body become rows of Y, and back: all that a rollout needs to know about the body.
+/// The mapping between poses of one body and rows of Y: all facts of the body that a rollout needs.
 ///
 /// ```
 /// use vcgpdm::motion::pose::{ColumnKind, PoseMapping};
@@ -143,10 +144,10 @@ pub enum PoseError {
 /// ```
 ///
 /// The root's orientation is `R = C^-1 R_y(yaw) R_x(pitch) R_z(roll) R0`, with C the rotation that brings the
-/// file's world to y up, and R0 that of the 24 axis-aligned rotations that turns the body of the clip
-/// upright, facing z. So yaw is the heading and pitch and roll are near zero, whatever axes the root has.
-/// Displacements and height are in leg lengths, taken as half the body's height: a step is then as large as
-/// the angle that the leg sweeps.
+/// file's world to y up, and R0 the one of the 24 axis-aligned rotations that turns the body of the clip
+/// upright, facing z. So yaw is the heading, and pitch and roll are near zero, whatever axes the root has.
+/// Displacements and height are in leg lengths, half the body's height: a step is then about as large as the
+/// angle that the leg sweeps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMapping {
     /// The body.
@@ -155,16 +156,17 @@ pub struct PoseMapping {
     pub(super) stage: Stage,
     /// R0 as a quaternion [w, x, y, z].
     pub(super) upright: [f64; 4],
-    /// The place of each joint in its parent's frame, file units: its offset, or the mean of its position
+    /// The position of each joint in its parent's frame, file units: its offset, or the mean of its position
     /// channels.
     pub(super) positions: Vec<[f64; 3]>,
-    /// The rotation vector of each joint in the first frame: clips begin on the branch nearest to it.
+    /// The rotation vector of each joint in the first frame. The first rotation vector of an encoded clip is
+    /// the nearest to it.
     pub(super) first: Vec<[f64; 3]>,
 }
 
 impl PoseMapping {
-    /// The mapping for the body of a clip. The clip also gives the up axis, the ground, the mean joint
-    /// positions, and the first pose, from which rotation vectors continue without jumps.
+    /// The mapping for the body of a clip, with the clip's up axis, ground, mean joint positions and first
+    /// pose.
     pub fn new(clip: &Clip) -> PoseMapping {
         let stage = clip.stage();
         PoseMapping {
@@ -210,13 +212,13 @@ impl PoseMapping {
         UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
     }
 
-    /// The places of the joints in their parents' frames.
+    /// The positions of the joints in their parents' frames.
     pub(super) fn local_positions(&self) -> Vec<Vector3<f64>> {
         self.positions.iter().map(|place| Vector3::from(*place)).collect()
     }
 }
 
-/// The mean place of each joint in its parent's frame, and its largest distance from there along any axis.
+/// The mean position of each joint in its parent's frame, and the largest distance from it along any axis.
 pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
     let mut means = Vec::new();
     let mut spreads = Vec::new();
@@ -226,7 +228,7 @@ pub(super) fn mean_positions(clip: &Clip) -> (Vec<[f64; 3]>, Vec<f64>) {
         for channel in &joint.channels {
             if !channel.is_rotation() && clip.frames() > 0 {
                 let values = clip.values.column(column);
-                // Relative to the first value, so that a constant channel comes out exactly.
+                // Relative to the first value, so the mean of a constant channel is exact.
                 let first = values[0];
                 let average =
                     first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64;

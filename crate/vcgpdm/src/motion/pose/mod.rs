@@ -1,7 +1,7 @@
-//! Poses as rows of numbers Y that a model can learn from, and back.
+//! Poses as rows of numbers Y for a model, and back.
 //!
-//! A row holds six numbers of the root that do not depend on where the body is and which way it faces, and
-//! for each other joint its rotation vector (exponential map). See [`PoseMapping`].
+//! A row has six numbers of the root, which do not depend on the position and heading of the body, and the
+//! rotation vector (exponential map) of each other joint. See [`PoseMapping`].
 
 mod decode;
 mod encode;

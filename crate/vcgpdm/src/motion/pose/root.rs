@@ -1,4 +1,4 @@
-//! The root: from its place and orientation to rates that do not depend on its heading, and back.
+//! The root: from its position and orientation to rates that do not depend on its heading, and back.
 
 use crate::elementary::Elementary;
 use crate::motion::anatomy::{Anatomy, Region};
@@ -8,11 +8,11 @@ use crate::motion::rotation;
 use crate::motion::stage::UpAxis;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// Where a motion starts, which its rows leave open.
+/// Position and heading at the start of a motion, which its rows do not contain.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootStart {
-    /// The root's place in frame 0, in the file's axes and units. The part along the up axis is not used:
-    /// rows hold it.
+    /// The root's position in frame 0, in the file's axes and units. The component along the up axis is not
+    /// used: rows contain it.
     pub position: [f64; 3],
     /// The heading in frame 0, radians about the up axis.
     pub yaw: f64,
@@ -21,7 +21,7 @@ pub struct RootStart {
 /// The order of the root's angles: R_y(yaw) R_x(pitch) R_z(roll).
 const YXZ: [usize; 3] = [1, 0, 2];
 
-/// The root in a world with y up: its place in leg lengths, its angles in radians.
+/// The root in a world with y up: its position in leg lengths, its angles in radians.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RootPose {
     pub(super) place: Vector3<f64>,
@@ -29,7 +29,7 @@ pub(super) struct RootPose {
     pub(super) angles: [f64; 3],
 }
 
-/// Where a motion stands while its rows come in piece by piece: what the next row goes on from.
+/// The root's pose behind the rows until now, for a motion whose rows come in pieces.
 #[derive(Clone, Debug)]
 pub struct RootTrack {
     begin: RootPose,
@@ -41,8 +41,8 @@ impl RootTrack {
         Self { begin, before: None }
     }
 
-    /// Goes on by the row: the pose that it makes.
-    pub(super) fn follow(&mut self, row: &[f64; 6]) -> RootPose {
+    /// Adds a row and returns its pose.
+    pub(super) fn push(&mut self, row: &[f64; 6]) -> RootPose {
         let pose = integrate(row, self.before.as_ref(), &self.begin);
         self.before = Some(pose);
         pose
@@ -57,8 +57,8 @@ impl RootPose {
     }
 }
 
-/// Angles of a sequence of orientations, without jumps: each the solution nearest to the one before. The
-/// first is the one with the smaller pitch and roll, whatever its heading is.
+/// Angles of a sequence of orientations without jumps: each is the solution nearest to the previous angles.
+/// The first is the solution with the smaller pitch and roll.
 pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternion<f64>>) -> Vec<[f64; 3]> {
     let mut angles: Vec<[f64; 3]> = Vec::new();
     for orientation in orientations {
@@ -66,7 +66,7 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
             Some(previous) => rotation::euler_near(&orientation, YXZ, *previous),
             None => {
                 let first = rotation::euler_near(&orientation, YXZ, [0.0; 3]);
-                // The other solution, reached from where it lies.
+                // The other solution, with its pitch and roll near zero.
                 let turned = [
                     first[0] + std::f64::consts::PI,
                     std::f64::consts::PI - first[1],
@@ -85,7 +85,7 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
 /// Rows [frames x 6] of a sequence of root poses, in the order of [`super::mapping::ROOT_COLUMNS`].
 ///
 /// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t -
-/// p_{t-1})`. Row 0, which has no frame before it, repeats the rates of row 1.
+/// p_{t-1})`. Row 0 has no previous frame and repeats the rates of row 1.
 pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
     let mut rows: Vec<[f64; 6]> = (poses.iter().enumerate())
         .map(|(t, now)| {
@@ -115,11 +115,11 @@ fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> Roo
     RootPose { place, angles: [yaw, pitch, roll] }
 }
 
-/// R0 [w, x, y, z]: of the 24 rotations that map axes to axes, the one that turns the body of the clip
-/// upright, facing z with its left along x.
+/// R0 [w, x, y, z]: the one of the 24 axis-aligned rotations that turns the body of the clip upright, facing
+/// z with its left along x.
 pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     let turn = up.to_y_up();
-    let anatomy = Anatomy::of(&clip.skeleton);
+    let anatomy = Anatomy::find(&clip.skeleton);
     let (mut upward, mut leftward) = (Vector3::zeros(), Vector3::zeros());
     for frame in 0..clip.frames() {
         let pose = clip.world_pose(frame);
@@ -136,7 +136,7 @@ pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     }
     let unit = |v: Vector3<f64>| v.try_normalize(1e-12).unwrap_or_else(Vector3::zeros);
     let (upward, leftward) = (unit(upward), unit(leftward));
-    // Upright counts most; the sides decide among the four headings; else the root's own axes are kept.
+    // First the up axis, then the left side; the trace prefers the root's own axes in a tie.
     let score = |m: &Matrix3<f64>| 10.0 * (m * upward).y + (m * leftward).x + 1e-3 * m.trace();
     let mut best = Matrix3::identity();
     for candidate in axis_rotations() {
@@ -148,7 +148,7 @@ pub(super) fn upright(clip: &Clip, up: UpAxis) -> [f64; 4] {
     [q.w, q.i, q.j, q.k]
 }
 
-/// The 24 rotations that map the axes to axes.
+/// The 24 axis-aligned rotations.
 fn axis_rotations() -> Vec<Matrix3<f64>> {
     let mut rotations = Vec::with_capacity(24);
     for i in 0..3 {

@@ -1,4 +1,4 @@
-//! A mapping in a document.
+//! Writes a pose mapping into a document and reads it.
 
 use crate::json::{Field, FieldError, Value};
 use crate::motion::pose::mapping::PoseMapping;
@@ -25,7 +25,7 @@ impl PoseMapping {
         ])
     }
 
-    /// Reads a mapping, and checks that its body is complete and can be drawn and moved.
+    /// Reads a mapping and checks its skeleton, stage and sizes.
     pub(crate) fn from_field(field: Field) -> Result<PoseMapping, FieldError> {
         let mut mapping = field.object()?;
         let field = mapping.get("skeleton")?;

@@ -1,4 +1,4 @@
-//! Rows of Y against what they stand for.
+//! Rows of Y compared with the motion that they encode.
 
 use super::mapping::ROOT_COLUMNS;
 use super::*;
@@ -82,7 +82,7 @@ fn in_other_world(clip: &Clip, turn: UnitQuaternion<f64>, shift: Vector3<f64>) -
 }
 
 #[test]
-fn a_walk_round_a_circle_looks_the_same_all_the_way() {
+fn a_walk_round_a_circle_has_constant_rows() {
     let clip = walker();
     let mapping = PoseMapping::new(&clip);
     let y = mapping.encode(&clip).unwrap().y;
@@ -103,7 +103,7 @@ fn a_walk_round_a_circle_looks_the_same_all_the_way() {
 }
 
 #[test]
-fn rows_do_not_depend_on_where_the_body_is_and_which_way_it_faces() {
+fn rows_do_not_depend_on_position_and_heading() {
     let clip = walker();
     let mapping = PoseMapping::new(&clip);
     let y = mapping.encode(&clip).unwrap().y;
@@ -152,18 +152,18 @@ fn rows_do_not_depend_on_the_axes_of_the_root() {
         }
     }
     let other = Clip::new("bones.bvh", skeleton, clip.frame_time, values);
-    let (one, two) = (PoseMapping::new(&clip), PoseMapping::new(&other));
-    let (y, turned) = (one.encode(&clip).unwrap().y, two.encode(&other).unwrap().y);
+    let (mapping, other_mapping) = (PoseMapping::new(&clip), PoseMapping::new(&other));
+    let (y, turned) = (mapping.encode(&clip).unwrap().y, other_mapping.encode(&other).unwrap().y);
     for (column, kind) in ROOT_COLUMNS.into_iter().enumerate() {
         // The rest pose lies on its face, so the body's height is measured a little differently.
         let angle = matches!(kind, ColumnKind::YawRate | ColumnKind::Pitch | ColumnKind::Roll);
-        let scale = if angle { 1.0 } else { two.leg() / one.leg() };
+        let scale = if angle { 1.0 } else { other_mapping.leg() / mapping.leg() };
         assert_abs_diff_eq!(turned.column(column) * scale, y.column(column).into_owned(), epsilon = 1e-9);
     }
 }
 
 #[test]
-fn one_frame_goes_there_and_back() {
+fn one_frame_is_encoded_and_decoded() {
     let clip = walker().cut(7, 8).unwrap();
     let mapping = PoseMapping::new(&clip);
     let encoded = mapping.encode(&clip).unwrap();
@@ -173,7 +173,7 @@ fn one_frame_goes_there_and_back() {
 }
 
 #[test]
-fn a_spinning_joint_is_unwrapped_and_one_that_flips_over_is_not_wound_up() {
+fn a_spinning_joint_accumulates_turns_and_a_flipping_one_does_not() {
     let mut clip = walker();
     let column = 3 + 3 * 8;
     for t in 0..40 {
@@ -191,7 +191,7 @@ fn a_spinning_joint_is_unwrapped_and_one_that_flips_over_is_not_wound_up() {
 }
 
 #[test]
-fn joints_that_really_move_are_told() {
+fn joints_that_move_in_their_parents_frame_give_a_warning() {
     let mut clip = walker();
     clip.skeleton.joints[8].channels.insert(0, Channel::Yposition);
     let column = clip.skeleton.channel_starts()[8];
@@ -220,9 +220,9 @@ fn wrong_bodies_widths_and_numbers_are_refused() {
     assert!(message.contains("frame 2, column 7"), "{message}");
 }
 
-/// Step after step within bounds, a root went where the written file could not be read back.
+/// A root whose steps were all small once moved so far that the written file could not be read back.
 #[test]
-fn a_walk_out_of_what_a_file_can_say_is_refused() {
+fn a_walk_farther_than_a_file_can_store_is_refused() {
     let mapping = PoseMapping::new(&walker());
     let walked = |units: f64| {
         let mut y = DMatrix::zeros(40, mapping.column_count());
@@ -237,7 +237,7 @@ fn a_walk_out_of_what_a_file_can_say_is_refused() {
 }
 
 #[test]
-fn a_mapping_goes_through_its_document() {
+fn a_mapping_is_read_as_it_was_written() {
     let mapping = PoseMapping::new(&walker());
     assert_eq!(PoseMapping::from_field(Field::root(&mapping.to_value())).unwrap(), mapping);
 }

@@ -3,22 +3,22 @@
 //! Segment lengths are fractions of the body's height H, after Drillis and Contini (1966) as printed in
 //! Winter, *Biomechanics and Motor Control of Human Movement* (4th ed. 2009, fig. 4.1): ankle 0.039 H above
 //! the ground, shank 0.246 H, thigh 0.245 H, upper arm 0.186 H, forearm 0.146 H, hand 0.108 H, foot 0.152 H
-//! long, shoulders at 0.818 H, chin at 0.870 H. The table's breadths are outer ones; the joint centres lie
-//! further in: hips 0.10 H apart, shoulders 0.22 H.
+//! long, shoulders at 0.818 H, chin at 0.870 H. The table has outer breadths; the joint centres
+//! are closer together: hips 0.10 H apart, shoulders 0.22 H.
 
 use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use nalgebra::Vector3;
 
 /// Height of the body, centimetres.
 pub(super) const HEIGHT: f64 = 172.0;
-/// Places of the ends of the sole in the frame of the ankle (toes forward along z), centimetres.
+/// The heel in the frame of the ankle (toes forward along z), centimetres.
 pub(super) const HEEL: Vector3<f64> = Vector3::new(0.0, -0.039 * HEIGHT, -0.035 * HEIGHT);
 /// The ball of the foot, where the toes bend.
 pub(super) const BALL: Vector3<f64> = Vector3::new(0.0, -0.039 * HEIGHT, 0.077 * HEIGHT);
 /// From the ball to the tip of the toes.
 pub(super) const TOE: Vector3<f64> = Vector3::new(0.0, 0.0, 0.040 * HEIGHT);
 
-/// Places of the joints in [`skeleton`].
+/// Indices of the joints in [`skeleton`].
 pub(super) mod joint {
     pub const HIPS: usize = 0;
     pub const LEFT_UP_LEG: usize = 1;

@@ -1,11 +1,11 @@
-//! Normal gait as a handful of numbers: joint angles over the gait cycle.
+//! Normal gait: joint angles over the gait cycle as Fourier series.
 //!
-//! The curves of hip, knee and ankle have the shapes that every gait laboratory knows (Winter, *The
-//! Biomechanics and Motor Control of Human Gait*, 1991; Perry and Burnfield, *Gait Analysis*, 2010). Ours are
-//! Fourier series of low order, fitted to the landmarks of those curves (hip 25 to 30 degrees flexed at
-//! contact and 10 to 15 extended before toe-off, knee 18 degrees at loading and 60 to 65 in swing, ankle 10
-//! degrees dorsiflexed in late stance and 18 plantarflexed at toe-off) and, at the same time, to each other:
-//! over the stance the sole of the foot must stay where it is.
+//! The curves of hip, knee and ankle have the published shapes (Winter, *The Biomechanics and Motor Control
+//! of Human Gait*, 1991; Perry and Burnfield, *Gait Analysis*, 2010). They are Fourier series of low order,
+//! fitted to the landmarks of those curves (hip 25 to 30 degrees flexed at contact and 10 to 15 extended
+//! before toe-off, knee 18 degrees at loading and 60 to 65 in swing, ankle 10 degrees dorsiflexed in late
+//! stance and 18 plantarflexed at toe-off) under the condition that the sole of the foot does not move during
+//! the stance.
 //!
 //! Phases count gait cycles: 0 is the heel contact of that leg, about 0.6 its toe-off, 1 the next contact.
 //! Angles are in degrees.
@@ -89,8 +89,8 @@ pub(super) fn chest(phase: f64) -> Girdle {
     }
 }
 
-/// How far both legs lean sideways so that the body sways over the standing foot, degrees, positive with the
-/// feet to the left.
+/// Sideways lean of both legs, which moves the body over the standing foot; degrees, positive with the feet
+/// to the left.
 pub(super) fn sway(phase: f64) -> f64 {
     -1.3 * wave(phase, 0.30)
 }

@@ -1,6 +1,6 @@
-//! Sample clips that the project makes itself: several trials of two movements by a procedural walker, built
-//! from published gait curves and body proportions, each with natural variation. They are computed, not
-//! stored, and the same on every machine.
+//! Sample clips that the project makes itself: trials of two movements by a procedural walker, built from
+//! published gait curves and body proportions, with natural variation. They are computed when asked for, and
+//! equal on every machine.
 
 mod body;
 mod gait;
@@ -16,9 +16,9 @@ use walker::Arms;
 pub struct SampleInfo {
     /// The id by which [`clip`] finds it.
     pub id: &'static str,
-    /// For a person to read.
+    /// Its title for users.
     pub title: &'static str,
-    /// What the walker does: "walk" or "walk and wave". Trials of one movement belong together.
+    /// The movement, "walk" or "walk and wave".
     pub movement: &'static str,
 }
 
@@ -55,7 +55,7 @@ pub fn list() -> Vec<SampleInfo> {
     RECIPES.iter().map(|recipe| recipe.info).collect()
 }
 
-/// Makes the sample clip of that id (60 frames a second, centimetres, y up); `None` where no sample has it.
+/// Makes the sample clip of that id (60 frames a second, centimetres, y up); `None` for an unknown id.
 ///
 /// ```
 /// use vcgpdm::motion::samples;
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn there_are_enough_trials_and_each_is_found_by_its_id() {
+    fn each_movement_has_trials_with_their_own_ids() {
         let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
         assert!(trials("walk") >= 5 && trials("walk and wave") >= 3);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_clip_comes_out_the_same_every_time_and_no_two_are_alike() {
+    fn a_clip_is_the_same_every_time_and_differs_from_all_others() {
         assert_eq!(clip("walk-2"), clip("walk-2"));
         let hashes: HashSet<String> = clips().into_iter().map(|clip| clip.sha256).collect();
         assert_eq!(hashes.len(), list().len());
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn written_and_read_again_it_is_the_same_motion() {
+    fn a_sample_is_read_as_it_was_written() {
         let made = clip("walk-wave-1").unwrap();
         let read = crate::motion::bvh::read(&made.name, crate::motion::bvh::write(&made).as_bytes()).unwrap();
         assert_eq!((read.warnings.len(), &read.sha256), (0, &made.sha256));
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn the_standing_foot_stays_where_it_is() {
+    fn the_standing_foot_does_not_slip() {
         for clip in clips() {
             let soles = soles(&clip);
             let slips = soles.windows(2).map(|pair| {
@@ -176,14 +176,14 @@ mod tests {
     }
 
     #[test]
-    fn they_walk_at_a_normal_pace_and_sway_a_little() {
+    fn walking_speed_and_bounce_are_those_of_a_person() {
         for clip in clips() {
             let speed = speed(&clip);
             assert!((105.0..160.0).contains(&speed), "{}: {speed} cm/s", clip.name);
             let heights = clip.values.column(1);
             let bounce = heights.max() - heights.min();
             assert!((2.0..6.0).contains(&bounce), "{}: {bounce} cm up and down", clip.name);
-            // Smooth: no coordinate of the root is jerked (cm/s from one frame to the next).
+            // Smooth: the velocity of the root changes by less than 15 cm/s from frame to frame.
             for frame in 2..clip.frames() {
                 for column in 0..3 {
                     let value = |back: usize| clip.values[(frame - back, column)];
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn waving_hands_are_above_the_head_and_swinging_ones_beside_the_hips() {
+    fn waving_hands_are_above_the_head_and_swinging_hands_below_it() {
         for (info, clip) in list().iter().zip(clips()) {
             let (head, hips) = (place(&clip, "Head"), place(&clip, "Hips"));
             for side in ["Left", "Right"] {

@@ -1,11 +1,11 @@
-//! What makes one trial differ from the next, and one step from the next: seeded and smooth in time.
+//! Random variation between trials and between steps: seeded, and smooth in time.
 
 use crate::elementary::Elementary;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardUniform};
 use std::f64::consts::TAU;
 
-/// A slow wandering without a period: a few sinusoids of unequal, seeded frequencies and phases. Standard
+/// A slow, nearly aperiodic variation: a sum of sinusoids with seeded frequencies and phases. Standard
 /// deviation about 1.
 #[derive(Clone, Debug)]
 pub(super) struct Drift {

@@ -1,5 +1,5 @@
-//! Puts the gait curves on the body, frame by frame, and walks it: the root goes where the standing foot
-//! takes it.
+//! Applies the gait curves to the body frame by frame. The root moves so that the standing foot stays in
+//! place.
 
 use crate::elementary::Elementary;
 use crate::motion::rotation;
@@ -15,10 +15,10 @@ use rand_chacha::rand_core::SeedableRng;
 pub(super) const RATE: f64 = 60.0;
 /// Steps of the integration in a frame.
 const SUBSTEPS: usize = 4;
-/// How sharply the ground separates the lowest points of the soles from the others, centimetres.
+/// Scale of the soft minimum over the heights of the soles, centimetres.
 const SOFTNESS: f64 = 0.7;
 
-/// What the arms do.
+/// The movement of the arms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Arms {
     /// Swing against the legs.
@@ -27,14 +27,14 @@ pub(super) enum Arms {
     Wave,
 }
 
-/// One trial's own way of walking.
+/// The parameters of one trial.
 struct Style {
     arms: Arms,
     period: f64,
     start: f64,
     stride: f64,
     swing: f64,
-    /// Left minus right, as a fraction of the stride's size; and how late the right leg is, in cycles.
+    /// Left minus right, as a fraction of the stride's size; and the delay of the right leg, in cycles.
     uneven: f64,
     late: f64,
     lean: f64,
@@ -97,10 +97,9 @@ impl Style {
         for (side, first) in [(1.0, joint::LEFT_UP_LEG), (-1.0, joint::RIGHT_UP_LEG)] {
             let phase = if side > 0.0 { clock } else { clock + 0.5 + self.late };
             let leg = self.leg(phase, side, seconds);
-            // The feet land nearer to the midline than the hips are.
+            // The feet land nearer to the midline than the hip joints.
             let lean = sway - side * 2.3;
-            // The gait curves are those of the thigh against the vertical: the pelvis must not turn the leg
-            // with it.
+            // The hip curve is the angle of the thigh to the vertical, so the turn of the pelvis is removed.
             q[first] = pelvis_q.inverse() * z(lean) * x(-leg.hip);
             q[first + 1] = x(leg.knee);
             q[first + 2] = x(-leg.ankle) * y(side * 6.0) * z(-lean);
@@ -115,9 +114,9 @@ impl Style {
         let spine = pelvis_q.inverse() * chest_q;
         q[joint::SPINE] = half(&spine);
         q[joint::SPINE1] = q[joint::SPINE].inverse() * spine;
-        // The head looks where the walk goes, and nods a little against the chest.
-        let looks = y(0.15 * chest.yaw + 1.2 * self.head.at(seconds)) * x(1.0 - 0.4 * (chest.tilt - 4.5));
-        let neck = chest_q.inverse() * looks;
+        // The head faces the walking direction and nods a little against the chest.
+        let gaze = y(0.15 * chest.yaw + 1.2 * self.head.at(seconds)) * x(1.0 - 0.4 * (chest.tilt - 4.5));
+        let neck = chest_q.inverse() * gaze;
         q[joint::NECK] = half(&neck);
         q[joint::HEAD] = q[joint::NECK].inverse() * neck;
 
@@ -133,7 +132,7 @@ impl Style {
         q
     }
 
-    /// A leg of this trial: the curves are scaled; the foot keeps meeting the ground as it does in them.
+    /// A leg of this trial: the curves are scaled so that the pitch of the foot scales with them.
     fn leg(&self, phase: f64, side: f64, seconds: f64) -> gait::Leg {
         let plain = gait::leg(phase);
         let size = (self.stride + 0.02 * self.size.at(seconds)) * (1.0 + 0.5 * side * self.uneven);
@@ -149,7 +148,7 @@ impl Style {
         let shoulder = -5.0 + size * (shoulder + 5.0);
         let elbow = size * elbow + 1.5 * self.elbow[k].at(seconds);
         q[0] = y(-side * 0.12 * shoulder) * z(-side * 3.0);
-        // Out of the stretched pose: turned in about its own axis, lowered to the side, swung.
+        // From the T-pose: turned about its own axis, lowered to the side, then swung.
         q[1] = x(-shoulder) * z(-side * 80.0) * x(90.0 + 14.0);
         q[2] = z(side * elbow);
         q[3] = z(side * 0.15 * elbow);
@@ -168,7 +167,7 @@ impl Style {
     }
 }
 
-/// A trial of so many seconds [frames x channels of the skeleton]: positions in centimetres, angles in
+/// A trial of `seconds` seconds [frames x channels of the skeleton]: positions in centimetres, angles in
 /// degrees.
 pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> DMatrix<f64> {
     let style = Style::new(arms, seed);
@@ -203,8 +202,7 @@ pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> 
     values
 }
 
-/// Heels, balls and toes of both feet as seen from the root (world axes), and how much each of them stands on
-/// the ground.
+/// Heels, balls and toes of both feet relative to the root (world axes), and the share of the weight on each.
 struct Ground {
     points: [Vector3<f64>; 6],
     weights: [f64; 6],
@@ -212,9 +210,8 @@ struct Ground {
 }
 
 impl Ground {
-    /// The level is the soft minimum of the heights, `-s log sum_k exp(-y_k / s)`: always a little below the
-    /// lowest point, and smooth when the weight goes from one foot to the other. The weights are its
-    /// derivatives.
+    /// The level is the soft minimum of the heights, `-s log sum_k exp(-y_k / s)`: slightly below the lowest
+    /// point, and smooth when the weight moves to the other foot. The weights are its derivatives.
     fn under(skeleton: &Skeleton, q: &[UnitQuaternion<f64>; joint::COUNT]) -> Ground {
         let mut points = [Vector3::zeros(); 6];
         for (foot, first) in points.chunks_exact_mut(3).zip([joint::LEFT_UP_LEG, joint::RIGHT_UP_LEG]) {
@@ -235,8 +232,7 @@ impl Ground {
         Ground { points, weights, level: lowest - SOFTNESS * sum.logarithm() }
     }
 
-    /// How far the standing points moved over the ground as seen from the root: what the root has to make up
-    /// for.
+    /// The movement of the standing points relative to the root, which the root must compensate.
     fn drag(&self, next: &Ground) -> Vector3<f64> {
         let mut moved = Vector3::zeros();
         for k in 0..6 {
