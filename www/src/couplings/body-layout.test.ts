@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { bowPath, drawApart, HEIGHT, loopPath, WIDTH } from "./body-layout";
 
-it("draws nodes apart, also those in one place, and keeps them in the map", () => {
+it("moves nodes away from each other, also from the same spot, and keeps them in the map", () => {
   for (const spots of [
     [
       { x: 85, y: 90 },
@@ -26,7 +26,7 @@ it("draws nodes apart, also those in one place, and keeps them in the map", () =
   }
 });
 
-it("bows arrows there and back to different sides", () => {
+it("bends the arrows of both directions to different sides", () => {
   const [a, b] = [
     { x: 85, y: 40 },
     { x: 85, y: 140 },

@@ -1,4 +1,4 @@
-// Where the body map puts its nodes, bones and arrows, in its own units.
+// The positions of nodes, bones and arrows in the body map, in the units of its viewBox.
 import type { ModelInfo, Motion } from "../engine/protocol";
 import { HERE, poseAt } from "../scene/motion";
 import { partOfJoints } from "../scene/part-of-joints";
@@ -19,10 +19,10 @@ export interface Body {
   bones: { a: Spot; b: Spot; part: number }[];
 }
 
-/** Frames from the first pose to the one that says where the body goes. */
+/** Frames between the two poses that define the heading of the body. */
 const HEADING_FRAMES = 45;
 
-/** The first pose from the front, and the middles of the parts drawn apart. */
+/** The first pose from the front, and a spot near the middle of each part. */
 export function bodyOf(
   { figure, joints, parts }: Pick<ModelInfo, "figure" | "joints" | "parts">,
   motion: Motion,
@@ -66,7 +66,7 @@ function middle(spots: readonly Spot[]): Spot {
   return { x: sum.x / count, y: sum.y / count };
 }
 
-/** Moves nodes that lie close together apart, within the map. */
+/** Moves nodes away from each other until no two overlap, within the map. */
 export function drawApart(spots: readonly Spot[]): Spot[] {
   const apart = spots.map(({ x, y }) => ({ x, y }));
   const least = 52;
@@ -92,9 +92,7 @@ export function drawApart(spots: readonly Spot[]): Spot[] {
   return apart;
 }
 
-/**
- * From the rim of one node to the rim of the other, bowed to one side so that there and back do not overlap.
- */
+/** An arc between the rims of two nodes, bent so that the arrows of both directions do not overlap. */
 export function bowPath(a: Spot, b: Spot): string {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const length = Math.hypot(dx, dy) || 1;
@@ -111,7 +109,7 @@ export function bowPath(a: Spot, b: Spot): string {
   return `M${from.x.toFixed(1)} ${from.y.toFixed(1)}Q${mx.toFixed(1)} ${my.toFixed(1)} ${to.x.toFixed(1)} ${to.y.toFixed(1)}`;
 }
 
-/** A loop beside a node, on its outer side. */
+/** A loop at the outer side of a node. */
 export function loopPath({ x, y }: Spot): string {
   const side = x < WIDTH / 2 - 1 ? -1 : 1;
   const at = (angle: number, away: number) =>

@@ -12,13 +12,11 @@ import { partStyle } from "../ui/styled";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
-/**
- * Held still for so many milliseconds, an arrow is cut; a pointer that has moved by so many pixels drags it.
- */
+/** An arrow is cut after this many milliseconds without movement; a move of this many pixels drags it. */
 const HOLD = 180;
 const STILL = 4;
 
-/** A coupling is held, which cuts it, or let go: the detail of the event "hold-coupling". */
+/** The detail of the event "hold-coupling": a held coupling is cut until it is released. */
 export interface HoldCoupling {
   source: number;
   target: number;
@@ -29,11 +27,11 @@ export class BodyMap extends View {
   declare model: ModelStore;
   declare settings: SettingsStore;
   #drag: { source: number; target: number; y: number; alpha: number } | null = null;
-  /** Waits whether the pointer rests on an arrow. */
-  #resting = 0;
+  /** The timer that cuts the arrow under a resting pointer. */
+  #timer = 0;
   #held: { source: number; target: number } | null = null;
   #body: Body = { spots: [], bones: [] };
-  /** What the body was laid out for. */
+  /** The sequence and the parts that `#body` belongs to. */
   #laidOut = "";
 
   protected override stores() {
@@ -55,7 +53,7 @@ export class BodyMap extends View {
       event.preventDefault();
       (event.currentTarget as Element).setPointerCapture(event.pointerId);
       this.#drag = { source, target, y: event.clientY, alpha: this.model.couplings.alphaOf(source, target) };
-      this.#resting = window.setTimeout(() => {
+      this.#timer = window.setTimeout(() => {
         this.#drag = null;
         this.#hold({ source, target }, true);
       }, HOLD);
@@ -71,22 +69,21 @@ export class BodyMap extends View {
 
   #move(event: PointerEvent): void {
     const drag = this.#drag;
-    if (!drag || (this.#resting && Math.abs(event.clientY - drag.y) < STILL)) return;
-    this.#rests();
+    if (!drag || (this.#timer && Math.abs(event.clientY - drag.y) < STILL)) return;
+    this.#stopWaiting();
     const alpha = drag.alpha * 10 ** ((event.clientY - drag.y) / DECADE);
     this.model.couplings.set(drag.source, drag.target, Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha)));
   }
 
   #drop(): void {
-    this.#rests();
+    this.#stopWaiting();
     this.#drag = null;
     if (this.#held) this.#hold(this.#held, false);
   }
 
-  /** The pointer no longer rests. */
-  #rests(): void {
-    clearTimeout(this.#resting);
-    this.#resting = 0;
+  #stopWaiting(): void {
+    clearTimeout(this.#timer);
+    this.#timer = 0;
   }
 
   #arrow(source: number, target: number) {

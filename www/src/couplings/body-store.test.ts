@@ -29,7 +29,7 @@ afterEach(() => vi.useRealTimers());
 
 const pause = () => vi.advanceTimersByTimeAsync(200);
 
-it("measures 20 seconds of the motion, without the first 5, beside the motion as learned", async () => {
+it("measures 20 seconds, without the first 5, of the motion and of the motion as learned", async () => {
   const asked = vi.spyOn(engine, "bodyReport");
   await pause();
   expect(asked.mock.calls).toEqual([[{ frames: 600, sequence: 0, alpha: null, reading: "as learned" }, 150]]);
@@ -39,14 +39,14 @@ it("measures 20 seconds of the motion, without the first 5, beside the motion as
   await pause();
   expect(body.isCurrent).toBe(true);
   expect(body.reports?.now.request.alpha?.[0]?.[1]).toBe(8);
-  // That of the motion as learned is known already.
+  // The motion as learned was measured before.
   expect(asked).toHaveBeenCalledTimes(2);
   model.setSeconds(30);
   await pause();
   expect(body.reports?.learned.request.frames).toBe(900);
 });
 
-it("waits until the slider rests, and says which measures are of an older motion", async () => {
+it("waits until the slider rests, and marks the measures of an older motion", async () => {
   await pause();
   const asked = vi.spyOn(engine, "bodyReport");
   for (let i = 1; i <= 10; i++) {
@@ -58,7 +58,7 @@ it("waits until the slider rests, and says which measures are of an older motion
   expect([asked.mock.calls.length, body.isCurrent]).toEqual([1, true]);
 });
 
-it("drops the measures of a model that was replaced meanwhile", async () => {
+it("drops the measures of a model that was replaced", async () => {
   engine.holding.add("bodyReport");
   await pause();
   engine.holding.clear();

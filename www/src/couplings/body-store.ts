@@ -1,5 +1,5 @@
-// What the body does under the couplings now, beside what it does as learned: measured a moment after the
-// motion is there, so that no slider waits for it.
+// Measures of the motion under the couplings now and as learned. They are computed a moment after the motion
+// has arrived, so that no slider waits for them.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
@@ -7,14 +7,11 @@ import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
 import { sameTimes } from "./same-times";
 
-/**
- * Seconds of motion that are measured, and how many of its first are left out: in these it finds its new
- * pace. As in docs/couplings.md.
- */
+/** Seconds of motion, and the first of them that the measures leave out, as in docs/couplings.md. */
 const MEASURED = 20;
 const SETTLING = 5;
 
-/** Milliseconds after the last motion: while a slider is dragged nothing is measured. */
+/** Milliseconds after the last motion. Nothing is measured while a slider is dragged. */
 const PAUSE = 150;
 
 export interface BodyReports {
@@ -34,9 +31,9 @@ export class BodyStore extends Store {
   readonly #latest: Latest<Question, BodyReports | null>;
   #reports: BodyReports | null = null;
   #learned: BodyReport | null = null;
-  /** The motion that was measured, or is being measured. */
+  /** The last motion whose measures were asked for. */
   #asked: RolloutResult | null = null;
-  /** The motion of the last measures. */
+  /** The motion whose measures arrived last. */
   #measured: RolloutResult | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -54,7 +51,7 @@ export class BodyStore extends Store {
         };
       },
       (reports, question) => this.#take(reports, question),
-      // A motion that cannot be measured is not spoken of; that it could not be made has been said.
+      // A failed rollout has a notice of its own.
       () => {},
     );
     model.on(() => this.#follow());
@@ -65,7 +62,7 @@ export class BodyStore extends Store {
     return this.#reports;
   }
 
-  /** Whether they are those of the motion under the couplings now, which may not be there yet. */
+  /** Whether the measures belong to the motion under the couplings now. */
   get isCurrent(): boolean {
     const { rollout } = this.#model;
     return (

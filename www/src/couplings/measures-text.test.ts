@@ -18,11 +18,11 @@ function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5):
   };
 }
 const learned = report([{}, {}]);
-const of = (now: BodyReport) => measuresText(now, learned, NAMES);
+const textOf = (now: BodyReport) => measuresText(now, learned, NAMES);
 
-describe("what was measured", () => {
-  it("is a multiple of the learned swing, and says once whether all are in step", () => {
-    expect(of(learned)).toEqual({
+describe("the text about measures", () => {
+  it("gives the swing as a multiple of the learned one, and says once whether all parts are in step", () => {
+    expect(textOf(learned)).toEqual({
       parts: [
         { part: 0, words: "swings 1.00 × as far" },
         { part: 1, words: "swings 1.00 × as far" },
@@ -32,42 +32,46 @@ describe("what was measured", () => {
     });
   });
 
-  it("says of which part the pace is another, and that they fall out of step", () => {
-    const { parts, step } = of(report([{ locking: 0.1 }, { swing: 0.16, period: 1.3, locking: 0.1 }]));
+  it("names the part whose period has changed, and says that hands and feet are out of step", () => {
+    const { parts, step } = textOf(report([{ locking: 0.1 }, { swing: 0.16, period: 1.3, locking: 0.1 }]));
     expect(parts[1]?.words).toBe("swings 0.80 × as far, slower (1.30 s, not 1.00 s)");
     expect([parts[0]?.words, step]).toEqual(["swings 1.00 × as far", "hands and feet out of step"]);
   });
 
-  it("says of each part whether it is in step, where they differ", () => {
-    const { parts, step } = of(report([{ locking: 0.95 }, { locking: 0.7 }]));
+  it("says for each part whether it is in step, where the parts differ", () => {
+    const { parts, step } = textOf(report([{ locking: 0.95 }, { locking: 0.7 }]));
     expect(parts.map(({ words }) => words.split(", ").at(-1))).toEqual(["in step", "partly in step"]);
     expect(step).toBe("");
   });
 
-  it("leaves parts without hands and feet out, and has no step where nothing swings", () => {
-    const { parts, step } = of(report([{ swing: null }, { swing: 0.002, period: null, locking: null }]));
+  it("leaves out parts without hands and feet, and mentions no step where nothing swings", () => {
+    const { parts, step } = textOf(report([{ swing: null }, { swing: 0.002, period: null, locking: null }]));
     expect(parts).toEqual([{ part: 1, words: "hardly swings, 0.01 × as far" }]);
-    expect(of(report([{ locking: null }, { locking: null }])).step).toBe("");
+    expect(textOf(report([{ locking: null }, { locking: null }])).step).toBe("");
     expect(step).toBe("hands and feet in step");
   });
 
-  it("gives centimetres where nothing swings as learned", () => {
+  it("gives centimetres where nothing swung as learned", () => {
     const still = report([{ swing: 0.001 }, {}]);
     expect(measuresText(report([{}, {}]), still, NAMES).parts[0]?.words).toBe("swings 20 cm");
   });
 
-  it("says how fast the body walks where that is another speed", () => {
-    expect(of(report([{}, {}], MOVES_ON, 1.05)).step).toBe("hands and feet in step; walks 0.70 × as fast");
+  it("gives the ratio of the walking speeds where it is not 1", () => {
+    expect(textOf(report([{}, {}], MOVES_ON, 1.05)).step).toBe(
+      "hands and feet in step; walks 0.70 × as fast",
+    );
   });
 
-  it("says how a motion ends that does not go on", () => {
-    const still = of(report([{ swing: 0 }, {}], { state: "stands still", from: 0.71, part: null, rank: 1 }));
+  it("says how a motion ends that does not move on", () => {
+    const still = textOf(
+      report([{ swing: 0 }, {}], { state: "stands still", from: 0.71, part: null, rank: 1 }),
+    );
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
-    const away = of(report([{}, {}], { state: "leaves the training range", from: 3, part: 1, rank: 1 }));
+    const away = textOf(report([{}, {}], { state: "leaves the training range", from: 3, part: 1, rank: 1 }));
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
-    expect(of(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble).toMatch(
-      /runs away/,
-    );
+    expect(
+      textOf(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble,
+    ).toMatch(/runs away/);
   });
 });

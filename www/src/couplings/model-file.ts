@@ -22,7 +22,7 @@ export function modelName({
   return `${clip}-${parts}-${id}`;
 }
 
-/** Null while there is none. */
+/** Null without a model. */
 export function modelFile(
   { model, id }: Pick<ModelStore, "model" | "id">,
   engine: Pick<Engine, "modelJson">,

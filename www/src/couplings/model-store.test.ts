@@ -46,7 +46,7 @@ const clip = () => ({
 });
 
 describe("a coupling", () => {
-  it("asks for one rollout with its exact value, before anything is written to the address", async () => {
+  it("asks for one rollout with the exact value, before the address is written", async () => {
     const bar = new FakeAddressBar();
     const write = vi.spyOn(bar, "write");
     settings = new SettingsStore(bar);
@@ -74,14 +74,14 @@ describe("a coupling", () => {
     ]);
   });
 
-  it("changes its weight before the motion is there", () => {
+  it("changes its weight before the motion has arrived", () => {
     engine.holding.add("rollout");
     expect(model.couplings.weightsInto(1)).toEqual([0.2, 0.8]);
     model.couplings.set(0, 1, 1);
     expect(model.couplings.weight(0, 1)).toBe(0.5);
   });
 
-  it("changes with its neighbour when their divider is moved: one rollout, and one that is back is no change", async () => {
+  it("changes together with its neighbour when their divider moves, with one rollout", async () => {
     const before = engine.rollouts.length;
     model.couplings.moveDivider(1, 0, 0.5);
     await settled();
@@ -117,7 +117,7 @@ describe("a coupling", () => {
     expect(engine.held).toHaveLength(2);
   });
 
-  it("shows the motion as learned as a ghost while it differs, and is back at it near the learned value", async () => {
+  it("shows the motion as learned as a ghost while it differs", async () => {
     model.couplings.set(0, 1, 8);
     expect(stage.ghost).toBe(model.learned?.motion);
     expect([
@@ -137,7 +137,7 @@ describe("a coupling", () => {
     expect(stage.clip).toBeNull();
   });
 
-  it("is set back alone or with all others", () => {
+  it("is reset alone or with all others", () => {
     model.couplings.set(0, 1, 8);
     model.couplings.set(1, 0, 9);
     model.couplings.reset(0, 1);
@@ -146,7 +146,7 @@ describe("a coupling", () => {
     expect(settings.values.alpha).toEqual({});
   });
 
-  it("says when its rollout fails, and the next one is computed", async () => {
+  it("reports a failed rollout, and computes the next one", async () => {
     engine.holding.add("rollout");
     model.couplings.set(0, 1, 8);
     engine.held[0]?.fail(new Error("not positive definite"));
@@ -162,7 +162,7 @@ describe("a coupling", () => {
 });
 
 describe("presets", () => {
-  it("are those of its parts, and set couplings and reading at once", async () => {
+  it("fit the parts, and set couplings and reading at once", async () => {
     expect(model.presets.map(({ name }) => name)).toContain("Upper on its own");
     expect(model.preset?.id).toBe("as-learned");
     model.couplings.setReading("as learned");
@@ -180,7 +180,7 @@ describe("presets", () => {
     expect(model.preset).toBeNull();
   });
 
-  it("give back the visitor's reading with a reset: after a preset, sliders once went on in that of the preset", () => {
+  it("give the visitor's reading back with a reset, so that sliders do not keep the reading of a preset", () => {
     const other = model.presets.find(({ name }) => name === "Upper on its own")!;
     model.couplings.setReading("as learned");
     model.takePreset(other);
@@ -195,7 +195,7 @@ describe("presets", () => {
     expect(settings.values.reading).toBe("re-inferred");
   });
 
-  it("of the model that comes with the page are its own, also when it is opened again", async () => {
+  it("of the model that comes with the page are used again when it is opened again", async () => {
     await model.openStart(modelText(1));
     expect(model.presets).toBe(START_PRESETS);
     await model.open(modelText(2));
@@ -206,7 +206,7 @@ describe("presets", () => {
 });
 
 describe("another model", () => {
-  it("is taken up without the couplings of the one before, and its training latents come along", async () => {
+  it("drops the couplings of the model before, and brings its training latents", async () => {
     model.couplings.set(0, 1, 8);
     const latents = [new Float64Array(2)];
     await model.open(modelText(2), undefined, latents);
@@ -218,7 +218,7 @@ describe("another model", () => {
     expect(model.model?.info.provenance.settings.seed).toBe(2);
   });
 
-  it("is another page: Back brings the couplings of the one before, for when that is opened again", async () => {
+  it("is another page of the browser: Back brings the couplings of the model before", async () => {
     await model.open(modelText(3));
     expect(bar.pages).toHaveLength(1);
     model.couplings.set(0, 1, 8);
@@ -232,7 +232,7 @@ describe("another model", () => {
     expect(model.couplings.alphaOf(0, 1)).toBe(8);
   });
 
-  it("keeps the couplings and the clip in front when it is asked to", async () => {
+  it("keeps the couplings and the clip in front on request", async () => {
     model.couplings.set(0, 1, 8);
     stage.showClip(clip());
     await model.open(modelText(2), { couplings: "visitor", clip: true });
@@ -241,7 +241,7 @@ describe("another model", () => {
     expect(model.learned?.request.alpha).toBeNull();
   });
 
-  it("drops the answer to a rollout that was under way, whichever the worker knew of", async () => {
+  it("drops the answer to a rollout of the model before", async () => {
     engine.holding.add("rollout");
     model.couplings.set(0, 1, 8);
     await model.open(modelText(2));
@@ -263,14 +263,14 @@ describe("another model", () => {
     expect(model.model?.info.provenance.settings.seed).toBe(3);
   });
 
-  it("leaves the one before where it cannot be opened", async () => {
+  it("keeps the model before where the new one cannot be opened", async () => {
     await expect(model.open("no model")).rejects.toThrow("expected a model");
     expect(model.model?.info.provenance.settings.seed).toBe(1);
   });
 });
 
 describe("the start", () => {
-  it("is that of another sequence, for the ghost too", async () => {
+  it("can be in another sequence, for the ghost too", async () => {
     await begin("alpha=0.1:8", 3);
     model.setStart(2);
     await settled();
@@ -279,7 +279,7 @@ describe("the start", () => {
     expect(stage.ghost).toBe(model.learned?.motion);
   });
 
-  it("needs one rollout only where no coupling differs", async () => {
+  it("needs only one rollout where no coupling differs", async () => {
     await begin("", 3);
     const before = engine.rollouts.length;
     model.setStart(1);
@@ -289,7 +289,7 @@ describe("the start", () => {
     expect(model.rollout?.request.sequence).toBe(1);
   });
 
-  it("is a frame of it, as far as the model keeps them", async () => {
+  it("can be any frame whose latents the model's file has", async () => {
     await begin("", 2);
     model.setStart(1, 40);
     await settled();
@@ -310,7 +310,7 @@ describe("the start", () => {
     expect([settings.values.start, model.rollout?.request.sequence]).toEqual([0, 0]);
   });
 
-  it("of another model drops one that was under way", async () => {
+  it("of another model drops a rollout that was under way", async () => {
     await begin("", 3);
     engine.holding.add("rollout");
     model.setStart(1);
@@ -321,7 +321,7 @@ describe("the start", () => {
   });
 });
 
-it("begins anew with couplings from the address", async () => {
+it("takes couplings from a changed address", async () => {
   bar = new FakeAddressBar("alpha=0.1:50");
   settings = new SettingsStore(bar);
   const store = new EngineStore();
@@ -357,7 +357,7 @@ describe("a link", () => {
     expect(settings.values.model).toBe(id(1));
   });
 
-  it("to another model changes nothing but says so, until that model is opened", async () => {
+  it("to another model changes nothing until that model is opened", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8&start=1`, 3);
     expect([model.couplings.altered, settings.values.start, model.link.model]).toEqual([false, 0, id(2)]);
     await model.open(modelText(3, 3));
@@ -372,7 +372,7 @@ describe("a link", () => {
     expect(settings.values.model).toBe(id(2));
   });
 
-  it("stays in the address while it is waited for: a page that was loaded anew had lost it", async () => {
+  it("stays in the address while it waits, so that a reload does not lose it", async () => {
     const link = `model=${id(2)}&alpha=0.1:8&start=1`;
     await begin(link, 3);
     settings.change({ latent: 4 });
@@ -382,7 +382,7 @@ describe("a link", () => {
     expect(written()).toBe("latent=4");
   });
 
-  it("is no longer waited for when the visitor moves a slider or says so", async () => {
+  it("stops waiting when the visitor moves a slider or forgets it", async () => {
     await begin(`model=${id(2)}&alpha=0.1:8`);
     model.couplings.set(1, 0, 9);
     expect(model.link.model).toBeNull();
@@ -392,14 +392,14 @@ describe("a link", () => {
     expect(model.couplings.altered).toBe(false);
   });
 
-  it("to this model, or from before links named models, brings its couplings", async () => {
+  it("to this model, or without the name of a model, brings its couplings", async () => {
     await begin(`model=${id(1)}&alpha=0.1:8`);
     expect([weightOf(0, 1), model.link.model]).toEqual([8, null]);
     await begin("alpha=0.1:8");
     expect([weightOf(0, 1), settings.values.model]).toEqual([8, id(1)]);
   });
 
-  it("follows the visitor's couplings from one model of a training to the next", async () => {
+  it("keeps the visitor's couplings from one model of a training to the next", async () => {
     model.couplings.set(0, 1, 8);
     await model.open(modelText(2), { couplings: "visitor", clip: false });
     await settled();

@@ -1,4 +1,4 @@
-// The model on the stage as work that another model may lose.
+// The model on the stage as work that would be lost with another model.
 import type { EngineStore } from "../engine/engine-store";
 import type { Work } from "../ui/unsaved";
 import type { ModelStore } from "./model-store";

@@ -1,4 +1,4 @@
-// Presets of the couplings, and what was measured on the motion that they make.
+// The presets of the couplings, and the measures of the motion.
 import { html, nothing } from "lit";
 import type { Reading } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -12,7 +12,7 @@ import { START_PRESETS } from "./presets";
 import "./presets-view.css";
 import { partStyle } from "../ui/styled";
 
-/** More presets than those of the first model go into one row that scrolls. */
+/** More presets than this are shown in one row that scrolls. */
 const ONE_ROW = START_PRESETS.length;
 
 export class PresetsView extends View {
@@ -60,13 +60,13 @@ export class PresetsView extends View {
     return html`
       <div class="presets" role="group" aria-label="Presets" ?data-many=${model.presets.length > ONE_ROW}>${this.#buttons()}</div>
       <div class="effect">
-        <p data-testid="preset-sentence">${model.preset?.sentence ?? ownWords(this.settings.values.reading)}</p>
+        <p data-testid="preset-sentence">${model.preset?.sentence ?? ownText(this.settings.values.reading)}</p>
         ${this.#measured()}
       </div>`;
   }
 }
 customElements.define("pg-presets", PresetsView);
 
-function ownWords(reading: Reading): string {
+function ownText(reading: Reading): string {
   return `Couplings of your own, the experts ${reading}.`;
 }

@@ -7,7 +7,7 @@ function info(names: string[], alpha: number[][]): ModelView["info"] {
   return { parts: names.map((name) => ({ name })), alpha } as ModelView["info"];
 }
 
-it("the presets of the first model fit it, and one of them is as learned", () => {
+it("fits the presets of the first model to its parts, one of them as learned", () => {
   const first = info(
     ["lower", "upper"],
     [
@@ -21,11 +21,11 @@ it("the presets of the first model fit it, and one of them is as learned", () =>
   expect(changes.filter((changed) => Object.keys(changed ?? {}).length === 0)).toHaveLength(1);
 });
 
-it("the head of the page invites to a preset that there is", () => {
+it("offers a preset that exists at the head of the page", () => {
   expect(START_PRESETS.map(({ id }) => id)).toContain(INVITATION.preset);
 });
 
-it("a preset is on where its couplings and its reading are, as far as a link tells them", () => {
+it("recognises a preset by its couplings and reading, with the precision of a link", () => {
   const parts = info(
     ["lower", "upper"],
     [
@@ -42,7 +42,7 @@ it("a preset is on where its couplings and its reading are, as far as a link tel
   expect(isPreset(alone, parts, { alpha: { "1.0": 1000, "0.0": 2 }, reading: "re-inferred" })).toBe(false);
 });
 
-it("any model has as learned, and two presets for each part", () => {
+it("gives any model the preset as-learned and two presets for each part", () => {
   const names = ["legs", "trunk", "left arm"];
   const presets = presetsOf(names);
   expect(presets.map(({ name }) => name).slice(5)).toEqual([
@@ -66,7 +66,7 @@ it("any model has as learned, and two presets for each part", () => {
   ]);
 });
 
-it("a model of one part has none, and one that lacks a part cannot take a preset", () => {
+it("gives none to a model of one part, and refuses a preset whose part is missing", () => {
   expect(presetsOf(["body"])).toEqual([]);
   expect(
     couplingsOf(

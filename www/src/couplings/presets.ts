@@ -1,5 +1,5 @@
-// Sets of couplings to choose from: those of the model that the page opens with, of which the effect is
-// known, and some that make sense for any model.
+// Presets of couplings. Those of the model that the page opens with have measured effects; the others fit any
+// model.
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
@@ -8,10 +8,10 @@ import { isClose } from "./couplings-store";
 export interface Preset {
   id: string;
   name: string;
-  /** One plain sentence: for the first model what happens, else what the couplings are. */
+  /** One sentence: the effect for the first model, else the meaning of the couplings. */
   sentence: string;
   reading: Reading;
-  /** What is changed: the learned coupling times a factor. */
+  /** The factors by which couplings change. */
   couplings: readonly Change[];
 }
 
@@ -22,18 +22,16 @@ interface Change {
   factor: number;
 }
 
-/** A coupling variance that is so many times the learned one leaves the source next to nothing to say. */
+/** A coupling variance this many times the learned one gives its source almost no weight. */
 const SILENT = 1000;
 
-/**
- * The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures what they say.
- */
+/** The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures their effects. */
 export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, reading, ...preset }) => ({
   ...preset,
   reading: reading as Reading,
 }));
 
-/** What the head of the page invites to: a preset of the first model, and what its name promises. */
+/** The preset that the head of the page offers, and its promised effect. */
 export const INVITATION = { preset: "arms-go", promise: "and they fall out of step" };
 
 /** Presets for any model with these parts; none for a model of one part. */
@@ -67,9 +65,7 @@ export function presetsOf(parts: readonly string[]): Preset[] {
   return [preset("as-learned", "As learned", "The parts as training coupled them.", []), ...changed];
 }
 
-/**
- * The couplings of a preset as settings know them, within their limits; null where the model lacks a part.
- */
+/** The couplings of a preset within the limits of the settings; null if the model lacks one of its parts. */
 export function couplingsOf(
   { couplings }: Preset,
   { parts, alpha }: ModelView["info"],
@@ -85,10 +81,7 @@ export function couplingsOf(
   return limited({ alpha: changed }).alpha ?? null;
 }
 
-/**
- * Whether these couplings, read like this, are those of the preset. Without a change there is nothing to
- * read.
- */
+/** Whether these couplings match a preset. The reading counts only where a coupling differs. */
 export function isPreset(
   preset: Preset,
   info: ModelView["info"],

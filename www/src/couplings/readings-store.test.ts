@@ -30,7 +30,7 @@ beforeEach(async () => {
 
 const titles = () => stage.columns?.map(({ title }) => title);
 
-it("shows the same couplings in both readings, in the same places whichever is chosen", async () => {
+it("shows the same couplings in both readings, as learned on the left whichever is chosen", async () => {
   model.couplings.set(0, 1, 8);
   await settled();
   readings.show(true);
@@ -47,7 +47,7 @@ it("shows the same couplings in both readings, in the same places whichever is c
   expect(stage.columns?.[1]?.motion).not.toBe(model.rollout?.motion);
 });
 
-it("follows the couplings, and shows no pair of which the halves have other ones", async () => {
+it("follows the couplings, and never shows a pair with different couplings", async () => {
   readings.show(true);
   expect(stage.columns?.map(({ motion }) => motion)).toEqual([model.learned?.motion, model.learned?.motion]);
   model.couplings.set(0, 1, 8);
@@ -69,7 +69,7 @@ it("follows the couplings, and shows no pair of which the halves have other ones
   expect(stage.columns?.some(({ motion }) => motion === model.rollout?.motion)).toBe(true);
 });
 
-it("is off again when it is asked to be, and while a clip is in front", async () => {
+it("hides both figures on request, and while a clip is in front", async () => {
   model.couplings.set(0, 1, 8);
   readings.show(true);
   await settled();
@@ -78,28 +78,28 @@ it("is off again when it is asked to be, and while a clip is in front", async ()
   stage.endClip();
   expect(titles()).toHaveLength(2);
   readings.show(false);
-  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  expect([readings.bothShown, stage.columns]).toEqual([false, null]);
   model.couplings.set(0, 1, 9);
   await settled();
   expect(stage.columns).toBeNull();
 });
 
-it("makes room for a live motion, and ends one when it is asked for", async () => {
+it("ends when a live motion begins, and ends a live motion when it begins", async () => {
   readings.show(true);
   stage.showLive(new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 60));
-  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  expect([readings.bothShown, stage.columns]).toEqual([false, null]);
   readings.show(true);
   expect([stage.shown?.live, titles()?.length]).toEqual([undefined, 2]);
 });
 
-it("leaves the one figure where the other reading fails", async () => {
+it("keeps one figure where the other reading fails", async () => {
   model.couplings.set(0, 1, 8);
   await settled();
   engine.holding.add("rollout");
   readings.show(true);
   engine.held[0]?.fail(new Error("not positive definite"));
   await settled();
-  expect([readings.isBeside, stage.columns]).toEqual([false, null]);
+  expect([readings.bothShown, stage.columns]).toEqual([false, null]);
 });
 
 it("shows no figures of a model that was replaced", async () => {

@@ -1,4 +1,4 @@
-// The same couplings in both readings, on two figures side by side, while the visitor asks for it.
+// Two figures side by side: the same couplings in both readings.
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { Reading, RolloutResult } from "../engine/protocol";
@@ -13,8 +13,8 @@ export class ReadingsStore extends Store {
   readonly #model: ModelStore;
   readonly #stage: StageStore;
   readonly #latest: Latest<RolloutResult, RolloutResult | null>;
-  #isBeside = false;
-  /** The motion whose other reading was asked for last. */
+  #bothShown = false;
+  /** The last motion whose other reading was asked for. */
   #asked: RolloutResult | null = null;
 
   constructor(engine: EngineStore, model: ModelStore, stage: StageStore) {
@@ -25,25 +25,25 @@ export class ReadingsStore extends Store {
       async ({ request }) =>
         (await engine.engine?.rollout({ ...request, reading: otherThan(request.reading) })) ?? null,
       (other, rollout) => this.#take(other, rollout),
-      // The motion in the reading that is chosen walks on alone.
+      // The figure in the chosen reading walks on alone.
       () => this.show(false),
     );
     model.on(() => this.#follow());
     stage.on(() => {
       // A live motion has a clock of its own.
-      if (this.#isBeside && stage.shown?.live) this.show(false);
+      if (this.#bothShown && stage.shown?.live) this.show(false);
     });
   }
 
-  /** Whether two figures are asked for. */
-  get isBeside(): boolean {
-    return this.#isBeside;
+  /** Whether both readings are shown. */
+  get bothShown(): boolean {
+    return this.#bothShown;
   }
 
-  show(beside: boolean): void {
-    this.#isBeside = beside;
+  show(both: boolean): void {
+    this.#bothShown = both;
     this.#asked = null;
-    if (beside) {
+    if (both) {
       this.#stage.endClip();
       this.#stage.endLive();
       this.#follow();
@@ -56,10 +56,10 @@ export class ReadingsStore extends Store {
 
   #follow(): void {
     const { rollout } = this.#model;
-    if (!this.#isBeside || !rollout || rollout === this.#asked) return;
+    if (!this.#bothShown || !rollout || rollout === this.#asked) return;
     const before = this.#asked;
     this.#asked = rollout;
-    // Those of another model have another body.
+    // Another model has another body.
     if (rollout.revision !== before?.revision) this.#stage.setColumns(null);
     // Under the learned couplings both readings are the same.
     if (!rollout.request.alpha) this.#show(rollout, rollout);
@@ -67,8 +67,8 @@ export class ReadingsStore extends Store {
   }
 
   #take(other: RolloutResult | null, rollout: RolloutResult): void {
-    // The couplings may have changed meanwhile: then the other reading of these is under way.
-    if (this.#isBeside && other && rollout === this.#model.rollout) this.#show(rollout, other);
+    // For changed couplings another answer is under way.
+    if (this.#bothShown && other && rollout === this.#model.rollout) this.#show(rollout, other);
   }
 
   #show(rollout: RolloutResult, other: RolloutResult): void {

@@ -1,4 +1,4 @@
-// What changed couplings do to the experts: one reading of them, or both side by side.
+// The choice of the reading of changed couplings: one of them, or both side by side.
 import { html } from "lit";
 import type { Reading } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -14,8 +14,8 @@ const WORDS: Record<Reading, string> = {
   "as learned": "Only the weights change: each part predicts as before, and counts for more or less.",
 };
 
-/** What docs/couplings.md found. */
-const BESIDE =
+/** The finding of docs/couplings.md. */
+const BOTH =
   "Left: training made the experts as a team, and one left alone does only its share. Right: as the same clips teach one that was always alone.";
 
 export class ReadingsView extends View {
@@ -30,10 +30,10 @@ export class ReadingsView extends View {
   protected override render() {
     const { model, readings } = this;
     const { reading } = this.settings.values;
-    const { isBeside } = readings;
-    const choice = (of: Reading, testId: string) => html`
-      <button type="button" aria-pressed=${of === reading ? "true" : "false"} data-testid=${testId}
-        @click=${() => model.couplings.setReading(of)}>${of}</button>`;
+    const { bothShown } = readings;
+    const choice = (choice: Reading, testId: string) => html`
+      <button type="button" aria-pressed=${choice === reading ? "true" : "false"} data-testid=${testId}
+        @click=${() => model.couplings.setReading(choice)}>${choice}</button>`;
     return html`
       <fieldset class="readings">
         <legend>When a slider moves, the <pg-term of="expert" text="experts"></pg-term> are
@@ -42,10 +42,10 @@ export class ReadingsView extends View {
           ${choice("re-inferred", "reading-inferred")}
           ${choice("as learned", "reading-learned")}
         </div>
-        <p>${isBeside ? BESIDE : WORDS[reading]}</p>
+        <p>${bothShown ? BOTH : WORDS[reading]}</p>
         <div class="after">
-          <button type="button" class="small" aria-pressed=${isBeside ? "true" : "false"} data-testid="readings-beside" ?disabled=${!model.model}
-            @click=${() => readings.show(!isBeside)}>Both side by side</button>
+          <button type="button" class="small" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside" ?disabled=${!model.model}
+            @click=${() => readings.show(!bothShown)}>Both side by side</button>
           <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.couplings.altered} @click=${() => model.couplings.resetAll()}>
             ${icon("reset")} Reset all <kbd>0</kbd></button>
         </div>

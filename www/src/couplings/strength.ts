@@ -1,4 +1,4 @@
-// How strong a coupling is: the value of its slider. The smaller its variance, the further right its thumb.
+// The strength of a coupling: the value of its slider. A smaller variance is further to the right.
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 
 export const WEAKEST = -Math.log10(ALPHA_MAX);
@@ -14,7 +14,7 @@ export function alphaOf(strength: number): number {
   return 10 ** -strength;
 }
 
-/** Where on its slider a coupling lies: 0 at the left, weak end, 1 at the right, strong end. */
+/** The place of a coupling on its slider: 0 at the left, weak end, 1 at the right, strong end. */
 export function placeOf(alpha: number): number {
   return (strengthOf(alpha) - WEAKEST) / (STRONGEST - WEAKEST);
 }

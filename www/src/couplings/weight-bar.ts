@@ -1,5 +1,4 @@
-// Who decides where a part goes next: a bar of the shares of its sources, with a divider between each two
-// that can be moved.
+// The weights of the sources of a part as a bar, with a divider between each two that can be moved.
 import { html } from "lit";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
@@ -8,7 +7,7 @@ import "./weight-bar.css";
 import { dividers, weightText } from "./weights";
 import { partStyle, styled } from "../ui/styled";
 
-/** How far a key moves a divider; without a number: to that end. */
+/** How far a key moves a divider. */
 const STEPS: Record<string, number> = {
   ArrowLeft: -0.01,
   ArrowDown: -0.01,
@@ -20,16 +19,16 @@ const STEPS: Record<string, number> = {
   End: Number.POSITIVE_INFINITY,
 };
 
-/** Dividers nearer to each other than this lie on one spot: between them is a source that is off. */
+/** Dividers closer than this lie on one spot: the source between them is off. */
 const ONE_SPOT = 0.01;
 
 interface Drag {
-  /** The dividers on the spot that was grabbed. The first of them goes to the left, the last to the right. */
+  /** The dividers on the grabbed spot. The first of them moves to the left, the last to the right. */
   first: number;
   last: number;
-  /** Which of them it is, when that has shown. */
+  /** The divider that moves; null before the first movement. */
   divider: number | null;
-  /** Where the pointer was, as a share of the bar, and where the dividers stood. */
+  /** The place of the pointer at the start, as a share of the bar, and the place of the dividers. */
   from: number;
   place: number;
 }
@@ -96,7 +95,7 @@ export class WeightBar extends View {
     const { model, target } = this;
     const names = (model.model?.info.parts ?? []).map(({ name }) => name);
     const weights = model.couplings.weightsInto(target);
-    const said = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
+    const text = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
     return html`
       <div class="weight-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
         @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
@@ -110,7 +109,7 @@ export class WeightBar extends View {
           <span class="divider" role="slider" tabindex="0" style=${styled({ "--at": place.toFixed(5) })} data-testid="divider-${target}-${divider}"
             aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"
             aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * place).toFixed(0)}
-            aria-valuetext="${said(divider)}, ${said(divider + 1)}"
+            aria-valuetext="${text(divider)}, ${text(divider + 1)}"
             @keydown=${this.#keys(divider, place)}></span>`,
         )}
       </div>`;
