@@ -1,9 +1,9 @@
-// Draws one part's latent space on a canvas: training latents, rollout, inducing points, and now.
+// Draws the latent space of a part: training latents, rollout, inducing points, and the state now.
 import { theme } from "../ui/palette";
 import type { DynamicsInducing, InducingReport } from "../engine/protocol";
 import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
-import { between as pathAt } from "./prediction-at";
+import { interpolate } from "./prediction-at";
 import { drawPredictions, layOut, type PredictionPicture, type StepBand } from "./prediction-drawing";
 import { arrowHead } from "./shapes";
 
@@ -23,30 +23,30 @@ export interface LatentPicture extends PlotView {
   colour: string;
   /** [frames x Q] */
   rollout: Float64Array;
-  /** The path as learned, where the rollout differs from it. */
+  /** The path as learned, if the rollout differs from it. */
   learned: Float64Array | null;
   training: Float64Array | null;
   poses: Float64Array | null;
   dynamics: DynamicsInducing | null;
-  /** Histories in this part that predict another part; drawn where they are read. */
+  /** Inducing points whose histories are in this part, and which predict another part. */
   outgoing: Between[];
-  /** Predictions about this part from another; drawn where they land. */
+  /** Inducing points whose predictions are in this part, from another part. */
   incoming: Between[];
   order: number;
   frame: number;
-  /** False while the clock belongs to something else, such as a clip. */
+  /** False while the clock belongs to a clip. */
   live: boolean;
   report: InducingReport | null;
-  /** Whether the report's frames are of this part. */
+  /** Whether the frames of the report belong to this part. */
   lit: boolean;
-  /** What is predicted about this part; null where that is not shown. */
+  /** The predictions about this part; null while they are hidden. */
   predicted: Pick<PredictionPicture, "report" | "weights"> | null;
   band: StepBand;
   behind: Behind | null;
 }
 
-/** Inducing points step back behind predictions. */
-const BESIDE_PREDICTIONS = 0.4;
+/** The opacity of inducing points where predictions are shown. */
+const WITH_PREDICTIONS = 0.4;
 
 /** Frames over which the path behind the marker fades. */
 const TRAIL = 75;
@@ -54,7 +54,7 @@ const TRAIL = 75;
 export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPicture): void {
   const { width, height, ratio, part, live, frame } = picture;
   const predicted = live ? picture.predicted : null;
-  const said: PredictionPicture | null = predicted && {
+  const predictions: PredictionPicture | null = predicted && {
     ...predicted,
     part,
     frame,
@@ -69,17 +69,18 @@ export function drawLatents(draw: CanvasRenderingContext2D, picture: LatentPictu
   if (picture.training) drawTraining(draw, picture, plane, picture.training);
   if (picture.learned) drawLearned(draw, picture, plane, picture.learned);
   if (live) picture.behind?.(draw, plane, part, frame);
-  if (said) picture.band.draw(draw, plane, said, { view: picture, colour: picture.colour, ratio });
+  if (predictions)
+    picture.band.draw(draw, plane, predictions, { view: picture, colour: picture.colour, ratio });
   drawRollout(draw, picture, plane);
   if (picture.lit && picture.report) drawLit(draw, picture, plane, spotlight(picture.report.frames));
-  const strength = predicted ? BESIDE_PREDICTIONS : 1;
+  const strength = predicted ? WITH_PREDICTIONS : 1;
   if (picture.dynamics) drawPairs(draw, picture, plane, picture.dynamics, strength);
   for (const between of picture.outgoing) drawOutgoing(draw, picture, plane, between);
   for (const between of picture.incoming) drawIncoming(draw, plane, between);
   if (picture.poses) drawPoses(draw, picture, plane, picture.poses, strength);
-  const drawn = said && layOut(plane, said);
+  const drawn = predictions && layOut(plane, predictions);
   if (live) drawNow(draw, picture, plane, drawn !== null);
-  if (said && drawn) drawPredictions(draw, drawn, said.weights);
+  if (predictions && drawn) drawPredictions(draw, drawn, predictions.weights);
   draw.globalAlpha = 1;
 }
 
@@ -114,7 +115,7 @@ function drawLearned(
   tracePath(draw, plane, points, rows(points, picture));
 }
 
-/** The whole path in one stroke, and over it, step by step, the trail that fades behind the marker. */
+/** The whole path, and over it the trail that fades behind the marker. */
 function drawRollout(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane): void {
   const { rollout, frame, live } = picture;
   const count = rows(rollout, picture);
@@ -163,10 +164,7 @@ function drawLit(
   }
 }
 
-/**
- * Where an inducing point lies outside the plot: an arrow at the edge, which points to it. Answers whether it
- * does.
- */
+/** Draws an arrow at the edge for an inducing point outside the plot; false for a point inside. */
 function drawBeyond(draw: CanvasRenderingContext2D, plane: Plane, x: number, y: number): boolean {
   const [atX, atY] = plane.inFrame(x, y);
   const away = Math.hypot(x - atX, y - atY);
@@ -177,7 +175,7 @@ function drawBeyond(draw: CanvasRenderingContext2D, plane: Plane, x: number, y: 
   return true;
 }
 
-/** Each history as a dot and a line through its states, then an arrow to what it predicts. */
+/** Each history as a dot and a line through its states, then an arrow to its prediction. */
 function drawPairs(
   draw: CanvasRenderingContext2D,
   picture: LatentPicture,
@@ -280,17 +278,15 @@ function drawPoses(
   }
 }
 
-/** Where the state now is, in pixels; null without a path. */
+/** The place of the state now, in pixels; null without a path. */
 export function placeNow(picture: LatentPicture, plane: Plane): [number, number] | null {
   const { rollout, frame, projection } = picture;
   if (rollout.length === 0) return null;
-  const [x, y] = plane.place(pathAt(rollout, frame, projection.dimensions), 0);
+  const [x, y] = plane.place(interpolate(rollout, frame, projection.dimensions), 0);
   return [x, y];
 }
 
-/**
- * With predictions around it the marker is small, and without its halo, which could be taken for one of them.
- */
+/** Draws the marker. With predictions it is small and has no halo, which would look like a prediction. */
 function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: Plane, small: boolean): void {
   const now = placeNow(picture, plane);
   if (!now) return;

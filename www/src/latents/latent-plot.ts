@@ -1,5 +1,4 @@
-// The latent space of one part: a canvas, and a button on each inducing point, for mouse, finger and
-// keyboard.
+// The latent space of one part: a canvas, and a button on each inducing point.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
@@ -31,7 +30,7 @@ interface Mark {
   key: string;
   point: InducingPoint;
   label: string;
-  /** Where its button goes: a row of points [n x Q]. */
+  /** The place of its button: a row of points [n x Q]. */
   points: Float64Array;
   row: number;
 }
@@ -45,7 +44,7 @@ export class LatentPlot extends View {
   declare bodyPart: number;
   declare layers: Layers;
   declare model: ModelStore;
-  /** Drawn behind the path; null: nothing. */
+  /** Draws behind the path. */
   declare behind: Behind | null;
   declare pointing: PointingStore;
   declare predictions: PredictionsStore;
@@ -54,13 +53,13 @@ export class LatentPlot extends View {
   declare playback: Playback;
   #turn: Turn = FLAT;
   #projection: Projection | null = null;
-  /** The rollout as learned that decided the axes. */
+  /** The rollout as learned that the axes were computed from. */
   #projected: RolloutResult | null = null;
   #drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   #list: Mark[] = [];
-  /** The animation frame that is waited for. */
+  /** The requested animation frame; 0 without one. */
   #frame = 0;
-  /** Whether buttons have come or must go elsewhere. */
+  /** Whether the buttons need new places. */
   #moved = false;
   readonly #band = new StepBand();
 
@@ -100,8 +99,8 @@ export class LatentPlot extends View {
   }
 
   /**
-   * The points that decide the axes and the scale: the rollout as learned, and the training latents. Inducing
-   * points do not: some lie far away, and would shrink the rest. These are drawn at the edge.
+   * The points that define axes and scale: the rollout as learned, and the training latents. Inducing points
+   * do not count: some lie far away, and are drawn at the edge.
    */
   #cloud(q: number): Float64Array {
     const { model, learned } = this.model;
@@ -134,7 +133,7 @@ export class LatentPlot extends View {
         });
       }
     });
-    // Last, so that they lie on top, as they are drawn.
+    // Last, so that their buttons lie on top.
     const poses = model.poseInducing[part];
     for (let i = 0; this.layers.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
       const label = `Pose inducing point ${i + 1} of ${name(part)}`;
@@ -149,9 +148,8 @@ export class LatentPlot extends View {
   }
 
   /**
-   * Once before the next picture of the page, whatever changes until then: a slider's new motion does not
-   * wait for drawings. What is asked for stays asked for: the clock ticks before each picture, and would put
-   * it off for ever.
+   * Paints once before the next picture of the page. A pending request stays: the clock ticks before each
+   * picture, and would postpone a new request for ever.
    */
   #paintSoon(): void {
     if (this.#frame !== 0) return;
@@ -173,11 +171,11 @@ export class LatentPlot extends View {
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent)
       return null;
     const { report } = this.pointing;
-    const said = this.predictions.report;
+    const predictions = this.predictions.report;
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
-    const between = (of: (other: number) => DynamicsInducing | undefined) =>
+    const ofOthers = (pointsOf: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
-        const points = other === part || !layers.between ? undefined : of(other);
+        const points = other === part || !layers.between ? undefined : pointsOf(other);
         return points ? [{ inducing: points, other, colour: partColourNow(other) }] : [];
       });
     return {
@@ -193,8 +191,8 @@ export class LatentPlot extends View {
       training: model.trainingLatents?.[part] ?? null,
       poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
       dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
-      outgoing: between((other) => inducing(part, other)),
-      incoming: between((other) => inducing(other, part)),
+      outgoing: ofOthers((other) => inducing(part, other)),
+      incoming: ofOthers((other) => inducing(other, part)),
       order: model.info.order,
       frame: playback.frame - (live?.first ?? 0),
       live: this.stage.shown?.kind === "model",
@@ -202,9 +200,9 @@ export class LatentPlot extends View {
       lit:
         report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
       predicted:
-        !said || live || !rollout
+        !predictions || live || !rollout
           ? null
-          : { report: said, weights: rollout.weights.map((row) => row[part] ?? 0) },
+          : { report: predictions, weights: rollout.weights.map((row) => row[part] ?? 0) },
       band: this.#band,
       behind: live ? null : this.behind,
     };
@@ -274,7 +272,7 @@ export class LatentPlot extends View {
     this.#drag = null;
   }
 
-  /** Arrow keys turn the plot, or go from one inducing point to the next. */
+  /** Arrow keys turn the plot, or move the focus from one inducing point to the next. */
   #keys(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     if (!step) {

@@ -1,4 +1,4 @@
-// All latent plots, and what they show.
+// All latent plots, and the choice of their layers.
 import { html } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
@@ -23,7 +23,7 @@ export class LatentsView extends View {
   declare engine: EngineStore;
   declare stage: StageStore;
   declare playback: Playback;
-  /** Loads what is behind "futures" and "uncertainty"; null where it cannot be loaded. */
+  /** Loads the outlook; null if it cannot be loaded. */
   declare openOutlook: () => Promise<{
     store: OutlookStore;
     behindPath(store: OutlookStore): Behind | null;
@@ -68,7 +68,7 @@ export class LatentsView extends View {
     store.show(outlook, !store.isShown(outlook));
   }
 
-  /** The chips of what may come. */
+  /** The chips of futures and uncertainty. */
   #outlookChips() {
     const chip = (outlook: Outlook, title: string) => html`
       <button class="chip" aria-pressed=${this.#outlook?.isShown(outlook) ? "true" : "false"} title=${title}

@@ -1,15 +1,15 @@
 import { expect, it } from "vitest";
 import { ellipseOf, Plane } from "./plane";
-import { knownAt, trailTimes } from "./outlook-drawing";
+import { momentsAt, trailTimes } from "./outlook-drawing";
 
-it("draws half a second behind now, and no frame that is not there", () => {
+it("draws the last half second, within the frames of the motion", () => {
   expect(trailTimes(0, 100)).toEqual([0]);
   expect(trailTimes(2.5, 100)).toEqual([0, 1, 2, 2.5]);
   expect(trailTimes(50, 100)).toEqual([...Array.from({ length: 15 }, (_, i) => 35 + i), 50]);
   expect(trailTimes(12, 3)).toEqual([0, 1, 2, 3]);
 });
 
-it("finds the Gaussian of a time in means and covariances", () => {
+it("reads the Gaussian at a time from means and covariances", () => {
   const projection = {
     centre: new Float64Array(2),
     axes: Float64Array.of(1, 0, 0, 1, 0, 0),
@@ -22,7 +22,7 @@ it("finds the Gaussian of a time in means and covariances", () => {
     means: Float64Array.of(0, 0, 1, 0),
     covariances: Float64Array.of(0, 0, 0, 0, 2, 0, 0, 8),
   };
-  const { x, y, spread } = knownAt(plane, moments, 0.5);
+  const { x, y, spread } = momentsAt(plane, moments, 0.5);
   expect([x, y]).toEqual([50 + 0.5 * 41, 50]);
   const { major, minor } = ellipseOf([x, y], spread);
   expect([major, minor]).toEqual([expect.closeTo(2 * 41, 8), expect.closeTo(41, 8)]);

@@ -1,15 +1,15 @@
-// Draws what may come behind the path of a part: sampled futures, and the Gaussian of moment matching.
+// Draws the outlook behind the path of a part: sampled futures, and the Gaussian of moment matching.
 import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { ellipseOf, type Plane } from "./plane";
-import { between } from "./prediction-at";
+import { interpolate } from "./prediction-at";
 import { type BandPoint, traceBand, traceEllipse } from "./shapes";
 
-/** Frames behind now that are drawn: half a second. All of them would be a tangle of laps. */
+/** Frames of the drawn trail: half a second. All laps together would be a tangle. */
 const TRAIL = 15;
 
-/** The whole frames of the trail, and behind them the time now. */
+/** The whole frames of the trail, and then the time now. */
 export function trailTimes(frame: number, last: number): number[] {
   const now = Math.min(frame, last);
   const first = Math.max(0, Math.ceil(now - TRAIL));
@@ -31,7 +31,7 @@ export function drawFutures(
     if (!path) continue;
     const dimensions = path.length / request.frames;
     const points = trailTimes(frame, request.frames - 1).map((time) =>
-      plane.place(between(path, time, dimensions), 0),
+      plane.place(interpolate(path, time, dimensions), 0),
     );
     draw.globalAlpha = 0.4;
     draw.beginPath();
@@ -45,12 +45,12 @@ export function drawFutures(
   }
 }
 
-/** The Gaussian at a time that need not be a whole frame. */
-export function knownAt(plane: Plane, { means, covariances }: PartMoments, time: number): BandPoint {
+/** The Gaussian at a time, which need not be a whole frame. */
+export function momentsAt(plane: Plane, { means, covariances }: PartMoments, time: number): BandPoint {
   // n Q numbers and n Q^2 numbers.
   const dimensions = covariances.length / means.length;
-  const [x, y] = plane.place(between(means, time, dimensions), 0);
-  return { x, y, spread: plane.spread(between(covariances, time, dimensions * dimensions), 0) };
+  const [x, y] = plane.place(interpolate(means, time, dimensions), 0);
+  return { x, y, spread: plane.spread(interpolate(covariances, time, dimensions * dimensions), 0) };
 }
 
 export function drawMoments(
@@ -60,7 +60,7 @@ export function drawMoments(
   moments: PartMoments,
 ): void {
   const frames = moments.means.length ** 2 / Math.max(1, moments.covariances.length);
-  const band = trailTimes(frame, frames - 1).map((time) => knownAt(plane, moments, time));
+  const band = trailTimes(frame, frames - 1).map((time) => momentsAt(plane, moments, time));
   const now = band.at(-1);
   if (!now) return;
   const { quiet } = theme();

@@ -34,7 +34,7 @@ beforeEach(async () => {
 const part = { means: new Float64Array(4), covariances: new Float64Array(8) };
 const seeds = () => engine.held.filter(({ name }) => name === "futures").map(({ args }) => args.slice(1));
 
-it("puts five futures on the stage, and takes them away again", async () => {
+it("puts five futures on the stage, and removes them again", async () => {
   outlook.show("futures", true);
   await settled();
   expect([outlook.futures.length, stage.futures.length]).toEqual([FUTURES, FUTURES]);
@@ -42,7 +42,7 @@ it("puts five futures on the stage, and takes them away again", async () => {
   expect([outlook.futures.length, stage.futures.length]).toEqual([0, 0]);
 });
 
-it("draws others from the seeds that follow, and keeps its seed under other couplings", async () => {
+it("draws other futures from the next seeds, and keeps its seed under other couplings", async () => {
   engine.holding.add("futures");
   outlook.show("futures", true);
   engine.held.at(-1)?.end();
@@ -88,7 +88,7 @@ it("asks the whole program for the moments of the rollout, with the model's docu
   expect(whole.moments[1]?.request.text).toBe(modelText(2));
 });
 
-it("says why there is no band, and can be asked again", async () => {
+it("reports why there is no band, and can be asked again", async () => {
   whole.unreachable = "you are offline";
   outlook.show("uncertainty", true);
   await settled();

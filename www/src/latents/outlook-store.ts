@@ -1,4 +1,4 @@
-// What may come: sampled futures of the rollout on the stage, and what a Gaussian knows of its latents.
+// The outlook: sampled futures of the rollout on the stage, and Gaussian moments of its latents.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
@@ -13,11 +13,11 @@ import { sameTimes } from "../couplings/same-times";
 
 export const FUTURES = 5;
 
-/** What of it is shown: motions drawn at random, or the band of moment matching. */
+/** Motions drawn at random, or the band of moment matching. */
 export type Outlook = "futures" | "uncertainty";
 
-/** Moments, and of which rollout they are. */
-interface Known {
+/** The moments of a rollout. */
+interface Moments {
   revision: number;
   request: RolloutRequest;
   parts: PartMoments[];
@@ -34,13 +34,12 @@ export class OutlookStore extends Store {
   #text: { revision: number; text: Promise<string> } | null = null;
   #seed = 1;
   #futures: RolloutResult[] = [];
-  #moments: Known | null = null;
-  /** The rollout that was asked about last. */
+  #moments: Moments | null = null;
+  /** The last rollout whose outlook was asked for. */
   #asked: RolloutResult | null = null;
   readonly #futuresAsked: Latest<{ rollout: RolloutResult; seed: number }, RolloutResult[]>;
-  readonly #momentsAsked: Latest<RolloutResult, Known>;
+  readonly #momentsAsked: Latest<RolloutResult, Moments>;
 
-  /** `whole`: its workers match moments. */
   constructor(
     engine: EngineStore,
     model: ModelStore,
@@ -75,7 +74,7 @@ export class OutlookStore extends Store {
     return this.#shown.has(outlook);
   }
 
-  /** The seed of the first future; those of the others follow it. */
+  /** The seed of the first future; the other futures have the next seeds. */
   get seed(): number {
     return this.#seed;
   }
@@ -84,7 +83,7 @@ export class OutlookStore extends Store {
     return this.#futures;
   }
 
-  /** Of each part; null until they are known. */
+  /** The moments of each part; null before they have arrived. */
   get moments(): readonly PartMoments[] | null {
     return this.#moments?.parts ?? null;
   }
@@ -96,29 +95,29 @@ export class OutlookStore extends Store {
     this.changed();
   }
 
-  /** Draws others, of the next seeds. */
+  /** Draws futures of the next seeds. */
   drawOthers(): void {
     this.#seed += FUTURES;
     this.#ask();
     this.changed();
   }
 
-  /** Asks about the rollout on the stage for what is shown, and drops what does not belong to it. */
+  /** Asks for the outlook that is shown, and drops futures and moments of another rollout. */
   #ask(): void {
     const { rollout } = this.#model;
     this.#asked = rollout;
-    const stays = (known: { revision: number; request: RolloutRequest } | null | undefined) =>
-      rollout && known && known.revision === rollout.revision && sameTimes(known.request, rollout.request);
-    if (!rollout || !this.isShown("futures") || (this.#futures.length > 0 && !stays(this.#futures[0])))
+    const fits = (found: { revision: number; request: RolloutRequest } | null | undefined) =>
+      rollout && found && found.revision === rollout.revision && sameTimes(found.request, rollout.request);
+    if (!rollout || !this.isShown("futures") || (this.#futures.length > 0 && !fits(this.#futures[0])))
       this.#takeFutures([]);
-    if (!rollout || !this.isShown("uncertainty") || !stays(this.#moments)) this.#takeMoments(null);
+    if (!rollout || !this.isShown("uncertainty") || !fits(this.#moments)) this.#takeMoments(null);
     if (rollout && this.isShown("futures")) this.#futuresAsked.request({ rollout, seed: this.#seed });
     else this.#futuresAsked.drop();
     if (rollout && this.isShown("uncertainty")) this.#momentsAsked.request(rollout);
     else this.#momentsAsked.drop();
   }
 
-  async #match({ revision, request }: RolloutResult): Promise<Known> {
+  async #match({ revision, request }: RolloutResult): Promise<Moments> {
     const text = await this.#textOf(revision);
     return {
       revision,
@@ -143,7 +142,7 @@ export class OutlookStore extends Store {
     this.changed();
   }
 
-  #takeMoments(moments: Known | null): void {
+  #takeMoments(moments: Moments | null): void {
     if (moments === this.#moments) return;
     this.#moments = moments && moments.revision === this.#model.model?.revision ? moments : null;
     this.changed();

@@ -1,4 +1,4 @@
-// What may come, in words, with the seed of the futures.
+// The text below the plots about futures and uncertainty, with the seeds of the futures.
 import { html, nothing } from "lit";
 import "../terms/term";
 import { View } from "../ui/view";

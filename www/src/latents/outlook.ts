@@ -1,4 +1,4 @@
-// What may come: the store, how the plots draw it, and its words; loaded when it is asked for.
+// The outlook: its store, its drawing and its text. Loaded on demand.
 import type { Behind } from "./latent-drawing";
 import { drawFutures, drawMoments } from "./outlook-drawing";
 import type { OutlookStore } from "./outlook-store";
@@ -6,12 +6,12 @@ import "./outlook-view";
 
 export { OutlookStore } from "./outlook-store";
 
-/** What the plots draw behind the path now; null: nothing. */
+/** The drawing behind the path; null if there is nothing to draw. */
 export function behindPath({ futures, moments }: OutlookStore): Behind | null {
   if (futures.length === 0 && !moments) return null;
   return (draw, plane, part, frame) => {
-    const known = moments?.[part];
-    if (known) drawMoments(draw, plane, frame, known);
+    const own = moments?.[part];
+    if (own) drawMoments(draw, plane, frame, own);
     drawFutures(draw, plane, part, frame, futures);
   };
 }

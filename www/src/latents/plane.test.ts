@@ -17,7 +17,7 @@ function plane(q: number, turn: Turn = { about: 0, tilt: 0 }): Plane {
 }
 
 describe("a Gaussian in a plot", () => {
-  it("is a circle of its deviation, from whatever side three equal dimensions are seen", () => {
+  it("is a circle with the radius of its deviation, from every side of three equal dimensions", () => {
     for (const turn of [
       { about: 0, tilt: 0 },
       { about: 1.1, tilt: -0.7 },
@@ -90,7 +90,7 @@ describe("a Gaussian in a plot", () => {
 });
 
 describe("a step in a plot", () => {
-  it("is the latent step that is seen as it", () => {
+  it("is the latent step that looks the same", () => {
     for (const turn of [
       { about: 0, tilt: 0 },
       { about: 1.1, tilt: -0.7 },
@@ -102,7 +102,7 @@ describe("a step in a plot", () => {
     }
   });
 
-  it("is none in a dimension that is not seen", () => {
+  it("has no part in an invisible dimension", () => {
     expect(plane(1).latentStep(41, 41)).toEqual([1]);
     // Two dimensions seen along their plane: a drag upwards moves nothing.
     const [right, up] = plane(2, { about: 0, tilt: Math.PI / 2 }).latentStep(41, -41);
@@ -111,7 +111,7 @@ describe("a step in a plot", () => {
 });
 
 describe("the scale of a plot", () => {
-  it("lets a flat cloud fill the plot, and keeps a turned one within it", () => {
+  it("lets a flat cloud fill the plot, and keeps a turned cloud within it", () => {
     const circle = (points: number, height: number) =>
       Float64Array.from({ length: 2 * points }, (_, i) =>
         i % 2 === 0 ? 3 * Math.cos((Math.PI * i) / points) : height * Math.sin((Math.PI * (i - 1)) / points),
@@ -131,7 +131,7 @@ describe("the scale of a plot", () => {
 });
 
 describe("a mark beyond the plot", () => {
-  it("is seen at its edge, and one within where it is", () => {
+  it("is drawn at the edge of the plot, other marks at their places", () => {
     const plot = plane(2);
     expect(plot.inFrame(50, 60)).toEqual([50, 60]);
     expect(plot.inFrame(-30, 400)).toEqual([7, 193]);

@@ -1,19 +1,18 @@
-// The plane of a plot: where the points and the Gaussians of a latent space lie in it, in pixels. Drawing
-// only.
+// The plane of a plot: the places of points and Gaussians of a latent space, in pixels. For drawing only.
 import { project, type Projection, type Turn, turned } from "./projection";
 
-/** A Gaussian as the plot shows it: the ellipse of one standard deviation. */
+/** The ellipse of one standard deviation of a Gaussian in a plot. */
 export interface Ellipse {
   x: number;
   y: number;
-  /** Half the axes, the longer one first. */
+  /** Half axes, the longer one first. */
   major: number;
   minor: number;
-  /** Of the longer axis, radians, clockwise from the right. */
+  /** Direction of the longer axis, radians, clockwise from the right. */
   angle: number;
 }
 
-/** The spread of a Gaussian in the plane: to the right, in both, down; squared pixels. */
+/** The covariance of a Gaussian in the plane: variance to the right, covariance, variance down; pixels². */
 export type Spread = [right: number, both: number, down: number];
 
 export interface PlotView {
@@ -48,14 +47,14 @@ export class Plane {
     }
   }
 
-  /** Row `index` of points [n x Q] in pixels from the upper left, and how near it is (-1 to 1). */
+  /** Row `index` of points [n x Q] in pixels from the upper left, and its nearness to the viewer, -1 to 1. */
   place(points: Float64Array, index: number): [number, number, number] {
     const { projection, turn, width, height } = this.#view;
     const [right, up, near] = turned(project(projection, points, index, this.#at), turn);
     return [width / 2 + this.#scale * right, height / 2 - this.#scale * up, near / projection.reach];
   }
 
-  /** The place nearest to one, in pixels, where a mark is seen. */
+  /** The nearest place inside the plot, where a mark is visible. */
   inFrame(x: number, y: number, _near = 0): [number, number] {
     const { width, height } = this.#view;
     const within = (at: number, size: number) => Math.max(EDGE, Math.min(size - EDGE, at));
@@ -72,14 +71,14 @@ export class Plane {
     return this.place(histories, index * order + step);
   }
 
-  /** The step in the latent space `[Q]` that is seen as one in the plane, in pixels to the right and down. */
+  /** The step in the latent space [Q] that looks like a step of these pixels in the plane. */
   latentStep(right: number, down: number): number[] {
     const q = this.#view.projection.dimensions;
     const share = (a: number) => this.#steps[a]! * right + this.#steps[q + a]! * down;
     return Array.from({ length: q }, (_, a) => share(a) / this.#scale ** 2);
   }
 
-  /** What is seen of a spread that is the same in all latent dimensions. */
+  /** The covariance in the plane of a Gaussian with equal variances in the latent space. */
   roundSpread(variance: number): Spread {
     const q = this.#view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
@@ -87,7 +86,7 @@ export class Plane {
     return seen;
   }
 
-  /** What is seen of row `index` of covariances [n x Q x Q]. */
+  /** The covariance in the plane of row `index` of covariances [n x Q x Q]. */
   spread(covariances: Float64Array, index: number): Spread {
     const q = this.#view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
@@ -98,13 +97,11 @@ export class Plane {
   }
 }
 
-/**
- * Pixels for a step of 1: the cloud fills the plot as it lies, or, where it is turned, whichever way it is.
- */
+/** Pixels for a step of 1, so that the cloud fills the plot; in 3-D from every side. */
 function scaleOf({ projection, turn, width, height }: PlotView): number {
   const { reach, flat } = projection;
   if (turn.about !== 0 || turn.tilt !== 0) return (FILLED * Math.min(width, height)) / reach;
-  // A cloud that is almost a line must not be a giant's.
+  // A cloud that is almost a line is not enlarged without limit.
   const [right, up] = flat.map((half) => Math.max(half, reach / 4)) as [number, number];
   return FILLED * Math.min(width / right, height / up);
 }

@@ -28,7 +28,7 @@ beforeEach(async () => {
 
 const pose = (index: number) => ({ kind: "pose" as const, part: 1, index });
 
-it("marks the poses that a point stands for, until nothing is pointed at", async () => {
+it("marks the poses of a point, until the visitor points at nothing", async () => {
   pointing.pointAt({ kind: "dynamics", source: 0, target: 1, index: 2 });
   await settled();
   expect(stage.marks?.poses.map(({ part, opacity }) => [part, opacity])).toEqual([
@@ -42,7 +42,7 @@ it("marks the poses that a point stands for, until nothing is pointed at", async
   expect([stage.marks, pointing.report]).toEqual([null, null]);
 });
 
-it("drops the report of a point that is no longer pointed at", async () => {
+it("drops the report of another point", async () => {
   engine.holding.add("inducing");
   pointing.pointAt(pose(0));
   pointing.pointAt(null);
@@ -51,7 +51,7 @@ it("drops the report of a point that is no longer pointed at", async () => {
   expect(stage.marks).toBeNull();
 });
 
-it("points at nothing of another model", async () => {
+it("forgets its point with another model", async () => {
   engine.holding.add("inducing");
   pointing.pointAt(pose(0));
   await model.open(modelText(2));

@@ -1,4 +1,4 @@
-// The inducing point that the visitor points at: its poses and the frames it speaks for.
+// The inducing point that the visitor points at: its poses, and its weight in each frame.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
@@ -21,7 +21,7 @@ export class PointingStore extends Store {
       (report, point) => {
         if (samePoint(this.#point, point)) this.#show(report);
       },
-      // The point belonged to a model that was replaced meanwhile.
+      // The point belonged to a model that was replaced.
       () => {},
     );
     model.on(() => {
@@ -35,7 +35,7 @@ export class PointingStore extends Store {
     return this.#point;
   }
 
-  /** What the point stands for; null until it is known. */
+  /** The poses and weights of the point; null before they have arrived. */
   get report(): InducingReport | null {
     return this.#report;
   }
@@ -62,7 +62,7 @@ export function samePoint(a: InducingPoint | null, b: InducingPoint | null): boo
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
-/** A dynamics point stands for a pose, drawn pale, and for the pose that it predicts. */
+/** A dynamics point marks the pose of its input, drawn pale, and the pose that it predicts. */
 function marksOf({ point, poses, frames }: InducingReport): Marks {
   const targets =
     point.kind === "pose"

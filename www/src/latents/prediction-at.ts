@@ -1,4 +1,4 @@
-// What is predicted about a part at a time that need not be a whole frame.
+// The predictions about a part at a time, which need not be a whole frame.
 import type { Predictions, PredictionsReport } from "../engine/protocol";
 
 /** A Gaussian with the same variance in all latent dimensions. */
@@ -9,13 +9,13 @@ export interface Gaussian {
 }
 
 export interface PartPrediction {
-  /** What each source says. */
+  /** The prediction of each source. */
   experts: Gaussian[];
   product: Gaussian;
 }
 
-/** Row `index`, which may lie between two rows, of points [n x Q]. */
-export function between(points: Float64Array, index: number, dimensions: number): Float64Array {
+/** Row `index` of points [n x Q], interpolated between two rows. */
+export function interpolate(points: Float64Array, index: number, dimensions: number): Float64Array {
   const rows = points.length / dimensions;
   const low = Math.min(Math.max(Math.floor(index), 0), rows - 1);
   const high = Math.min(low + 1, rows - 1);
@@ -26,22 +26,19 @@ export function between(points: Float64Array, index: number, dimensions: number)
   });
 }
 
-/**
- * What is said about a part at a frame; null where nothing is predicted: in the frames that a rollout begins
- * with, and behind its end.
- */
+/** The predictions about a part at a frame; null in the first frames of a rollout, and after its end. */
 export function predictedAt(
   report: PredictionsReport,
   part: number,
   frame: number,
   dimensions: number,
 ): PartPrediction | null {
-  const said = report.parts[part];
+  const predictions = report.parts[part];
   const row = frame - report.firstFrame;
-  if (!said || row < 0 || row > said.product.variances.length - 1) return null;
+  if (!predictions || row < 0 || row > predictions.product.variances.length - 1) return null;
   const at = ({ means, variances }: Predictions): Gaussian => ({
-    mean: between(means, row, dimensions),
-    variance: between(variances, row, 1)[0]!,
+    mean: interpolate(means, row, dimensions),
+    variance: interpolate(variances, row, 1)[0]!,
   });
-  return { experts: said.experts.map(at), product: at(said.product) };
+  return { experts: predictions.experts.map(at), product: at(predictions.product) };
 }

@@ -1,12 +1,11 @@
-// Draws the product of experts at one time: what each part predicts, what their product is, and the step that
-// is taken.
+// Draws the product of experts at one time: the prediction of each part, their product, and the next step.
 import type { PredictionsReport } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
-import { between, type Gaussian, type PartPrediction, predictedAt } from "./prediction-at";
+import { interpolate, type Gaussian, type PartPrediction, predictedAt } from "./prediction-at";
 import { type BandPoint, arrowHead, traceBand, traceEllipse } from "./shapes";
 
-/** Whoever has a smaller weight is hardly heard. */
+/** A source with a smaller weight is drawn dashed. */
 const HEARD = 0.01;
 
 export interface PredictionPicture {
@@ -20,7 +19,7 @@ export interface PredictionPicture {
   path: Float64Array;
 }
 
-/** What is drawn, in pixels. */
+/** The drawing in pixels. */
 interface DrawnPredictions {
   experts: Ellipse[];
   product: Ellipse;
@@ -28,19 +27,19 @@ interface DrawnPredictions {
   step: [from: [number, number], to: [number, number]];
 }
 
-/** Where everything goes; null where nothing is predicted. */
+/** The drawing of a time; null without predictions at that time. */
 export function layOut(plane: Plane, picture: PredictionPicture): DrawnPredictions | null {
   const { report, part, dimensions, frame, path } = picture;
-  const said: PartPrediction | null = predictedAt(report, part, frame, dimensions);
-  if (!said) return null;
+  const predictions: PartPrediction | null = predictedAt(report, part, frame, dimensions);
+  if (!predictions) return null;
   const seen = ({ mean, variance }: Gaussian) => ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
   const state = (time: number): [number, number] => {
-    const [x, y] = plane.place(between(path, time, dimensions), 0);
+    const [x, y] = plane.place(interpolate(path, time, dimensions), 0);
     return [x, y];
   };
   return {
-    experts: said.experts.map(seen),
-    product: seen(said.product),
+    experts: predictions.experts.map(seen),
+    product: seen(predictions.product),
     step: [state(frame - 1), state(frame)],
   };
 }
@@ -52,21 +51,20 @@ export interface BandLook {
 }
 
 /**
- * The path as wide as the model is sure of each step: one standard deviation of the product to each side. It
- * stays the same while time goes on, so it is drawn once, on a canvas of its own.
+ * A band around the path: one standard deviation of the product to each side. The band does not change with
+ * time, so it is drawn once, on a canvas of its own.
  */
 export class StepBand {
   #canvas: HTMLCanvasElement | null = null;
   #drawn: (BandLook & { report: PredictionsReport }) | null = null;
 
-  /** Draws it behind what follows; `view` and `ratio` as of the picture. */
   draw(
     draw: CanvasRenderingContext2D,
     plane: Plane,
-    said: { report: PredictionsReport; part: number },
+    predictions: { report: PredictionsReport; part: number },
     look: BandLook,
   ): void {
-    const { report } = said;
+    const { report } = predictions;
     const { view, colour, ratio } = look;
     this.#canvas ??= document.createElement("canvas");
     const before = this.#drawn;
@@ -85,7 +83,7 @@ export class StepBand {
       band.globalAlpha = 0.16;
       band.fillStyle = colour;
       band.beginPath();
-      traceBand(band, stepBand(plane, report, said.part));
+      traceBand(band, stepBand(plane, report, predictions.part));
       band.fill();
     }
     draw.globalAlpha = 1;
@@ -150,7 +148,7 @@ function drawExpert(
   draw.stroke();
   draw.setLineDash([]);
   if (!heard) return;
-  // How far each one pulls: the product lies on the line between two.
+  // With two sources, the product lies on the line between them.
   draw.lineWidth = 1;
   draw.globalAlpha = 0.6;
   draw.beginPath();

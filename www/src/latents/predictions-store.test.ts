@@ -30,13 +30,13 @@ afterEach(() => {
 
 const asked = () => engine.held.filter(({ name }) => name === "predictions").map(({ args }) => args[0]);
 
-it("are asked for when the rollout has stood for a moment", async () => {
+it("asks for predictions a moment after the rollout", async () => {
   expect(predictions.report).toBeNull();
   await vi.advanceTimersByTimeAsync(100);
   expect(predictions.report?.request).toEqual(model.rollout?.request);
 });
 
-it("are asked for now and then while a coupling moves, and are of the last rollout in the end", async () => {
+it("asks now and then while a coupling moves, and last for the last rollout", async () => {
   await vi.advanceTimersByTimeAsync(100);
   engine.holding.add("predictions");
   for (let i = 0; i < 40; i++) {
@@ -55,7 +55,7 @@ it("are asked for now and then while a coupling moves, and are of the last rollo
   expect(model.rollout?.request.alpha?.[0]?.[1]).toBeCloseTo(5.9, 10);
 });
 
-it("of another model, or of other times, are dropped", async () => {
+it("drops predictions of another model or of other times", async () => {
   await vi.advanceTimersByTimeAsync(100);
   engine.holding.add("predictions");
   model.setSeconds(4);
@@ -69,7 +69,7 @@ it("of another model, or of other times, are dropped", async () => {
   expect(predictions.report).toBeNull();
 });
 
-it("are neither asked for nor answered while they are not shown", async () => {
+it("asks for nothing while predictions are hidden", async () => {
   predictions.show(false);
   const times = vi.spyOn(engine, "predictions");
   model.couplings.set(0, 1, 2);
@@ -80,7 +80,7 @@ it("are neither asked for nor answered while they are not shown", async () => {
   expect(predictions.report?.request.alpha?.[0]?.[1]).toBe(2);
 });
 
-it("stay away where they cannot be computed", async () => {
+it("has no predictions where they cannot be computed", async () => {
   await vi.advanceTimersByTimeAsync(100);
   engine.holding.add("predictions");
   model.couplings.set(0, 1, 2);

@@ -1,4 +1,4 @@
-// What each part predicts about each part in the rollout on the stage, and the product of these predictions.
+// The predictions of each part about each part in the rollout on the stage, and their products.
 import type { ModelStore } from "../couplings/model-store";
 import { sameTimes } from "../couplings/same-times";
 import type { EngineStore } from "../engine/engine-store";
@@ -6,12 +6,9 @@ import { Latest } from "../engine/latest";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
 
-/**
- * Milliseconds without a new rollout before it is asked about: while a slider is dragged its rollouts come
- * first.
- */
+/** Milliseconds without a new rollout before the request: a dragged slider needs its rollouts first. */
 const QUIET = 80;
-/** Milliseconds after which it is asked all the same, so that a dragged slider is followed. */
+/** Milliseconds after which the request is sent anyway, so that predictions follow a dragged slider. */
 const LONGEST = 300;
 
 export class PredictionsStore extends Store {
@@ -19,10 +16,10 @@ export class PredictionsStore extends Store {
   readonly #reports: Latest<RolloutRequest, PredictionsReport | null>;
   #shown = true;
   #report: PredictionsReport | null = null;
-  /** The rollout that was asked about last, or is about to be. */
+  /** The last rollout whose predictions were asked for, or will be. */
   #asked: RolloutResult | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Since when a rollout waits to be asked about. */
+  /** The time since which a request waits. */
   #since: number | null = null;
 
   constructor(engine: EngineStore, model: ModelStore) {
@@ -42,8 +39,8 @@ export class PredictionsStore extends Store {
   }
 
   /**
-   * Of the rollout on the stage, or, while a coupling moves, of the one just before it; null until they are
-   * known, and while they are not shown.
+   * The predictions of the rollout on the stage, or of the rollout before while a coupling moves; null before
+   * they have arrived, and while they are hidden.
    */
   get report(): PredictionsReport | null {
     return this.#report;

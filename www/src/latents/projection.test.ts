@@ -21,7 +21,7 @@ describe("principal axes", () => {
     expect(reach).toBeCloseTo(3, 10);
   });
 
-  it("keeps its side when fitted again", () => {
+  it("keeps its signs when fitted again", () => {
     const before = principalAxes(ellipse(60), 3);
     before.axes = before.axes.map((value) => -value);
     const after = principalAxes(ellipse(60), 3, before);
@@ -31,7 +31,7 @@ describe("principal axes", () => {
     for (const [k, value] of a.entries()) expect(b[k]).toBeCloseTo(value, 8);
   });
 
-  it("takes one dimension, more than three, and points all in one place", () => {
+  it("accepts one dimension, more than three, and equal points", () => {
     expect(principalAxes(new Float64Array([1, 2, 3]), 1).axes[0]).toBe(1);
     const many = principalAxes(
       Float64Array.from({ length: 50 }, (_, i) => Math.sin(i * i)),
@@ -58,7 +58,7 @@ describe("eigenvectors", () => {
 });
 
 describe("turning", () => {
-  it("keeps lengths, and does nothing at rest", () => {
+  it("keeps lengths, and changes nothing without a rotation", () => {
     const point = new Float64Array([1, 2, 3]);
     expect(turned(point, { about: 0, tilt: 0 })).toEqual([1, 2, 3]);
     expect(Math.hypot(...turned(point, { about: 1, tilt: -0.4 }))).toBeCloseTo(Math.hypot(1, 2, 3), 10);

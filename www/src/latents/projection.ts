@@ -1,21 +1,18 @@
-// From latent spaces to the plane of a plot: principal axes, and turning them. Drawing only.
+// The projection of latent spaces to plots: principal axes, and their rotation. For drawing only.
 
 export interface Projection {
   /** The middle of the points [Q]. */
   centre: Float64Array;
   /** Three orthonormal rows, the widest spread first [3 x Q]; rows beyond Q are zero. */
   axes: Float64Array;
-  /** Half the width of the cloud from whatever side it is seen, for scaling. */
+  /** Half the largest width of the cloud from any side, for scaling. */
   reach: number;
-  /** Half its width and height, seen along the third axis. */
+  /** Half the width and height of the cloud, seen along the third axis. */
   flat: [right: number, up: number];
   dimensions: number;
 }
 
-/**
- * Principal axes of points [n x q]. Axes keep the side of `before`, so that a plot does not flip while a
- * model trains.
- */
+/** Principal axes of points [n x q]. Axes keep the signs of `before`, so that plots do not flip. */
 export function principalAxes(points: Float64Array, q: number, before?: Projection | null): Projection {
   const n = q > 0 ? Math.floor(points.length / q) : 0;
   const centre = new Float64Array(q);
@@ -46,7 +43,7 @@ export function principalAxes(points: Float64Array, q: number, before?: Projecti
   return projection;
 }
 
-/** Turns the plane of the first two axes, and flips the third, to lie as the axes before. */
+/** Rotates the first two axes, and flips the third, to fit the axes before. */
 function alignAxes(axes: Float64Array, before: Float64Array, q: number): void {
   const dot = (i: number, j: number) => {
     let sum = 0;
@@ -132,13 +129,13 @@ export function symmetricEigen(
   return { values: Float64Array.from({ length: q }, (_, i) => m[i * q + i]!), vectors };
 }
 
-/** How a plot is turned: radians about the vertical and the horizontal axis of the screen. */
+/** The rotation of a plot: radians about the vertical and the horizontal axis of the screen. */
 export interface Turn {
   about: number;
   tilt: number;
 }
 
-/** The point on the screen's axes: right, up, towards the viewer. */
+/** The point in coordinates of the screen: right, up, towards the viewer. */
 export function turned(point: Float64Array, turn: Turn): [number, number, number] {
   const [x, y, z] = [point[0]!, point[1]!, point[2]!];
   const ca = Math.cos(turn.about);

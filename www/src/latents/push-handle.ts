@@ -1,11 +1,11 @@
-// On the marker of a plot while the motion is live: drag it, or press an arrow key, and the part is pushed.
-// Loaded with the live motion.
+// The handle on the marker of a plot while the motion is live. A drag or an arrow key pushes the part. Loaded
+// with the live motion.
 import { html } from "lit";
 import { View } from "../ui/view";
 import type { Plane } from "./plane";
 import "./push-handle.css";
 
-/** Pixels that an arrow key pushes. */
+/** Pixels of one press of an arrow key. */
 const STEP = 8;
 const ARROWS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-STEP, 0],
@@ -14,7 +14,7 @@ const ARROWS: Record<string, readonly [number, number]> = {
   ArrowDown: [0, STEP],
 };
 
-/** A part is to be moved by so much in each of its latent dimensions. */
+/** The detail of the event "push-part": the shift of a part in each latent dimension. */
 export interface PushPart {
   part: number;
   by: number[];
@@ -31,7 +31,7 @@ export class PushHandle extends View {
     return [];
   }
 
-  /** Stands where the marker is. */
+  /** Moves the handle onto the marker. */
   place(plane: Plane, [x, y]: readonly [number, number]): void {
     this.#plane = plane;
     this.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
@@ -43,7 +43,7 @@ export class PushHandle extends View {
     this.dispatchEvent(new CustomEvent("push-part", { detail, bubbles: true }));
   }
 
-  /** Neither the plot, which would turn, nor the page sees what is meant for the handle. */
+  /** The event stops here: the plot would turn. */
   #grab(event: PointerEvent): void {
     event.stopPropagation();
     if (event.button !== 0) return;
@@ -51,7 +51,7 @@ export class PushHandle extends View {
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
   }
 
-  /** The motion goes on under the finger, so only how far it goes counts, not where it is. */
+  /** Only the movement of the pointer counts, because the marker moves on under it. */
   #drag(event: PointerEvent): void {
     if (!this.#held) return;
     const { clientX: x, clientY: y } = event;

@@ -1,7 +1,7 @@
-// Shapes that the drawings of latent spaces share.
+// Shapes for the drawings of latent spaces.
 import { deviationAcross, type Ellipse, ellipseOf, type Spread } from "./plane";
 
-/** The head of an arrow, in the colour that fills. */
+/** The head of an arrow, in the fill colour. */
 export function arrowHead(draw: CanvasRenderingContext2D, from: number[], to: number[], size: number): void {
   const angle = Math.atan2(to[1]! - from[1]!, to[0]! - from[0]!);
   draw.beginPath();
@@ -23,9 +23,7 @@ export interface BandPoint {
   spread: Spread;
 }
 
-/**
- * A band of so many deviations to each side of a path, as one shape: where it crosses itself it is no darker.
- */
+/** A band of `times` deviations to each side of a path, as one shape, so that crossings are not darker. */
 export function traceBand(draw: CanvasPath, points: readonly BandPoint[], times = 1): void {
   let before: BandPoint | null = null;
   for (const point of points) {
@@ -44,7 +42,7 @@ export function traceBand(draw: CanvasPath, points: readonly BandPoint[], times 
         number,
         number,
       ];
-      // The same way round as the ellipses, so that shapes which overlap are filled once.
+      // The same orientation as the ellipses, so that overlapping shapes are filled once.
       draw.moveTo(before.x + wide0 * nx, before.y + wide0 * ny);
       draw.lineTo(x + wide1 * nx, y + wide1 * ny);
       draw.lineTo(x - wide1 * nx, y - wide1 * ny);
