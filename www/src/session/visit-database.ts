@@ -44,13 +44,21 @@ export async function browserDatabase(): Promise<VisitDatabase> {
       const records = new Map<string, unknown>();
       for (const [i, key] of keys.entries()) {
         const [, name] = nameOf(key) ?? [];
-        if (name !== undefined) records.set(name, values[i]);
+        const value = values[i];
+        if (name !== undefined) records.set(name, value instanceof ArrayBuffer ? new Blob([value]) : value);
       }
       return records;
     },
     async write(visit, records) {
+      // WebKit stores no blob in a private window.
+      const plain = await Promise.all(
+        [...records].map(async ([name, value]) => ({
+          name,
+          value: value instanceof Blob ? await value.arrayBuffer() : value,
+        })),
+      );
       const writing = database.transaction(RECORDS, "readwrite");
-      const requests = [...records].map(([name, value]) =>
+      const requests = plain.map(({ name, value }) =>
         value === undefined ? writing.store.delete([visit, name]) : writing.store.put(value, [visit, name]),
       );
       await Promise.all([...requests, writing.done]);
