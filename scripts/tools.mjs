@@ -1,7 +1,7 @@
 // What has to be on the machine beside rustup and Node; whatever is missing is installed.
 import { readFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
-import { at, env, executable, Failure, filesUnder, output, run, step, whenChanged } from "./run.mjs";
+import { at, env, executable, Failure, filesUnder, output, run, step, whenChanged, which } from "./run.mjs";
 
 const NODE = [20, 19];
 
@@ -57,8 +57,9 @@ export function installNpmPackages(folder = "") {
   });
 }
 
-/** Compiles a program of crates.io into .tools, once for each version, and puts it on the PATH. */
+/** Compiles a program of crates.io into .tools, unless it is on the PATH, and puts it there. */
 export async function installCargoTool(/** @type {string} */ name, /** @type {string} */ version) {
+  if (which(name)) return "there";
   const folder = at(".tools", name);
   const program = join(folder, "bin", name + executable);
   env.PATH = [join(folder, "bin"), env.PATH].join(delimiter);
