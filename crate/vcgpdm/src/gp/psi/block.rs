@@ -46,8 +46,8 @@ pub(super) struct Block<Q: Quad> {
     own: Vec<Lanes<Q>>,
     /// -1/2 z_aq z_bq of every pair b <= a [pairs x P].
     products: Vec<Q::Number>,
-    /// (z_aq + z_bq) / 2, a after a, b after b [K x K x P].
-    centres: Vec<Q::Number>,
+    /// z_bq of every inducing input b, ready to multiply lanes with [K x P].
+    inputs: Vec<Q::Number>,
     /// Sums over the rows of psi2 of every pair so far.
     sums: Vec<Lanes<Q>>,
 }
@@ -67,7 +67,7 @@ impl<Q: Quad> Block<Q> {
             scale: vec![Lanes::zero(); CHUNKS],
             own: vec![Lanes::zero(); ips * CHUNKS],
             products: vec![Q::number(0.0); ips * (ips + 1) / 2 * dims],
-            centres: vec![Q::number(0.0); ips * ips * dims],
+            inputs: vec![Q::number(0.0); ips * dims],
             sums: vec![Lanes::zero(); ips * (ips + 1) / 2],
         }
     }
@@ -81,13 +81,7 @@ impl<Q: Quad> Block<Q> {
     pub(super) fn set_inducing_inputs(&mut self, z: &DMatrix<f64>) {
         self.sums.fill(Lanes::zero());
         let mut products = self.products.iter_mut();
-        let mut centres = self.centres.iter_mut();
         for a in 0..self.ips {
-            for b in 0..self.ips {
-                for (q, centre) in (0..self.dims).zip(&mut centres) {
-                    *centre = Q::number(0.5 * (z[(a, q)] + z[(b, q)]));
-                }
-            }
             for b in 0..=a {
                 for (q, product) in (0..self.dims).zip(&mut products) {
                     *product = Q::number(-0.5 * z[(a, q)] * z[(b, q)]);
@@ -97,6 +91,7 @@ impl<Q: Quad> Block<Q> {
         for a in 0..self.ips {
             for q in 0..self.dims {
                 self.z[a * self.dims + q] = z[(a, q)];
+                self.inputs[a * self.dims + q] = Q::number(z[(a, q)]);
             }
         }
     }
@@ -273,31 +268,35 @@ impl<Q: Quad> PullBack<Q> {
                         *h = Lanes::splat(*df) * Lanes::from_array(&value.0);
                     }
                 }
-                for (a, centres) in block.centres.chunks_exact(block.ips * block.dims).enumerate() {
-                    let h = self.fold(block.dims, a, centres);
+                for a in 0..block.ips {
+                    let h = self.fold(block, a);
                     self.collect(block, a, c, h);
                 }
             }
         })
     }
 
-    /// Sums over b: gives that of h, and leaves those of h c_q.
+    /// Returns H, the sum over b of h, and computes those of h c_q, which are (z_aq H + sum_b h z_bq) / 2.
     #[inline(always)]
-    fn fold(&mut self, dims: usize, a: usize, centres: &[Q::Number]) -> Lanes<Q> {
+    fn fold(&mut self, block: &Block<Q>, a: usize) -> Lanes<Q> {
+        let dims = block.dims;
         let mut total = Lanes::zero();
         let mut q = 0;
         while q < dims {
-            let (out, centres) = (&mut self.centred[q..], &centres[q..]);
+            let (out, inputs) = (&mut self.centred[q..], &block.inputs[q..]);
             total = match dims - q {
-                1 => fold::<Q, 1>(&self.pairs, a, centres, dims, out),
-                2 | 4 => fold::<Q, 2>(&self.pairs, a, centres, dims, out),
-                _ => fold::<Q, 3>(&self.pairs, a, centres, dims, out),
+                1 => fold::<Q, 1>(&self.pairs, a, inputs, dims, out),
+                2 | 4 => fold::<Q, 2>(&self.pairs, a, inputs, dims, out),
+                _ => fold::<Q, 3>(&self.pairs, a, inputs, dims, out),
             };
             q += match dims - q {
                 1 => 1,
                 2 | 4 => 2,
                 _ => 3,
             };
+        }
+        for (centred, z) in self.centred.iter_mut().zip(block.z(a)) {
+            *centred = (*centred + Lanes::splat(*z) * total) * Lanes::splat(0.5);
         }
         total
     }
@@ -358,26 +357,26 @@ impl<Q: Quad> PullBack<Q> {
     }
 }
 
-/// For one a: the sum over b of h, and of h c_q for `N` dimensions q into `out`. `pairs` are h of all pairs b
-/// <= a; the `centres` of b and the next are `dims` apart.
+/// For one a: the sum over b of h, and of h z_bq for `N` dimensions q into `out`. `pairs` are h of all pairs b
+/// <= a; the `inputs` of b and the next are `dims` apart.
 #[inline(always)]
 fn fold<Q: Quad, const N: usize>(
     pairs: &[Lanes<Q>],
     a: usize,
-    centres: &[Q::Number],
+    inputs: &[Q::Number],
     dims: usize,
     out: &mut [Lanes<Q>],
 ) -> Lanes<Q> {
     // So many lanes at a time that the sums fit the registers.
     if Q::NARROW {
-        let (low, [h0]) = fold_some::<Q, N, 1>(pairs, |h| [h.0[0]], a, centres, dims);
-        let (high, [h1]) = fold_some::<Q, N, 1>(pairs, |h| [h.0[1]], a, centres, dims);
+        let (low, [h0]) = fold_some::<Q, N, 1>(pairs, |h| [h.0[0]], a, inputs, dims);
+        let (high, [h1]) = fold_some::<Q, N, 1>(pairs, |h| [h.0[1]], a, inputs, dims);
         for ((out, [low]), [high]) in out.iter_mut().zip(low).zip(high) {
             *out = Lanes([low, high]);
         }
         return Lanes([h0, h1]);
     }
-    let (sums, h) = fold_some::<Q, N, 2>(pairs, |h| h.0, a, centres, dims);
+    let (sums, h) = fold_some::<Q, N, 2>(pairs, |h| h.0, a, inputs, dims);
     for (out, sums) in out.iter_mut().zip(sums) {
         *out = Lanes(sums);
     }
@@ -390,12 +389,12 @@ fn fold_some<Q: Quad, const N: usize, const W: usize>(
     pairs: &[Lanes<Q>],
     chosen: impl Fn(&Lanes<Q>) -> [Q; W],
     a: usize,
-    centres: &[Q::Number],
+    inputs: &[Q::Number],
     dims: usize,
 ) -> ([[Q; W]; N], [Q; W]) {
     let zero = Q::splat(0.0);
     let mut sums = ([[zero; W]; N], [zero; W]);
-    let mut rows = centres.chunks(dims);
+    let mut rows = inputs.chunks(dims);
     let first = a * (a + 1) / 2;
     for (h, row) in pairs[first..=first + a].iter().zip(&mut rows) {
         add_row(&mut sums, chosen(h), row);
@@ -418,9 +417,9 @@ fn add_row<Q: Quad, const N: usize, const W: usize>(
         total[k] = total[k] + h[k];
     }
     if let Some(row) = row.first_chunk::<N>() {
-        for (sum, centre) in sums.iter_mut().zip(row) {
+        for (sum, z) in sums.iter_mut().zip(row) {
             for k in 0..W {
-                sum[k] = sum[k] + Q::of(*centre) * h[k];
+                sum[k] = sum[k] + Q::of(*z) * h[k];
             }
         }
     }
