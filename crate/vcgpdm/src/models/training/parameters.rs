@@ -98,10 +98,10 @@ pub trait Parameters: Clone {
         });
     }
 
-    /// The gradient with respect to the flat vector; `self` is the gradient with respect to the natural
-    /// parameters `at`.
-    fn to_flat_gradient(&self, at: &Self) -> Vec<f64> {
-        let mut flat = Vec::new();
+    /// Writes the gradient with respect to the flat vector into `flat`; `self` is the gradient with respect to
+    /// the natural parameters `at`.
+    fn flat_gradient_into(&self, at: &Self, flat: &mut Vec<f64>) {
+        flat.clear();
         self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));
         let mut k = 0;
         at.visit(&mut |kind, values| {
@@ -110,7 +110,6 @@ pub trait Parameters: Clone {
             }
             k += values.len();
         });
-        flat
     }
 
     /// The kind of every entry of the flat vector.

@@ -44,8 +44,8 @@ impl Target for Evaluated {
         Ok(self.terms.total())
     }
 
-    fn terms(&self) -> &MapTerms {
-        &self.terms
+    fn copy_terms(&self, into: &mut MapTerms) {
+        into.clone_from(&self.terms);
     }
 
     fn gradient(&self) -> &MapParams {

@@ -1,40 +1,39 @@
-//! The search for the parameters of the largest objective: blocks of free parameters one after the other, one
-//! iteration of the optimiser at a time, the best kept.
+//! The search for the parameters of the largest objective: phase after phase with different free parameters, one
+//! iteration of the optimiser at a time. The best point is stored.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
-use crate::models::search::optimizer::{Evaluate, Optimizer};
+use crate::models::search::optimizer::Optimizer;
 use crate::models::training::parameters::{Group, Parameters};
 use crate::models::training::progress::Setbacks;
 use serde::Serialize;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::collections::VecDeque;
 
-/// The last phase ends when so many iterations have together gained less than [`SMALL_GAIN`] of the
-/// objective.
+/// The last phase ends when this number of iterations has gained less than [`SMALL_GAIN`] of the objective.
 const PATIENCE: usize = 40;
 const SMALL_GAIN: f64 = 1e-6;
 
-/// What is maximised.
+/// An objective to be maximised.
 pub trait Target {
-    /// What it is a function of.
+    /// The arguments of the objective.
     type Parameters: Parameters;
-    /// What it is the sum of.
+    /// The terms whose sum is the objective.
     type Terms: Clone;
 
-    /// Computes the value at `at`, and with it terms and gradient.
+    /// Computes the objective at `at`, its terms and its gradient.
     fn compute(&mut self, at: &Self::Parameters) -> Result<f64, NumericsError>;
 
-    /// The terms of the value computed last.
-    fn terms(&self) -> &Self::Terms;
+    /// Copies the terms of the last [`compute`](Self::compute).
+    fn copy_terms(&self, into: &mut Self::Terms);
 
-    /// The gradient of the value computed last with respect to the natural parameters.
+    /// The gradient of the last [`compute`](Self::compute), with respect to the natural parameters.
     fn gradient(&self) -> &Self::Parameters;
 }
 
-/// A block of the schedule: which parameters are free, for how long.
+/// A phase of the schedule: the free parameters, and the number of iterations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phase {
-    /// What is free; the rest is held.
+    /// The free parameters; all others are fixed.
     pub groups: &'static [Group],
     /// Most iterations. The last phase of a schedule goes on until the objective no longer rises.
     pub iterations: usize,
@@ -50,49 +49,55 @@ pub enum SearchEnd {
     Iterations,
 }
 
-/// What the optimiser's evaluations leave behind.
+/// The objective with the results of its evaluations.
 pub struct Search<T: Target> {
-    /// What is maximised.
+    /// The objective.
     pub target: T,
     /// The best value so far.
     pub best: f64,
-    /// Its terms.
+    /// The terms of the best value.
     pub best_terms: T::Terms,
-    /// Evaluations so far.
+    /// Number of evaluations so far.
     pub evaluations: usize,
-    /// What went wrong in them.
+    /// Failures in these evaluations.
     pub setbacks: Setbacks,
     parameters: T::Parameters,
-    /// The flat vector, held entries included.
+    /// The flat vector, fixed entries included.
     flat: Vec<f64>,
+    flat_gradient: Vec<f64>,
     best_flat: Vec<f64>,
+    /// The free entries of the flat vector in the phase under way.
+    free: Vec<usize>,
 }
 
 impl<T: Target> Search<T> {
-    /// The negative value and its gradient with the entries `free` of the flat vector replaced by `x`.
-    fn evaluate(&mut self, free: &[usize], x: &[f64]) -> (f64, Vec<f64>) {
+    /// The negative objective with `x` in the free entries of the flat vector; writes its `gradient`.
+    fn evaluate(&mut self, x: &[f64], gradient: &mut [f64]) -> f64 {
         self.evaluations += 1;
-        for (k, value) in free.iter().zip(x) {
+        for (k, value) in self.free.iter().zip(x) {
             self.flat[*k] = *value;
         }
         self.parameters.set_flat(&self.flat);
         let (computed, jittered) = counting_jittered(|| self.target.compute(&self.parameters));
         self.setbacks.jittered += jittered;
         if let Ok(value) = computed {
-            let gradient = self.target.gradient().to_flat_gradient(&self.parameters);
-            if gradient.iter().all(|g| g.is_finite()) {
+            self.target.gradient().flat_gradient_into(&self.parameters, &mut self.flat_gradient);
+            if self.flat_gradient.iter().all(|g| g.is_finite()) {
                 if value > self.best {
                     self.best = value;
                     self.best_flat.copy_from_slice(&self.flat);
-                    self.best_terms.clone_from(self.target.terms());
+                    self.target.copy_terms(&mut self.best_terms);
                 }
-                return (-value, free.iter().map(|k| -gradient[*k]).collect());
+                for (out, k) in gradient.iter_mut().zip(&self.free) {
+                    *out = -self.flat_gradient[*k];
+                }
+                return -value;
             }
         }
         self.setbacks.turned_back += 1;
-        // A point that no jitter could save: worse than all that was seen, so that the line search turns
-        // back.
-        (1e3 * (1.0 + self.best.abs()), vec![0.0; free.len()])
+        // No jitter helped: a value worse than all others makes the line search turn back.
+        gradient.fill(0.0);
+        1e3 * (1.0 + self.best.abs())
     }
 
     /// The parameters of the best value so far; before the first step, the starting point.
@@ -105,30 +110,26 @@ impl<T: Target> Search<T> {
 
 /// A search under way.
 pub struct Ascent<T: Target> {
-    search: Arc<Mutex<Search<T>>>,
+    search: Search<T>,
     phases: Vec<Phase>,
-    /// Entries of the flat vector that are free in no phase; empty: none are held.
-    held: Vec<bool>,
+    /// Whether an entry of the flat vector is fixed in every phase; empty: no entry is.
+    fixed: Vec<bool>,
     phase: usize,
     phase_iterations: usize,
     iteration: usize,
     max_iterations: usize,
     optimizer: Option<Optimizer>,
-    /// Best values of the last phase, iteration by iteration.
-    trace: Vec<f64>,
+    /// Best values of the last iterations of the last phase.
+    trace: VecDeque<f64>,
     value: f64,
     reason: Option<SearchEnd>,
-    /// In which the optimiser computes its directions.
+    /// Number of threads in which the optimiser computes its directions.
     threads: usize,
 }
 
-impl<T: Target + Send + 'static> Ascent<T>
-where
-    T::Parameters: Send,
-    T::Terms: Send,
-{
-    /// Starts at `parameters`, where the target has the value `value` of these terms. There must be a phase;
-    /// phases without iterations are left out, but for the last.
+impl<T: Target> Ascent<T> {
+    /// Starts at `parameters`, where the objective has this `value` and these terms. There must be a phase.
+    /// Phases without iterations are left out, except the last.
     pub fn new(
         target: T,
         parameters: T::Parameters,
@@ -151,26 +152,29 @@ where
             evaluations: 0,
             setbacks: Setbacks::default(),
             parameters,
+            flat_gradient: Vec::with_capacity(flat.len()),
             flat,
             best_flat,
+            free: Vec::new(),
         };
         Self {
-            search: Arc::new(Mutex::new(search)),
+            search,
             phases,
-            held: Vec::new(),
+            fixed: Vec::new(),
             phase: 0,
             phase_iterations: 0,
             iteration: 0,
             max_iterations,
             optimizer: None,
-            trace: Vec::new(),
+            trace: VecDeque::with_capacity(PATIENCE + 1),
             value,
             reason: None,
             threads: 1,
         }
     }
 
-    /// Computes the optimiser's directions in so many threads from now on, and to the same bits.
+    /// Computes the optimiser's directions in `threads` threads from now on. The result is the same to the
+    /// last bit.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.threads = threads;
@@ -179,14 +183,20 @@ where
         }
     }
 
-    /// Before the first step: holds these entries of the flat vector in every phase, whatever their group.
-    pub fn hold(&mut self, held: Vec<bool>) {
-        self.held = held;
+    /// Before the first step: fixes these entries of the flat vector in every phase, whatever their group.
+    pub fn fix(&mut self, fixed: Vec<bool>) {
+        self.fixed = fixed;
     }
 
-    /// What the evaluations left behind.
-    pub fn search(&self) -> MutexGuard<'_, Search<T>> {
-        lock(&self.search)
+    /// The objective with the results of its evaluations.
+    pub fn search(&self) -> &Search<T> {
+        &self.search
+    }
+
+    /// The objective, to change how it is computed.
+    #[cfg(feature = "threads")]
+    pub fn target_mut(&mut self) -> &mut T {
+        &mut self.search.target
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -205,7 +215,7 @@ where
             Some(optimizer) => optimizer,
             None => self.begin_phase(),
         };
-        let moved = optimizer.step();
+        let moved = optimizer.step(&mut |x, gradient| self.search.evaluate(x, gradient));
         self.iteration += 1;
         self.phase_iterations += 1;
         if let Some(value) = optimizer.value() {
@@ -213,10 +223,13 @@ where
         }
         let last = self.phase + 1 == self.phases.len();
         if last {
-            let best = self.search().best;
-            self.trace.push(best);
-            let settled = self.trace.len() > PATIENCE
-                && best - self.trace[self.trace.len() - 1 - PATIENCE] < SMALL_GAIN * best.abs();
+            let best = self.search.best;
+            if self.trace.len() > PATIENCE {
+                self.trace.pop_front();
+            }
+            self.trace.push_back(best);
+            let earlier = self.trace.front().filter(|_| self.trace.len() > PATIENCE);
+            let settled = earlier.is_some_and(|earlier| best - earlier < SMALL_GAIN * best.abs());
             if settled || !moved {
                 self.reason = Some(SearchEnd::Settled);
             }
@@ -230,26 +243,21 @@ where
     }
 
     /// Every phase starts from the best point so far.
-    fn begin_phase(&self) -> Optimizer {
-        let mut search = self.search();
-        search.flat = search.best_flat.clone();
+    fn begin_phase(&mut self) -> Optimizer {
+        let search = &mut self.search;
+        search.flat.copy_from_slice(&search.best_flat);
         let groups = self.phases[self.phase].groups;
         let kinds = search.parameters.flat_kinds();
-        let held = |k: usize| self.held.get(k).copied().unwrap_or(false);
-        let free: Vec<usize> =
-            (0..kinds.len()).filter(|k| groups.contains(&kinds[*k].group) && !held(*k)).collect();
-        let start = free.iter().map(|k| search.flat[*k]).collect();
-        let boxes: Vec<(f64, f64)> = free.iter().map(|k| kinds[*k].flat_box()).collect();
-        drop(search);
-        let shared = Arc::clone(&self.search);
-        let evaluate: Evaluate = Box::new(move |x| lock(&shared).evaluate(&free, x));
-        let mut optimizer = Optimizer::new(start, boxes.into_iter(), evaluate);
+        let fixed = |k: usize| self.fixed.get(k).copied().unwrap_or(false);
+        search.free = (0..kinds.len()).filter(|k| groups.contains(&kinds[*k].group) && !fixed(*k)).collect();
+        let start = search.free.iter().map(|k| search.flat[*k]).collect();
+        let mut optimizer = Optimizer::new(start, search.free.iter().map(|k| kinds[*k].flat_box()));
         optimizer.use_threads(self.threads);
         optimizer
     }
 
-    /// Allows so many more iterations. A search that ended because all were used goes on with the memory of
-    /// its optimiser, as if they had been allowed from the beginning; one that has settled stays settled.
+    /// Allows `iterations` more iterations. A search that used all its iterations goes on with the pairs of its
+    /// optimiser, as if all had been allowed from the start. A search that has settled stays settled.
     pub fn extend(&mut self, iterations: usize) {
         self.max_iterations = self.max_iterations.saturating_add(iterations);
         if self.reason == Some(SearchEnd::Iterations) {
@@ -257,12 +265,12 @@ where
         }
     }
 
-    /// Iterations so far.
+    /// Number of iterations so far.
     pub fn iteration(&self) -> usize {
         self.iteration
     }
 
-    /// Most iterations there can be.
+    /// Largest number of iterations.
     pub fn max_iterations(&self) -> usize {
         self.max_iterations
     }
@@ -286,11 +294,6 @@ where
     pub fn fraction(&self) -> f64 {
         if self.reason.is_some() { 1.0 } else { self.iteration as f64 / self.max_iterations.max(1) as f64 }
     }
-}
-
-fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
-    // Evaluations do not unwind; if one ever did, the best so far would still be whole.
-    shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(test)]

@@ -1,26 +1,33 @@
-//! How far to go in a direction: until the strong Wolfe conditions hold (Nocedal and Wright, "Numerical
-//! Optimization", 2006, algorithms 3.5 and 3.6).
+//! The length of a step in a direction: one for which the strong Wolfe conditions hold (Nocedal and Wright,
+//! "Numerical Optimization", 2006, algorithms 3.5 and 3.6).
 
-/// The value must fall by at least this part of what the slope at the beginning promises.
+/// The value must fall by at least this part of the step times the slope at the start.
 const SUFFICIENT_DECREASE: f64 = 1e-3;
-/// The slope must become this much flatter.
+/// The slope must fall to this part of the slope at the start.
 const FLATTER: f64 = 0.9;
-/// While nothing ends the way, it becomes so many times longer.
-const LONGER: f64 = 4.0;
-/// How near to an end of the bracket the next step may be, in lengths of the bracket.
+/// Growth factor of the step until a minimum is bracketed.
+const GROWTH: f64 = 4.0;
+/// Least distance of the next step from an end of the bracket, in lengths of the bracket.
 const MARGIN: f64 = 0.1;
-/// A bracket that is shorter than this part of the step holds a kink, where an entry reaches the end of its
-/// box: no point in it is flat.
+/// A bracket shorter than this part of the step holds a kink, where a parameter reaches its bound: no point
+/// in it is flat.
 const SHORTEST: f64 = 1e-3;
-const MOST_TRIALS: usize = 20;
+const MOST_PROBES: usize = 20;
 
-/// What was found after a step.
-pub struct Found<At> {
+/// A function along a line.
+pub trait Line {
+    /// Computes the function after the step `t`.
+    fn probe(&mut self, t: f64) -> Probe;
+
+    /// Stores the point of the last probe as the best one.
+    fn store(&mut self);
+}
+
+/// Value and slope of a function at a point of a line.
+#[derive(Clone, Copy)]
+pub struct Probe {
     pub value: f64,
-    /// Of the value along the way.
     pub slope: f64,
-    /// The point.
-    pub at: At,
 }
 
 /// One end of the bracket.
@@ -31,27 +38,25 @@ struct End {
     slope: f64,
 }
 
-/// A point that is enough better than the beginning, of this value and (negative) slope; `first` is the step
-/// that is tried first. `None` when none was found.
-pub fn line_search<At>(
-    (value, slope): (f64, f64),
-    first: f64,
-    mut probe: impl FnMut(f64) -> Found<At>,
-) -> Option<Found<At>> {
+/// Searches for a point of the `line` that is sufficiently better than its `start`, whose slope is negative.
+/// Probes the step `first` first. Returns whether the line has stored such a point.
+pub fn line_search(start: Probe, first: f64, line: &mut impl Line) -> bool {
+    let Probe { value, slope } = start;
     let mut low = End { t: 0.0, value, slope };
     let mut high: Option<End> = None;
-    let mut best = None;
+    let mut stored = false;
     let mut t = first;
-    for _ in 0..MOST_TRIALS {
-        let found = probe(t);
-        let here = End { t, value: found.value, slope: found.slope };
-        // What cannot be computed is no better.
+    for _ in 0..MOST_PROBES {
+        let Probe { value: here_value, slope: here_slope } = line.probe(t);
+        let here = End { t, value: here_value, slope: here_slope };
+        // NaN compares false and so counts as worse.
         if here.value <= value + SUFFICIENT_DECREASE * t * slope && here.value < low.value {
+            line.store();
+            stored = true;
             if here.slope.abs() <= FLATTER * slope.abs() {
-                return Some(found);
+                return true;
             }
-            best = Some(found);
-            // The minimum is on the side to which it goes down.
+            // The minimum is on the side where the value falls.
             let far = high.map_or(1.0, |high| high.t - low.t);
             if here.slope * far >= 0.0 {
                 high = Some(low);
@@ -61,7 +66,7 @@ pub fn line_search<At>(
             high = Some(here);
         }
         t = match high {
-            None => LONGER * t,
+            None => GROWTH * t,
             Some(high) => between(low, high),
         };
         let kink = high.is_some_and(|high| (high.t - low.t).abs() < SHORTEST * low.t);
@@ -69,11 +74,11 @@ pub fn line_search<At>(
             break;
         }
     }
-    best
+    stored
 }
 
-/// The minimum of the cubic polynomial with the values and slopes of both ends (equation 3.59), not too near
-/// to either.
+/// The minimum of the cubic polynomial with the values and slopes of both ends (equation 3.59), at least the
+/// margin away from both.
 fn between(low: End, high: End) -> f64 {
     let width = high.t - low.t;
     let theta = 3.0 * (low.value - high.value) / width + low.slope + high.slope;
@@ -87,57 +92,76 @@ fn between(low: End, high: End) -> f64 {
 mod tests {
     use super::*;
 
-    /// The step that is taken for f, f' along the way, and how many were tried.
-    fn taken(first: f64, f: impl Fn(f64) -> (f64, f64)) -> (Option<f64>, usize) {
-        let mut tried = 0;
-        let found = line_search(f(0.0), first, |t| {
-            tried += 1;
-            let (value, slope) = f(t);
-            Found { value, slope, at: t }
-        });
-        (found.map(|found| found.at), tried)
+    struct Function<F> {
+        f: F,
+        probes: Vec<f64>,
+        stored: Option<f64>,
+    }
+
+    impl<F: Fn(f64) -> (f64, f64)> Line for Function<F> {
+        fn probe(&mut self, t: f64) -> Probe {
+            self.probes.push(t);
+            let (value, slope) = (self.f)(t);
+            Probe { value, slope }
+        }
+
+        fn store(&mut self) {
+            self.stored = self.probes.last().copied();
+        }
+    }
+
+    /// The step accepted for the value and slope `f`, and the number of probes.
+    fn accepted(first: f64, f: impl Fn(f64) -> (f64, f64)) -> (Option<f64>, usize) {
+        let (value, slope) = f(0.0);
+        let mut line = Function { f, probes: Vec::new(), stored: None };
+        let found = line_search(Probe { value, slope }, first, &mut line);
+        assert_eq!(found, line.stored.is_some());
+        (line.stored, line.probes.len())
     }
 
     #[test]
-    fn a_good_first_step_is_taken() {
-        assert_eq!(taken(1.0, |t| ((t - 1.0).powi(2), 2.0 * (t - 1.0))), (Some(1.0), 1));
+    fn accepts_a_good_first_step() {
+        assert_eq!(accepted(1.0, |t| ((t - 1.0).powi(2), 2.0 * (t - 1.0))), (Some(1.0), 1));
     }
 
     #[test]
-    fn a_step_too_long_is_shortened_to_the_minimum_of_a_cubic() {
+    fn shortens_a_step_to_the_minimum_of_a_cubic() {
         let cubic = |t: f64| (t * t * t - 3.0 * t, 3.0 * t * t - 3.0);
-        let (step, tried) = taken(3.0, cubic);
+        let (step, probes) = accepted(3.0, cubic);
         assert!((step.unwrap() - 1.0).abs() < 1e-12, "{step:?}");
-        assert_eq!(tried, 2);
+        assert_eq!(probes, 2);
     }
 
     #[test]
-    fn a_step_too_short_grows() {
-        let (step, tried) = taken(0.01, |t| ((t - 5.0).powi(2), 2.0 * (t - 5.0)));
-        assert!((0.5..9.5).contains(&step.unwrap()) && tried < 8, "{step:?} {tried}");
+    fn lengthens_a_short_step() {
+        let (step, probes) = accepted(0.01, |t| ((t - 5.0).powi(2), 2.0 * (t - 5.0)));
+        assert!((0.5..9.5).contains(&step.unwrap()) && probes < 8, "{step:?} {probes}");
     }
 
-    /// Far away the value cannot be computed: a wall, or none at all.
+    /// Beyond a point the value is very large or not finite.
     #[test]
-    fn what_cannot_be_computed_is_avoided() {
+    fn avoids_values_that_are_not_finite() {
         for beyond in [(1e6, 0.0), (f64::NAN, f64::NAN), (f64::INFINITY, 0.0)] {
             let f = |t: f64| if t > 0.1 { beyond } else { ((t - 1.0).powi(2), 2.0 * (t - 1.0)) };
-            let (step, _) = taken(1.0, f);
+            let (step, _) = accepted(1.0, f);
             assert!(step.is_some_and(|t| t > 0.0 && t <= 0.1), "{step:?}");
         }
     }
 
-    /// The value falls to a kink and rises behind it: no slope is ever flat.
+    /// The value falls to a kink and rises behind it: no point is flat.
     #[test]
-    fn at_a_kink_the_search_is_short() {
+    fn ends_soon_at_a_kink() {
         let kink = |t: f64| if t < 0.3 { (-t, -1.0) } else { (2.0 * t - 0.9, 2.0) };
-        let (step, tried) = taken(1.0, kink);
-        assert!((step.unwrap() - 0.3).abs() < 1e-3 && tried < 12, "{step:?} {tried}");
+        let (step, probes) = accepted(1.0, kink);
+        assert!((step.unwrap() - 0.3).abs() < 1e-3 && probes < 12, "{step:?} {probes}");
     }
 
-    /// A way that only rises, though its slope says otherwise.
+    /// The value rises everywhere, though the slope at the start is negative.
     #[test]
-    fn no_step_is_found_where_there_is_none() {
-        assert_eq!(taken(1.0, |t| if t > 0.0 { (1.0 + t, 1.0) } else { (0.0, -1.0) }), (None, MOST_TRIALS));
+    fn finds_no_step_where_the_value_only_rises() {
+        assert_eq!(
+            accepted(1.0, |t| if t > 0.0 { (1.0 + t, 1.0) } else { (0.0, -1.0) }),
+            (None, MOST_PROBES)
+        );
     }
 }

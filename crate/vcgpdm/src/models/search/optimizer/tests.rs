@@ -3,7 +3,6 @@ use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use std::sync::{Arc, Mutex};
 
 /// Rosenbrock's function, chained.
 fn rosenbrock(x: &[f64]) -> (f64, Vec<f64>) {
@@ -18,48 +17,44 @@ fn rosenbrock(x: &[f64]) -> (f64, Vec<f64>) {
     (f, g)
 }
 
-/// Where it ends, its value, the iterations and the evaluations.
+/// The best point and its value, the number of iterations and the number of evaluations.
 fn minimise(
     x: Vec<f64>,
     boxes: &[(f64, f64)],
-    threads: usize,
-    f: impl Fn(&[f64]) -> (f64, Vec<f64>) + Send + 'static,
+    f: impl Fn(&[f64]) -> (f64, Vec<f64>),
 ) -> (Vec<f64>, f64, usize, usize) {
-    let seen = Arc::new(Mutex::new((x.clone(), f64::INFINITY, 0)));
-    let last = Arc::clone(&seen);
-    let evaluate = move |x: &[f64]| {
+    let (mut best, mut least, mut evaluations) = (x.clone(), f64::INFINITY, 0);
+    let mut evaluate = |x: &[f64], out: &mut [f64]| {
         let (value, gradient) = f(x);
-        let mut seen = last.lock().unwrap();
-        if value < seen.1 {
-            (seen.0, seen.1) = (x.to_vec(), value);
+        out.copy_from_slice(&gradient);
+        if value < least {
+            (best, least) = (x.to_vec(), value);
         }
-        seen.2 += 1;
-        (value, gradient)
+        evaluations += 1;
+        value
     };
-    let mut optimizer = Optimizer::new(x, boxes.iter().copied(), Box::new(evaluate));
-    optimizer.use_threads(threads);
+    let mut optimizer = Optimizer::new(x, boxes.iter().copied());
+    assert_eq!(optimizer.value(), None);
     let mut iterations = 0;
-    while optimizer.step() && iterations < 2000 {
+    while optimizer.step(&mut evaluate) && iterations < 2000 {
         iterations += 1;
     }
-    let (x, value, evaluations) = seen.lock().unwrap().clone();
-    assert_eq!(optimizer.value(), Some(value));
-    (x, value, iterations, evaluations)
+    assert_eq!(optimizer.value(), Some(least));
+    (best, least, iterations, evaluations)
 }
 
-/// The free minimum is at 1 in every coordinate; the box ends at 0.9 for the first, and the others turn
-/// towards it.
+/// The unbounded minimum is 1 for every parameter; the box ends at 0.9.
 #[test]
-fn chained_rosenbrock_in_a_box() {
-    let (x, value, iterations, _) = minimise(vec![-1.2; 6], &[(-2.0, 0.9); 6], 1, rosenbrock);
+fn minimises_rosenbrock_in_a_box() {
+    let (x, value, iterations, _) = minimise(vec![-1.2; 6], &[(-2.0, 0.9); 6], rosenbrock);
     assert!(x.iter().all(|v| (-2.0..=0.9).contains(v)), "{x:?}");
     assert!((value - 0.963_812_8).abs() < 1e-6 && iterations < 200, "{iterations} {value}");
 }
 
-/// How far a step downhill, cut off by the box, would still go: 0 where nothing is better nearby.
-fn left_to_go(x: &[f64], gradient: &[f64], boxes: &[(f64, f64)]) -> f64 {
-    let entries = x.iter().zip(gradient).zip(boxes);
-    entries.fold(0.0, |far, ((x, g), (low, high))| far.max((x - (x - g).clamp(*low, *high)).abs()))
+/// Length of the longest step downhill inside the box: 0 at a minimum.
+fn projected_gradient(x: &[f64], gradient: &[f64], boxes: &[(f64, f64)]) -> f64 {
+    let parameters = x.iter().zip(gradient).zip(boxes);
+    parameters.fold(0.0, |longest, ((x, g), (low, high))| longest.max((x - (x - g).clamp(*low, *high)).abs()))
 }
 
 /// 1/2 (x - c)' A (x - c).
@@ -69,16 +64,18 @@ fn bowl(a: &DMatrix<f64>, c: &DVector<f64>, x: &[f64]) -> (f64, Vec<f64>) {
     (0.5 * away.dot(&gradient), gradient.as_slice().to_vec())
 }
 
-/// Where entries pull at each other the value has a kink at which one reaches its end. The search once
-/// stopped at (1 - 1e-14, -0.55) of the first, far from the minimum.
+/// Where parameters are coupled, the value along a line has a kink at which one reaches its bound. The search
+/// once stopped at (1 - 1e-14, -0.55) for the first function, far from the minimum.
 #[test]
-fn coupled_entries_do_not_jam_beside_an_end() {
+fn coupled_parameters_do_not_stop_near_a_bound() {
     let a = DMatrix::from_row_slice(2, 2, &[2.3, 4.2, 4.2, 8.0]);
     let c = a.clone().lu().solve(&DVector::from_element(2, 1.2)).unwrap();
     let boxes = [(-1.0, 1.0); 2];
-    let own = (a.clone(), c.clone());
-    let (x, _, _, evaluations) = minimise(vec![-0.7, -0.5], &boxes, 1, move |x| bowl(&own.0, &own.1, x));
-    assert!(left_to_go(&x, &bowl(&a, &c, &x).1, &boxes) < 1e-5 && evaluations < 40, "{x:?} {evaluations}");
+    let (x, _, _, evaluations) = minimise(vec![-0.7, -0.5], &boxes, |x| bowl(&a, &c, x));
+    assert!(
+        projected_gradient(&x, &bowl(&a, &c, &x).1, &boxes) < 1e-5 && evaluations < 40,
+        "{x:?} {evaluations}"
+    );
 
     let mut random = ChaCha8Rng::seed_from_u64(7);
     let mut normal = move |_: usize, _: usize| -> f64 { StandardNormal.sample(&mut random) };
@@ -89,17 +86,16 @@ fn coupled_entries_do_not_jam_beside_an_end() {
             let c = DVector::from_fn(n, |i, j| 2.0 * normal(i, j));
             let boxes = vec![(-1.0, 1.0); n];
             let start = (0..n).map(|k| normal(k, 0).tanh()).collect();
-            let own = (a.clone(), c.clone());
-            let (x, _, _, evaluations) = minimise(start, &boxes, 1, move |x| bowl(&own.0, &own.1, x));
-            let left = left_to_go(&x, &bowl(&a, &c, &x).1, &boxes);
+            let (x, _, _, evaluations) = minimise(start, &boxes, |x| bowl(&a, &c, x));
+            let left = projected_gradient(&x, &bowl(&a, &c, &x).1, &boxes);
             assert!(left < 1e-4 && evaluations < 600, "{n}: {left} {evaluations} {x:?}");
         }
     }
 }
 
-/// Beyond a wall nothing can be computed, not even at the first step.
+/// Below 0.5 the value is NaN; the first step goes there.
 #[test]
-fn what_cannot_be_computed_is_kept_away_from() {
+fn turns_back_from_points_without_a_value() {
     let f = |x: &[f64]| {
         let far = x[0] < 0.5;
         if far {
@@ -108,14 +104,13 @@ fn what_cannot_be_computed_is_kept_away_from() {
             (x[0] + 1.0 / x[0] + x[1] * x[1], vec![1.0 - 1.0 / (x[0] * x[0]), 2.0 * x[1]])
         }
     };
-    let (x, value, ..) = minimise(vec![40.0, 3.0], &[(-99.0, 99.0); 2], 1, f);
+    let (x, value, ..) = minimise(vec![40.0, 3.0], &[(-99.0, 99.0); 2], f);
     assert!((x[0] - 1.0).abs() < 1e-5 && x[1].abs() < 1e-5 && (value - 2.0).abs() < 1e-9, "{x:?} {value}");
 }
 
-/// Curvatures from 1 to 10^6, in a box that leaves every third entry out of reach: there the solution is
-/// known.
+/// Curvatures from 1 to 10^6. Every third parameter has its minimum outside its box.
 #[test]
-fn badly_scaled_and_held_by_the_box() {
+fn minimises_a_badly_scaled_function() {
     let n = 300;
     let curvature = move |k: usize| 10f64.powf(6.0 * ((k * 37) % n) as f64 / n as f64);
     let target = |k: usize| (k as f64).sin();
@@ -126,15 +121,15 @@ fn badly_scaled_and_held_by_the_box() {
         let value = away.iter().enumerate().map(|(k, a)| 0.5 * curvature(k) * a * a).sum();
         (value, away.iter().enumerate().map(|(k, a)| curvature(k) * a).collect())
     };
-    let (x, _, iterations, evaluations) = minimise(vec![2.0; n], &boxes, 1, f);
+    let (x, _, iterations, evaluations) = minimise(vec![2.0; n], &boxes, f);
     for k in 0..n {
-        let best = if k % 3 == 0 { target(k) + 0.5 } else { target(k) };
-        assert!((x[k] - best).abs() < 1e-3, "{k}: {} {best}", x[k]);
+        let expected = if k % 3 == 0 { target(k) + 0.5 } else { target(k) };
+        assert!((x[k] - expected).abs() < 1e-3, "{k}: {} {expected}", x[k]);
     }
     assert!(iterations < 400 && evaluations < 2 * iterations, "{iterations} {evaluations}");
 }
 
-/// More rows than one block has, and enough blocks for three threads.
+/// Enough parameters for three threads.
 #[cfg(feature = "threads")]
 #[test]
 fn threads_take_the_same_steps() {
@@ -142,20 +137,25 @@ fn threads_take_the_same_steps() {
     let start: Vec<f64> = (0..n).map(|k| (k as f64).cos()).collect();
     let boxes = vec![(-1.5, 0.95); n];
     let few = |threads| {
-        let mut optimizer = Optimizer::new(start.clone(), boxes.iter().copied(), Box::new(rosenbrock));
+        let mut optimizer = Optimizer::new(start.clone(), boxes.iter().copied());
         optimizer.use_threads(threads);
-        (0..30).for_each(|_| assert!(optimizer.step()));
-        optimizer.point.unwrap().x.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+        let mut f = |x: &[f64], out: &mut [f64]| {
+            let (value, gradient) = rosenbrock(x);
+            out.copy_from_slice(&gradient);
+            value
+        };
+        (0..30).for_each(|_| assert!(optimizer.step(&mut f)));
+        optimizer.point.x.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
     };
     let one = few(1);
     assert!(one == few(2) && one == few(3));
 }
 
 #[test]
-fn nothing_to_do_is_nothing_done() {
-    // At the minimum; and with everything held.
+fn stays_at_a_minimum() {
+    // Inside the box, at a bound, and without parameters.
     let square = |x: &[f64]| (x[0] * x[0], vec![2.0 * x[0]]);
-    assert_eq!(minimise(vec![0.0], &[(-1.0, 1.0)], 1, square), (vec![0.0], 0.0, 0, 1));
-    assert_eq!(minimise(vec![0.5], &[(0.5, 1.0)], 1, square), (vec![0.5], 0.25, 0, 1));
-    assert_eq!(minimise(vec![], &[], 1, |_| (1.0, vec![])), (vec![], 1.0, 0, 1));
+    assert_eq!(minimise(vec![0.0], &[(-1.0, 1.0)], square), (vec![0.0], 0.0, 0, 1));
+    assert_eq!(minimise(vec![0.5], &[(0.5, 1.0)], square), (vec![0.5], 0.25, 0, 1));
+    assert_eq!(minimise(vec![], &[], |_| (1.0, vec![])), (vec![], 1.0, 0, 1));
 }

@@ -44,8 +44,11 @@ impl Target for Bound {
         Ok(self.workspace.terms().total())
     }
 
-    fn terms(&self) -> &BoundTerms {
-        self.workspace.terms()
+    fn copy_terms(&self, into: &mut BoundTerms) {
+        let BoundTerms { kinematics, dynamics, initial, entropy } = self.workspace.terms();
+        into.kinematics.copy_from_slice(kinematics);
+        into.dynamics.copy_from_slice(dynamics);
+        (into.initial, into.entropy) = (*initial, *entropy);
     }
 
     fn gradient(&self) -> &Params {
@@ -148,14 +151,14 @@ impl VariationalTrainer {
     pub(in crate::models) fn hold(&mut self, held: &Params) {
         let mut entries = Vec::new();
         held.visit(&mut |_, values| entries.extend(values.iter().map(|v| *v != 0.0)));
-        self.ascent.hold(entries);
+        self.ascent.fix(entries);
     }
 
     /// Computes bound and direction in so many threads from now on. The outcome is the same to the bit; it
     /// takes more memory, and pays where there are thousands of frames or many inducing points.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
-        self.ascent.search().target.workspace.use_threads(threads);
+        self.ascent.target_mut().workspace.use_threads(threads);
         self.ascent.use_threads(threads);
     }
 
