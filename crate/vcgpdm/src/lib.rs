@@ -126,7 +126,6 @@ pub mod internals {
     pub use crate::document::{settings_of, settings_value};
     pub use crate::elementary::Elementary;
     pub use crate::gp::linalg::{Factor, block_diagonal};
-    pub use crate::models::search::optimizer::Optimizer;
     pub use crate::motion::clip::sha256;
     pub use crate::words::counted;
 

@@ -1,22 +1,22 @@
 //! Logistic regression with a ceiling: how often a movement is taken for the natural one, from a score of its
 //! model (Knopp et al. 2019, equations 8 to 10).
 
-use std::sync::{Arc, Mutex, PoisonError};
 use vcgpdm::internals::Elementary;
-use vcgpdm::internals::Optimizer;
 
-/// Weights stay in this box: where a score tells all answers apart, the best weight would be infinite.
+/// Largest absolute value of a weight: where a score separates all answers, the best weight would be infinite.
 const LARGEST: f64 = 30.0;
-/// What the optimiser takes for one unit, in nats per trial. It ends where the gradient is a millionth of a
-/// unit; where a score nearly tells all answers apart, the likelihood still rises long after it is flat to a
-/// millionth of a nat.
-const UNIT: f64 = 1e-8;
-/// Iterations of a search over two weights; it ends long before.
+/// A search ends when no weight changes by more than this, and usually within 20 iterations.
+const SMALLEST_STEP: f64 = 1e-13;
 const MOST_ITERATIONS: usize = 500;
-/// Searches start flat, falling and rising: with a ceiling there may be several maxima.
+/// Relative rounding error of a log likelihood.
+const ROUNDING: f64 = 1e-14;
+/// Least damping of a step, and least information: they keep the information matrix regular.
+const LEAST_DAMPING: f64 = 1e-10;
+const LEAST_INFORMATION: f64 = 1e-12;
+/// First slopes of the searches: flat, falling and rising. With a ceiling there may be several maxima.
 const STARTS: [f64; 3] = [0.0, 1.0, -1.0];
 
-/// How often movements of that score were taken for the natural one.
+/// How often movements of one score were taken for the natural one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Point {
     /// The standardised score.
@@ -38,17 +38,57 @@ impl Curve {
         let (hits, trials) = points
             .iter()
             .fold((0.0, 0.0), |(hits, trials), point| (hits + point.hits, trials + point.trials));
-        // Where all scores say the same: the rate of all, within the ceiling.
+        // The flat curve has the mean rate of all points.
         let share = ((hits + 0.5) / (trials + 1.0) / ceiling).clamp(0.02, 0.98);
         let flat = ((1.0 - share) / share).logarithm();
-        let mut best = (f64::INFINITY, [flat, 0.0]);
-        for start in STARTS {
-            let found = search(points, ceiling, [flat, start]);
-            if found.0 < best.0 {
-                best = found;
+        let starts = STARTS.map(|slope| Self { ceiling, weights: [flat, slope] });
+        let found = starts.map(|start| start.rise(points));
+        let best = found.into_iter().reduce(|best, other| if other.1 > best.1 { other } else { best });
+        best.map_or(starts[0], |(curve, _)| curve)
+    }
+
+    /// Fisher scoring from this curve: a curve of the highest likelihood nearby, and its log likelihood. A step
+    /// that lowers the likelihood is damped.
+    fn rise(mut self, points: &[Point]) -> (Self, f64) {
+        let mut value = self.log_likelihood(points);
+        let mut damping = LEAST_DAMPING;
+        for _ in 0..MOST_ITERATIONS {
+            let next = self.step(points, damping);
+            let next_value = next.log_likelihood(points);
+            if next_value >= value - ROUNDING * value.abs() {
+                let change = |k: usize| (next.weights[k] - self.weights[k]).abs();
+                let small = change(0).max(change(1)) < SMALLEST_STEP;
+                (self, value) = (next, next_value);
+                if small {
+                    break;
+                }
+                damping = (0.1 * damping).max(LEAST_DAMPING);
+            } else {
+                damping *= 10.0;
             }
         }
-        Self { ceiling, weights: best.1 }
+        (self, value)
+    }
+
+    /// The curve after one damped step of Fisher scoring. A weight at its limit whose step would cross it stays.
+    fn step(&self, points: &[Point], damping: f64) -> Self {
+        let [a, b, c] = self.information(points);
+        let [a, c] = [a, c].map(|diagonal| diagonal * (1.0 + damping) + LEAST_INFORMATION);
+        let mut gradient = [0.0; 2];
+        for point in points {
+            let slope = log_likelihood(point, self.ceiling, self.weights).1;
+            gradient[0] += slope;
+            gradient[1] += slope * point.score;
+        }
+        let [g0, g1] = gradient;
+        let stays = |k: usize| self.weights[k].abs() >= LARGEST && self.weights[k] * gradient[k] > 0.0;
+        let determinant = a * c - b * b;
+        let step = match (stays(0), stays(1)) {
+            (false, false) => [(c * g0 - b * g1) / determinant, (a * g1 - b * g0) / determinant],
+            (stays0, stays1) => [if stays0 { 0.0 } else { g0 / a }, if stays1 { 0.0 } else { g1 / c }],
+        };
+        let weights = [0, 1].map(|k| (self.weights[k] + step[k]).clamp(-LARGEST, LARGEST));
+        Self { ceiling: self.ceiling, weights }
     }
 
     /// The probability of being taken for the natural one.
@@ -63,8 +103,15 @@ impl Curve {
     }
 
     /// The standard errors of both weights, from the expected information; absent where the answers do not
-    /// tell both.
+    /// determine both.
     pub fn errors(&self, points: &[Point]) -> Option<[f64; 2]> {
+        let [a, b, c] = self.information(points);
+        let determinant = a * c - b * b;
+        (determinant > 1e-9 * a * c && a > 0.0).then(|| [(c / determinant).sqrt(), (a / determinant).sqrt()])
+    }
+
+    /// The expected information of (w0, w0), (w0, w1) and (w1, w1).
+    fn information(&self, points: &[Point]) -> [f64; 3] {
         let [w0, w1] = self.weights;
         let (mut a, mut b, mut c) = (0.0, 0.0, 0.0);
         for Point { score, trials, .. } in points {
@@ -75,38 +122,8 @@ impl Curve {
             b += information * score;
             c += information * score * score;
         }
-        let determinant = a * c - b * b;
-        (determinant > 1e-9 * a * c && a > 0.0).then(|| [(c / determinant).sqrt(), (a / determinant).sqrt()])
+        [a, b, c]
     }
-}
-
-/// The least negative log likelihood from there, in units of all trials together, and its weights.
-fn search(points: &[Point], ceiling: f64, start: [f64; 2]) -> (f64, [f64; 2]) {
-    let best = Arc::new(Mutex::new((f64::INFINITY, start)));
-    let (seen, own) = (Arc::clone(&best), points.to_vec());
-    let unit = UNIT * points.iter().map(|point| point.trials).sum::<f64>().max(1.0);
-    let evaluate = move |x: &[f64]| {
-        let weights = [x[0], x[1]];
-        let (mut value, mut gradient) = (0.0, vec![0.0; 2]);
-        for point in &own {
-            let (log_likelihood, slope) = log_likelihood(point, ceiling, weights);
-            value -= log_likelihood / unit;
-            gradient[0] -= slope / unit;
-            gradient[1] -= slope * point.score / unit;
-        }
-        let mut best = seen.lock().unwrap_or_else(PoisonError::into_inner);
-        if value < best.0 {
-            *best = (value, weights);
-        }
-        (value, gradient)
-    };
-    let boxes = [(-LARGEST, LARGEST); 2].into_iter();
-    let mut optimizer = Optimizer::new(start.to_vec(), boxes, Box::new(evaluate));
-    let mut iterations = 0;
-    while optimizer.step() && iterations < MOST_ITERATIONS {
-        iterations += 1;
-    }
-    *best.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The log likelihood of a point's answers, and its derivative by w0 + w1 score.
@@ -121,10 +138,10 @@ fn log_likelihood(point: &Point, ceiling: f64, weights: [f64; 2]) -> (f64, f64) 
         ((1.0 + small).logarithm(), (1.0 - ceiling + small).logarithm())
     };
     let rising = 1.0 - falling(x);
-    let of_rest =
+    let rest_share =
         if x > 0.0 { 1.0 / ((1.0 - ceiling) * small + 1.0) } else { small / (1.0 - ceiling + small) };
     let value = hits * (ceiling.logarithm() - whole) + (trials - hits) * (rest - whole);
-    (value, -hits * rising + (trials - hits) * (of_rest - rising))
+    (value, -hits * rising + (trials - hits) * (rest_share - rising))
 }
 
 /// 1 / (1 + e^x).
@@ -140,7 +157,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
     use rand_chacha::rand_core::{Rng, SeedableRng};
 
-    /// Answers of observers who follow the curve.
+    /// Answers of simulated observers who follow the curve.
     fn simulated(curve: &Curve, scores: &[f64], trials: usize, seed: u64) -> Vec<Point> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut uniform = || random.next_u32() as f64 / f64::from(u32::MAX);
@@ -156,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn the_slope_is_that_of_the_likelihood() {
+    fn the_slope_agrees_with_differences_of_the_likelihood() {
         for ceiling in [0.3, 0.5, 1.0] {
             for x in [-40.0, -3.0, -0.1, 0.1, 2.0, 40.0] {
                 let point = Point { score: 0.0, hits: 3.0, trials: 7.0 };
@@ -173,13 +190,15 @@ mod tests {
     }
 
     #[test]
-    fn simulated_observers_give_back_their_weights() {
+    fn finds_the_weights_of_simulated_observers() {
         let (mut inside, mut count) = (0, 0);
         for (weights, ceiling) in [([0.0, 1.5], 0.5), ([-1.0, 0.8], 0.5), ([0.5, -2.0], 0.6)] {
             let truth = Curve { ceiling, weights };
             for seed in 0..20 {
                 let points = simulated(&truth, &scores(20), 158, seed);
                 let found = Curve::fit(&points, ceiling);
+                let slopes = points.iter().map(|point| log_likelihood(point, ceiling, found.weights).1);
+                assert!(slopes.sum::<f64>().abs() < 1e-9);
                 let errors = found.errors(&points).unwrap();
                 for k in 0..2 {
                     let off = (found.weights[k] - weights[k]).abs() / errors[k];
@@ -194,10 +213,9 @@ mod tests {
         assert!((0.9..1.0).contains(&(inside as f64 / count as f64)), "{inside} of {count}");
     }
 
-    /// The best curve is steep, and the likelihood nearly flat on the way there. How steep the curve was
-    /// found to be once depended on where the optimiser happened to stop.
+    /// The best curve is steep, and the likelihood nearly flat around it. An earlier search stopped too soon.
     #[test]
-    fn a_score_that_nearly_tells_answers_apart_has_its_steep_curve() {
+    fn finds_the_steep_curve_of_a_score_that_nearly_separates_the_answers() {
         let points = [-1.0, 1.0].map(|score| Point {
             score,
             hits: if score < 0.0 { 499.0 } else { 1e-4 },
@@ -212,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn answers_that_a_score_tells_apart_stay_in_the_box() {
+    fn weights_stay_in_the_box_where_a_score_separates_the_answers() {
         let apart: Vec<Point> = scores(10)
             .into_iter()
             .map(|score| Point { score, hits: if score < 0.0 { 50.0 } else { 0.0 }, trials: 50.0 })
