@@ -8,13 +8,14 @@ export interface Table {
   rows: Field[][];
 }
 
+/** The text with an apostrophe first if a spreadsheet would compute it: names come from strangers' files. */
+export const guarded = (text: string): string => (/^[=+@\t\r-]/.test(text) ? `'${text}` : text);
+
 function written(field: Field): string {
   if (field === null) return "";
   if (typeof field === "number") return Number.isFinite(field) ? String(field) : "";
-  // A spreadsheet would compute what begins so, and names come from strangers' files. With an apostrophe
-  // before it, it is a text.
-  if (/^[=+@\t-]/.test(field)) return written(`'${field}`);
-  return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
+  const text = guarded(field);
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
 export function csv({ header, rows }: Table): string {

@@ -1,7 +1,8 @@
 // Answers as files: jsPsych's CSV with all rows of one or more participants, and the same as JSON.
 import { DataCollection } from "jspsych";
 import type { AnswersFile } from "../engine/whole-protocol";
-import type { KeptParticipation } from "./participation";
+import { guarded } from "../figures/csv";
+import type { KeptParticipation, Row } from "./participation";
 
 const rowsOf = (participations: readonly KeptParticipation[]) =>
   new DataCollection(participations.flatMap(({ rows }) => rows.map((row) => ({ ...row }))));
@@ -14,8 +15,14 @@ const baseOf = (participations: readonly KeptParticipation[]) => {
   return only && others.length === 0 ? `answers-${plain(only.participant)}` : "answers";
 };
 
+const guardedRow = (row: Row): Row =>
+  Object.fromEntries(
+    Object.entries(row).map(([name, value]) => [name, typeof value === "string" ? guarded(value) : value]),
+  );
+
 export function csvFile(participations: readonly KeptParticipation[]): AnswersFile {
-  return { name: `${baseOf(participations)}.csv`, text: rowsOf(participations).csv() };
+  const guardedRows = participations.map((kept) => ({ ...kept, rows: kept.rows.map(guardedRow) }));
+  return { name: `${baseOf(participations)}.csv`, text: rowsOf(guardedRows).csv() };
 }
 
 export function jsonFile(participations: readonly KeptParticipation[]): AnswersFile {

@@ -189,7 +189,7 @@ impl Reader<'_> {
         for row in rows {
             let get = |name: &str| {
                 let column = header.fields.iter().position(|field| field == name)?;
-                row.fields.get(column).cloned()
+                row.fields.get(column).map(|field| without_guard(field).to_owned())
             };
             let fields = Fields { place: format!("line {}", row.line), get: &get };
             answers.extend(self.answer(name, &fields)?.map(|answer| (fields.place, answer)));
@@ -303,6 +303,14 @@ impl Reader<'_> {
     }
 }
 
+/// The text without the apostrophe that the page puts before text that a spreadsheet would compute.
+fn without_guard(field: &str) -> &str {
+    match field.strip_prefix('\'') {
+        Some(text) if text.starts_with(['=', '+', '-', '@', '\t', '\r']) => text,
+        _ => field,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -349,6 +357,17 @@ mod tests {
         assert_eq!(read_text(&list).unwrap(), found);
         let document = serde_json::json!({"format": "anything", "answers": rows}).to_string();
         assert_eq!(read_text(&document).unwrap(), found);
+    }
+
+    /// The page guards text that a spreadsheet would compute with an apostrophe.
+    #[test]
+    fn reads_names_that_are_guarded_against_spreadsheets() {
+        let participant = |name: &str| {
+            let text = csv().replace("\"p1\"", &format!("\"{name}\""));
+            read_text(&text).unwrap()[0].participant.clone()
+        };
+        assert_eq!(participant("'=1+1"), "=1+1");
+        assert_eq!(participant("'t Hooft"), "'t Hooft");
     }
 
     #[test]
