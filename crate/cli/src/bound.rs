@@ -5,6 +5,7 @@ use crate::numbers::whole;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
+use vcgpdm_lab::evaluation::stats::median;
 use vcgpdm_lab::golden::Case;
 
 /// Print the bound of a case, its terms, gradient, posteriors and rollouts as one JSON object.
@@ -20,7 +21,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let text = files::read_text(&arguments.case)?;
-    let named = |error| files::about(&arguments.case, &error);
+    let named = |error| files::with_path(&arguments.case, &error);
     let case = Case::from_json(&text).map_err(named)?;
     let mut result = case.evaluate().map_err(named)?;
     if let Some(repeat) = arguments.repeat {
@@ -31,13 +32,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             case.objective.compute_with_gradient(std::hint::black_box(&case.params), &mut workspace)?;
             times.push(1e3 * begin.elapsed().as_secs_f64());
         }
-        result.median_ms = Some(median(&mut times));
+        result.median_ms = Some(median(&times));
     }
     files::print_json(&result)
-}
-
-fn median(times: &mut [f64]) -> f64 {
-    times.sort_by(f64::total_cmp);
-    let (low, high) = (times[(times.len() - 1) / 2], times[times.len() / 2]);
-    0.5 * (low + high)
 }

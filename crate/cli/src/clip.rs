@@ -12,7 +12,7 @@ use vcgpdm::motion::{asf, bvh};
 pub struct Arguments {
     /// A BVH file, or sample:ID; or an ASF skeleton.
     #[arg(value_name = "CLIP")]
-    clip: String,
+    clip: PathBuf,
     /// The AMC motion of an ASF skeleton.
     #[arg(value_name = "MOTION.amc")]
     motion: Option<PathBuf>,
@@ -31,9 +31,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(fps) = arguments.fps {
         check_fps(fps)?;
     }
-    let skeleton = Path::new(&arguments.clip);
+    let skeleton = arguments.clip.as_path();
     let mut clip = match &arguments.motion {
-        None => files::read_clip(&arguments.clip)?,
+        None => files::read_clip(skeleton)?,
         Some(motion) => {
             check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);

@@ -6,7 +6,7 @@ use crate::train::train_steps;
 use crate::usage::usage;
 use serde_json::json;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
 
@@ -25,7 +25,7 @@ pub struct Arguments {
     uses: String,
     /// Fit the couplings to this clip, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP")]
-    clips: Vec<String>,
+    clips: Vec<PathBuf>,
     /// Most iterations of the fit.
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = whole(1..=MOST_ITERATIONS))]
     max_iterations: usize,
@@ -42,10 +42,10 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let text = files::read_text(&arguments.library)?;
-    let named = |error| files::about(&arguments.library, &error);
+    let named = |error| files::with_path(&arguments.library, &error);
     let mut trained = TrainedLibrary::from_json(&text).map_err(named)?;
     let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
-    let read = arguments.clips.iter().map(Path::new).chain([arguments.library.as_path()]);
+    let read = arguments.clips.iter().map(PathBuf::as_path).chain([arguments.library.as_path()]);
     let library_out = arguments.library_out.as_deref().map(|path| ("--library-out", path));
     files::check_outs([Some(("--out", arguments.out.as_path())), library_out].into_iter().flatten(), read)?;
     // Without a name it is in no library that is kept.
@@ -62,8 +62,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
-            for place in &arguments.clips {
-                clips.push(trained.observed(&files::read_clip(place)?)?);
+            for clip in files::read_clips(&arguments.clips)? {
+                clips.push(trained.observed(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;
             reason = Some(train_steps(|| trainer.step(), "bound")?);

@@ -2,7 +2,7 @@
 
 use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
-use crate::results::Store;
+use crate::store::{Next, Store};
 use crate::train::{parts, warn_of_cost};
 use crate::usage::usage;
 use crate::{files, interrupt};
@@ -10,13 +10,13 @@ use serde_json::json;
 use std::collections::HashMap;
 use std::error::Error;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 use vcgpdm::models::{
     MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, VariationalSettings,
 };
-use vcgpdm::motion::Clip;
 use vcgpdm_lab::evaluation::{
     ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
 };
@@ -24,13 +24,14 @@ use vcgpdm_lab::evaluation::{
 /// Compare models: train each on all trials but one, predict that one from its first frames, and keep how
 /// well it went.
 ///
-/// The exit status is 1 when all jobs failed. Some failures beside outcomes are results like others, and are
-/// said at the end. Coupled models are left out for a body in one part.
+/// The exit status is 1 when all jobs failed. If only some failed, the first failure is printed at the end.
+/// Coupled models are left out for a body in one part. Several programs can work on one file of results: a job
+/// that one of them computes is not computed by another.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
     #[arg(value_name = "CLIP", required = true)]
-    clips: Vec<String>,
+    clips: Vec<PathBuf>,
     /// Which models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "all|ID,ID", default_value = "all")]
     models: String,
@@ -101,8 +102,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_fps(arguments.fps)?;
-    let mut clips: Vec<Clip> =
-        arguments.clips.iter().map(|place| files::read_clip(place)).collect::<Result<_, _>>()?;
+    let mut clips = files::read_clips(&arguments.clips)?;
     if arguments.whole_cycles {
         clips = whole_cycles(&clips, arguments.fps)?.0;
     }
@@ -123,132 +123,182 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let (known, open): (Vec<Job>, Vec<Job>) =
         share.map(|k| asked[k].clone()).partition(|job| store.results().has_outcome(job));
 
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let threads = arguments.threads.map_or(cores, usize::from).min(open.len());
+    let cost = open.iter().map(|job| job.cost(&clips, &parts, arguments.fps)).sum();
     let work = Work::new(open, store)?;
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = arguments.threads.map_or(cores, usize::from).min(work.jobs.len());
-    let cost = work.jobs.iter().map(|job| job.cost(&clips, &parts, arguments.fps)).sum();
     warn_of_cost(
         cost,
         threads.max(1),
         "fewer models, folds, seeds or sizes, a lower --fps or fewer iterations",
     );
-    std::thread::scope(|scope| {
+    thread::scope(|scope| {
         for thread in 0..threads {
             let (work, folds) = (&work, &folds);
-            scope.spawn(move || work.go_on(thread, folds));
+            scope.spawn(move || work.compute(thread, folds));
         }
     });
-    let progress = work.standing();
-    progress.shown.finish();
-    if let Some(problem) = &progress.problem {
+    let state = work.state();
+    state.progress.finish();
+    if let Some(problem) = &state.problem {
         return Err(problem.clone().into());
     }
-    let (computed, failed) = (progress.done, progress.failures.len());
+    let (computed, failed) = (state.computed, state.failures.len());
+    let elsewhere = work.jobs - computed - state.left();
     files::print_json(&json!({
-        "jobs": known.len() + work.jobs.len(),
+        "jobs": known.len() + work.jobs,
         "computed": computed,
         "known_before": known.len(),
-        "left": work.jobs.len() - computed,
+        "computed_elsewhere": elsewhere,
+        "left": state.left(),
         "failed": failed,
     }))?;
-    let Some(first) = progress.failures.first() else { return Ok(()) };
-    let words = format!("{failed} of {computed} jobs failed, first {first}");
-    if failed == computed && known.is_empty() {
-        return Err(words.into());
+    let Some(first) = state.failures.first() else { return Ok(()) };
+    let message = format!("{failed} of {computed} jobs failed, first {first}");
+    if failed == computed && known.len() + elsewhere == 0 {
+        return Err(message.into());
     }
-    // A failure beside outcomes is one of the results: whoever computes shares goes on to put them together.
-    say(&words);
+    // A workflow goes on with the outcomes: some failures are results like others.
+    say(&message);
     Ok(())
 }
 
-/// Jobs that are shared out to threads, and where they stand.
+/// How often a thread without a job looks whether another program has finished or given up one.
+const POLL: Duration = Duration::from_secs(1);
+
+/// Jobs that are shared among threads, and among programs that write the same file.
 struct Work {
-    jobs: Vec<Job>,
-    next: AtomicUsize,
+    /// Number of the jobs.
+    jobs: usize,
     stopped: Arc<AtomicBool>,
-    standing: Mutex<Standing>,
+    state: Mutex<State>,
 }
 
-/// What came of the work so far.
-struct Standing {
+/// How far the work is.
+struct State {
     store: Store,
-    shown: Progress,
-    /// How far the job of each thread is, 0 to 1.
+    /// Jobs that are neither finished nor computed by this program.
+    open: Vec<Job>,
+    progress: Progress,
+    /// How far the job of each thread is, 0 to 1. A thread without a job has no entry.
     fractions: HashMap<usize, f64>,
-    done: usize,
-    /// Why jobs failed, each with its job.
+    computed: usize,
+    /// Each failed job with the reason.
     failures: Vec<String>,
     problem: Option<String>,
+    waited: bool,
+}
+
+impl State {
+    /// Says once that this program only waits for others.
+    fn say_waiting(&mut self) {
+        if self.fractions.is_empty() && !self.waited {
+            self.waited = true;
+            let jobs = self.open.len();
+            self.progress.note(&format!("waiting for other programs, which compute {jobs} of the jobs"));
+        }
+    }
+
+    /// Number of the jobs that are not finished.
+    fn left(&self) -> usize {
+        self.open.len() + self.fractions.len()
+    }
 }
 
 impl Work {
-    fn new(jobs: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
+    fn new(open: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
         let stopped = interrupt::flag()?;
-        let shown = Progress::new("about");
-        let standing = Standing {
+        let jobs = open.len();
+        let state = State {
             store,
-            shown,
+            open,
+            progress: Progress::new("about"),
             fractions: HashMap::new(),
-            done: 0,
+            computed: 0,
             failures: Vec::new(),
             problem: None,
+            waited: false,
         };
-        Ok(Self { jobs, next: AtomicUsize::new(0), stopped, standing: Mutex::new(standing) })
+        Ok(Self { jobs, stopped, state: Mutex::new(state) })
     }
 
-    fn standing(&self) -> MutexGuard<'_, Standing> {
-        self.standing.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes job after job until there is none left, or Ctrl-C.
-    fn go_on(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
-        while let Some(job) = self.jobs.get(self.next.fetch_add(1, Ordering::Relaxed)) {
-            let Some(fold) = folds.get(&(job.held_out, job.training_trials)) else { continue };
+    fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Computes one job after the other until none is left, or until Ctrl-C.
+    fn compute(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
+        while !self.is_stopped() {
+            let mut state = self.state();
+            let State { store, open, .. } = &mut *state;
+            let job = match store.claim(open) {
+                Ok(Next::Job(job)) => job,
+                Ok(Next::Wait) => {
+                    state.say_waiting();
+                    drop(state);
+                    thread::sleep(POLL);
+                    continue;
+                }
+                Ok(Next::Done) => return,
+                Err(error) => return self.fail(&mut state, error.as_ref()),
+            };
+            state.fractions.insert(thread, 0.0);
+            drop(state);
+            let Some(fold) = folds.get(&(job.held_out, job.training_trials)) else { return };
             let begin = Instant::now();
             let seconds = || begin.elapsed().as_secs_f64();
             let outcome = fold.evaluate(&job.candidate, job.seed, &seconds, &mut |progress| {
                 self.show(thread, progress.fraction);
-                !self.stopped.load(Ordering::Relaxed)
+                !self.is_stopped()
             });
             let result = match outcome {
                 Ok(Some(outcome)) => Ok(outcome),
                 Ok(None) => return,
                 Err(error) => Err(error.to_string()),
             };
-            let mut standing = self.standing();
-            standing.failures.extend(result.as_ref().err().map(|why| format!("{job}: {why}")));
-            let came_of_it =
-                result.as_ref().map_or_else(|why| format!("failed: {why}"), |_| "done".to_owned());
-            if let Err(problem) = standing.store.add(Finished::new(job.clone(), result)) {
-                standing.problem = Some(problem.to_string());
-                self.stopped.store(true, Ordering::Relaxed);
-                return;
+            let mut state = self.state();
+            let ending = match &result {
+                Ok(_) => "done".to_owned(),
+                Err(reason) => {
+                    state.failures.push(format!("{job}: {reason}"));
+                    format!("failed: {reason}")
+                }
+            };
+            let (id, trial, seed) = (job.candidate.kind().id(), job.held_out, job.seed);
+            if let Err(error) = state.store.add(Finished::new(job, result)) {
+                return self.fail(&mut state, error.as_ref());
             }
-            standing.done += 1;
-            let done = standing.done;
-            standing.shown.ended(|| {
-                let (id, trial, seed) = (job.candidate.kind().id(), job.held_out, job.seed);
-                let of = self.jobs.len();
-                format!(
-                    "{done} of {of} jobs: {id}, trial {trial} held out, seed {seed}, {came_of_it} in {:.1} s",
-                    seconds()
-                )
+            state.fractions.remove(&thread);
+            state.computed += 1;
+            let (done, jobs) = (self.jobs - state.left(), self.jobs);
+            state.progress.ended(|| {
+                let seconds = seconds();
+                format!("{done} of {jobs} jobs: {id}, trial {trial} held out, seed {seed}, {ending} in {seconds:.1} s")
             });
-            drop(standing);
-            self.show(thread, 0.0);
-            if self.stopped.load(Ordering::Relaxed) {
-                return;
-            }
+            self.show_state(&mut state);
         }
     }
 
+    /// Stops all threads because of an error of the results file.
+    fn fail(&self, state: &mut State, error: &dyn Error) {
+        state.problem = Some(error.to_string());
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
     fn show(&self, thread: usize, fraction: f64) {
-        let mut standing = self.standing();
-        standing.fractions.insert(thread, fraction);
-        let under_way: f64 = standing.fractions.values().sum();
-        let (done, jobs) = (standing.done, self.jobs.len());
-        let fraction = (done as f64 + under_way) / jobs.max(1) as f64;
-        standing.shown.show(fraction, || format!("{done} of {jobs} jobs"));
+        let mut state = self.state();
+        state.fractions.insert(thread, fraction);
+        self.show_state(&mut state);
+    }
+
+    fn show_state(&self, state: &mut State) {
+        let (done, jobs) = (self.jobs - state.left(), self.jobs);
+        let fraction = (done as f64 + state.fractions.values().sum::<f64>()) / jobs.max(1) as f64;
+        state.progress.show(fraction, || format!("{done} of {jobs} jobs"));
     }
 }
 

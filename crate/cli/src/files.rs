@@ -14,24 +14,28 @@ use vcgpdm::motion::{Clip, bvh, samples};
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// Reads a BVH file, or makes the sample clip that `sample:ID` names.
-pub fn read_clip(place: &str) -> Result<Clip> {
-    if let Some(id) = place.strip_prefix("sample:") {
+pub fn read_clip(path: &Path) -> Result<Clip> {
+    if let Some(id) = path.to_str().and_then(|path| path.strip_prefix("sample:")) {
         return samples::clip(id).ok_or_else(|| {
-            let known: Vec<&str> = samples::list().iter().map(|info| info.id).collect();
-            format!("expected one of the samples {}, found {id:?}", known.join(", ")).into()
+            let samples: Vec<&str> = samples::list().iter().map(|info| info.id).collect();
+            format!("expected one of the samples {}, found {id:?}", samples.join(", ")).into()
         });
     }
-    let path = Path::new(place);
     let bytes = read_bytes(path)?;
     Ok(bvh::read(&read_name(path), &bytes)?.into_clip())
 }
 
-/// What a file that is read is called in what is made of it.
+/// Reads BVH files, or makes the sample clips that they name.
+pub fn read_clips(paths: &[PathBuf]) -> Result<Vec<Clip>> {
+    paths.iter().map(|path| read_clip(path)).collect()
+}
+
+/// Name of the input file as stored in outputs.
 pub fn read_name(path: &Path) -> String {
     if is_standard(path) { "stdin".to_owned() } else { name_of(path) }
 }
 
-/// A file's name without its folder, as the clip in it is called.
+/// A file's name without its folder. Bytes that are not UTF-8 become the replacement character.
 pub fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
@@ -44,7 +48,7 @@ pub fn is_standard(path: &Path) -> bool {
 /// Reads a file, or stdin.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     if !is_standard(path) {
-        return fs::read(path).map_err(|error| about(path, &error));
+        return fs::read(path).map_err(|error| with_path(path, &error));
     }
     static READ: AtomicBool = AtomicBool::new(false);
     if READ.swap(true, Ordering::Relaxed) {
@@ -61,137 +65,166 @@ pub fn read_text(path: &Path) -> Result<String> {
         .map_err(|_| format!("{}: expected UTF-8 text", path.display()).into())
 }
 
-/// Writes a text file, or to stdout. Where a file is there already it stays as it was until the new one is
-/// whole: a full disk, or an end in the middle, leaves the old one. A link goes on pointing where it pointed.
+/// Writes a text file, or to stdout. An existing file stays unchanged until the new text is complete: a full
+/// disk, or the end of the program in the middle, leaves the old text. A link stays a link, and its target is
+/// written.
 pub fn write_text(path: &Path, text: &str) -> Result<()> {
     if is_standard(path) {
         return print(text);
     }
-    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let known = fs::metadata(path).ok();
-    // A pipe or a device has no place beside it for a new file.
-    if known.as_ref().is_some_and(|known| !known.is_file()) {
-        return fs::write(path, text).map_err(|error| about(path, &error));
+    let path = &link_target(path)?;
+    let old = fs::metadata(path).ok();
+    // A pipe or a device cannot be replaced by a new file.
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        return fs::write(path, text).map_err(|error| with_path(path, &error));
     }
-    let new = beside(path);
-    let written = File::create(&new).and_then(|mut file| {
+    let partial = partial_file(path);
+    let written = File::create(&partial).and_then(|mut file| {
         file.write_all(text.as_bytes())?;
-        if let Some(known) = &known {
-            file.set_permissions(known.permissions())?;
+        if let Some(old) = &old {
+            file.set_permissions(old.permissions())?;
         }
         file.sync_all()?;
-        fs::rename(&new, path)
+        fs::rename(&partial, path)
     });
     written.map_err(|error| {
-        // What is there of it helps nobody, and fills a disk that may be full.
-        let _ = fs::remove_file(&new);
-        about(path, &error)
+        // Remove the partial file: the disk may be full.
+        let _ = fs::remove_file(&partial);
+        with_path(path, &error)
     })
 }
 
-/// Finds out early that one of several files, each with its option, could not be written, or that two of them
-/// would be stdout or one file.
+/// The path without links, also where the last link points to a file that does not exist yet.
+fn link_target(path: &Path) -> Result<PathBuf> {
+    const MOST_LINKS: usize = 40;
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) => target = target.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return Ok(fs::canonicalize(&target).unwrap_or(target)),
+        }
+    }
+    Err(format!("{}: expected at most {MOST_LINKS} links to follow, found more", path.display()).into())
+}
+
+/// Checks, before anything is computed, that several output files can be written, and that no two of them are
+/// the same. Each comes with the option that names it.
 pub fn check_outs<'a, P: AsRef<Path> + 'a>(
     outs: impl IntoIterator<Item = (&'static str, P)>,
     read: impl IntoIterator<Item = &'a Path> + Clone,
 ) -> Result<()> {
-    let mut places = HashMap::new();
+    let mut options = HashMap::new();
     for (option, out) in outs {
         let out = out.as_ref();
         check_writable(out, read.clone())?;
-        let place = place_of(out);
-        // A pipe or a device can take several.
-        let takes_several = place.exists() && !place.is_file() && !is_standard(out);
-        let Some(other) = places.insert(place, option).filter(|_| !takes_several) else { continue };
+        let path = if is_standard(out) { out.to_owned() } else { absolute(&link_target(out)?) };
+        // A pipe or a device can take several outputs.
+        let takes_several = path.exists() && !path.is_file() && !is_standard(out);
+        let Some(other) = options.insert(path, option).filter(|_| !takes_several) else { continue };
         if is_standard(out) {
             return Err(usage("-: expected one file on stdout, found two"));
         }
-        let words = "the second would be written over the first";
         return Err(usage(format!(
-            "{option} {}: expected a file of its own, found that of {other}: {words}",
+            "{option} {}: expected a file of its own, found that of {other}: the second would overwrite the first",
             out.display()
         )));
     }
     Ok(())
 }
 
-/// A path by which a file is known however it is spelt, whether it is there yet or not.
-fn place_of(path: &Path) -> PathBuf {
-    if is_standard(path) {
-        return path.to_owned();
-    }
+/// The absolute path of a file that may not exist yet: two spellings of one file become equal.
+fn absolute(path: &Path) -> PathBuf {
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-    let new = || Some(fs::canonicalize(folder).ok()?.join(path.file_name()?));
-    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
+    let in_folder = || Some(fs::canonicalize(folder).ok()?.join(path.file_name()?));
+    fs::canonicalize(path).ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
-/// Finds out early that a file could not be written, before minutes are spent on what should stand in it; and
-/// that it is none of the files that are read.
+/// Checks, before anything is computed, that a file can be written and is not one of the files that are read.
 pub fn check_writable<'a>(path: &Path, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
     if is_standard(path) {
         return Ok(());
     }
-    let place = fs::canonicalize(path);
-    if let Ok(place) = &place
-        && read.into_iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *place))
-    {
+    let target = link_target(path)?;
+    if read.into_iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == target)) {
         return Err(format!(
-            "{}: expected another file to write to than one that is read, which would be lost",
+            "{}: expected another file to write to: this one is read, and would be lost",
             path.display()
         )
         .into());
     }
-    let place = place.unwrap_or_else(|_| path.to_owned());
-    if place.exists() {
-        fs::OpenOptions::new().append(true).open(&place).map_err(|error| about(path, &error))?;
-        if !place.is_file() {
+    if target.exists() {
+        fs::OpenOptions::new().append(true).open(&target).map_err(|error| with_path(path, &error))?;
+        if !target.is_file() {
             return Ok(());
         }
     }
-    let new = beside(&place);
-    File::create(&new).and_then(|_| fs::remove_file(&new)).map_err(|error| about(path, &error))
+    let partial = partial_file(&target);
+    File::create(&partial).and_then(|_| fs::remove_file(&partial)).map_err(|error| with_path(path, &error))
 }
 
-/// Where a file's new text stands until it is whole: beside it, under a name of this process's own.
-fn beside(path: &Path) -> PathBuf {
+/// The file in the same folder that takes the new text until it is complete. Its name has the process's id.
+fn partial_file(path: &Path) -> PathBuf {
     let mut name = path.to_owned().into_os_string();
     name.push(format!(".{}.new", std::process::id()));
     name.into()
 }
 
-/// An error with the file it is about.
-pub fn about(path: &Path, error: &dyn Error) -> Box<dyn Error> {
+/// An error with the file that it is about.
+pub fn with_path(path: &Path, error: &dyn Error) -> Box<dyn Error> {
     format!("{}: {error}", path.display()).into()
 }
 
-/// A text for a terminal: what would move the cursor, colour or clear the screen stands as its code. Names
-/// and words come from strangers' files.
-pub fn shown(text: &str) -> String {
-    let harmless = |c: char| c == '\n' || !c.is_control();
-    text.chars().map(|c| if harmless(c) { c.to_string() } else { c.escape_default().to_string() }).collect()
+/// Whether a terminal would act on the character: controls move the cursor, colour or clear the screen, and
+/// bidirectional controls show text in another order than it is written.
+fn controls_terminal(c: char) -> bool {
+    let bidirectional = ['\u{61c}', '\u{200e}', '\u{200f}'].contains(&c)
+        || ('\u{202a}'..='\u{202e}').contains(&c)
+        || ('\u{2066}'..='\u{2069}').contains(&c);
+    bidirectional || (c.is_control() && c != '\n')
+}
+
+/// A text for a terminal, with codes for the characters on which a terminal would act. Names come from
+/// strangers' files.
+pub fn escape(text: &str) -> String {
+    text.chars()
+        .map(|c| if controls_terminal(c) { c.escape_default().to_string() } else { c.to_string() })
+        .collect()
+}
+
+/// JSON in one line. It has JSON's own codes for the characters on which a terminal would act.
+fn json_line(value: &impl Serialize) -> Result<String> {
+    let text = serde_json::to_string(value)?.chars().fold(String::new(), |mut text, c| {
+        if controls_terminal(c) {
+            text += &format!("\\u{:04x}", u32::from(c));
+        } else {
+            text.push(c);
+        }
+        text
+    });
+    Ok(text + "\n")
 }
 
 /// Prints one JSON object and a line end.
 pub fn print_json(value: &impl Serialize) -> Result<()> {
-    print(&(serde_json::to_string(value)? + "\n"))
+    print(&json_line(value)?)
 }
 
-/// The rows of a matrix, as a summary shows it.
+/// The rows of a matrix, for a summary.
 pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
-/// Prints what was done as one JSON object: to stderr where one of the files written went to stdout.
+/// Prints a summary as one JSON object: to stderr if one of the output files is stdout.
 pub fn print_summary(value: &impl Serialize, outs: &[&Path]) -> Result<()> {
     if !outs.iter().any(|out| is_standard(out)) {
         return print_json(value);
     }
-    // Nobody is left to tell when stderr is closed.
-    let _ = writeln!(std::io::stderr(), "{}", serde_json::to_string(value)?);
+    // An error on stderr cannot be reported anywhere.
+    let _ = write!(std::io::stderr(), "{}", json_line(value)?);
     Ok(())
 }
 
-/// Prints to stdout. A reader that has seen enough, such as `head`, is no error.
+/// Prints to stdout. A reader that stops early, such as `head`, is no error.
 pub fn print(text: &str) -> Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -201,11 +234,21 @@ pub fn print(text: &str) -> Result<()> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_terminal_is_not_told_what_to_do_by_a_file() {
-        assert_eq!(shown("a\u{1b}[2J\u{7}\u{9b}é\nb"), "a\\u{1b}[2J\\u{7}\\u{9b}é\nb");
+    fn escapes_the_characters_on_which_a_terminal_would_act() {
+        assert_eq!(escape("a\u{1b}[2J\u{7}\u{9b}é\nb"), "a\\u{1b}[2J\\u{7}\\u{9b}é\nb");
+        assert_eq!(escape("\u{202e}gpj.\u{2066}\u{200f}"), "\\u{202e}gpj.\\u{2066}\\u{200f}");
+    }
+
+    #[test]
+    fn prints_json_of_the_same_value_without_these_characters() {
+        let name = "\u{1b}\u{9b}\u{202e}é\u{7f}\n";
+        let line = json_line(&name).unwrap();
+        assert_eq!(line, "\"\\u001b\\u009b\\u202eé\\u007f\\n\"\n");
+        assert_eq!(serde_json::from_str::<String>(&line).unwrap(), name);
     }
 }

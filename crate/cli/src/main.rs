@@ -21,6 +21,7 @@ mod results;
 mod rollout;
 mod score;
 mod shell;
+mod store;
 mod study;
 mod train;
 mod usage;
@@ -80,7 +81,7 @@ fn main() -> ExitCode {
         Err(error) => {
             let message: Vec<String> = error.to_string().split_whitespace().map(str::to_owned).collect();
             // Nobody is left to tell when stderr is closed.
-            let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::shown(&message.join(" ")));
+            let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::escape(&message.join(" ")));
             if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }

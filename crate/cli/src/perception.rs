@@ -8,6 +8,7 @@ use serde_json::json;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use vcgpdm_lab::evaluation::fixed;
 use vcgpdm_lab::perception::{
     AnalysisError, AnalysisOptions, AnswerFile, Confusion, PaperCheck, PerceptionResults, paper_checks,
     read_answers,
@@ -89,11 +90,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             return Ok(());
         }
     }
-    files::print(&files::shown(&tables(&results)?))
+    files::print(&files::escape(&tables(&results)?))
 }
 
 fn write_figures(results: &PerceptionResults, folder: &Path) -> Result<(), Box<dyn Error>> {
-    std::fs::create_dir_all(folder).map_err(|error| files::about(folder, &error))?;
+    std::fs::create_dir_all(folder).map_err(|error| files::with_path(folder, &error))?;
     let figures = results.figures();
     for figure in &figures {
         files::write_text(&folder.join(figure.name), &figure.csv)?;
@@ -180,8 +181,8 @@ fn settings(text: &mut String, results: &PerceptionResults) -> std::fmt::Result 
         "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | bound | of it pose | of it dynamics |\n|---|---|---|---|---|---|---|---|---|---|---|"
     )?;
     for s in &results.settings {
-        let nats = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.0}"));
-        let error = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.5}"));
+        let nats = |value: Option<f64>| value.map_or(String::new(), |value| fixed(value, 0));
+        let error = |value: Option<f64>| value.map_or(String::new(), |value| fixed(value, 5));
         let scores = s.scores.as_ref();
         let (count, mean, above) = match &s.confusion {
             Some(c) => (

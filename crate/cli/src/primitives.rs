@@ -39,7 +39,7 @@ pub struct Arguments {
     relearn: bool,
     /// Learn from this clip of their movement, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP", requires = "relearn")]
-    clips: Vec<String>,
+    clips: Vec<PathBuf>,
     /// Learn from rollouts of the movements in the added file, in the place of the latents that it keeps of
     /// them.
     #[arg(long, requires = "relearn", conflicts_with = "clips")]
@@ -64,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return files::print_json(&listed(&library));
     };
     let read_places = [Some(&arguments.library), arguments.add.as_ref()].into_iter().flatten();
-    let read_places = read_places.map(PathBuf::as_path).chain(arguments.clips.iter().map(Path::new));
+    let read_places = read_places.map(PathBuf::as_path).chain(arguments.clips.iter().map(PathBuf::as_path));
     files::check_writable(out, read_places)?;
     let (written, summary) = match (&arguments.save, &arguments.add) {
         (Some(save), _) => {
@@ -81,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 fn read(path: &Path) -> Result<TrainedLibrary, Box<dyn Error>> {
-    TrainedLibrary::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+    TrainedLibrary::from_json(&files::read_text(path)?).map_err(|error| files::with_path(path, &error))
 }
 
 fn added(
@@ -105,7 +105,7 @@ fn added(
                 add.display()
             )
             .into(),
-            _ => files::about(add, &error),
+            _ => files::with_path(add, &error),
         })?;
     }
     let new = (primitives..library.library.primitives.len()).map(|a| primitive(&library, a));
@@ -131,8 +131,8 @@ fn relearn(
         }
     }
     let mut clips = Vec::new();
-    for place in &arguments.clips {
-        clips.push(library.observed(&files::read_clip(place)?)?);
+    for clip in files::read_clips(&arguments.clips)? {
+        clips.push(library.observed(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {
         (false, _) => ImportFrames::Clips(&clips),

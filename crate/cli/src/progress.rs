@@ -66,7 +66,7 @@ impl Progress {
 /// A line on stderr, beside whatever bar there is.
 pub fn say(words: &str) {
     // Nobody is left to tell when stderr is closed.
-    let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::shown(words));
+    let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::escape(words));
 }
 
 /// When the last line was written.

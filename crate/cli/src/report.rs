@@ -1,13 +1,14 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
-use crate::{files, results};
+use crate::files;
+use crate::results::{Merged, Preferred, read};
 use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
-use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread};
+use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread, fixed};
 
 /// Print the tables of an evaluation, and what they say about the claims of the papers.
 ///
@@ -18,6 +19,9 @@ pub struct Arguments {
     /// Files that `evaluate` wrote.
     #[arg(value_name = "RESULTS.json", required = true)]
     results: Vec<PathBuf>,
+    /// Which file counts where files hold different numbers of the same job.
+    #[arg(long)]
+    prefer: Option<Preferred>,
     /// Print the numbers of the tables as one JSON object instead.
     #[arg(long)]
     json: bool,
@@ -30,7 +34,7 @@ struct Subject {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let subjects = subjects(&arguments.results)?;
+    let subjects = subjects(&arguments.results, arguments.prefer)?;
     if arguments.json {
         return files::print_json(&numbers(&subjects));
     }
@@ -66,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         models(&mut text, &comparison)?;
         claims(&mut text, &comparison)?;
     }
-    files::print(&files::shown(&text))
+    files::print(&files::escape(&text))
 }
 
 /// What the tables hold: of each subject, and of all together where there are several.
@@ -99,27 +103,27 @@ fn once(subjects: &[Subject]) -> Vec<&Results> {
     all
 }
 
-/// The files, put together where they are of the same trials.
-fn subjects(paths: &[PathBuf]) -> Result<Vec<Subject>, Box<dyn Error>> {
-    let mut subjects: Vec<Subject> = Vec::new();
+/// Reads the files; those of the same trials become one subject.
+fn subjects(paths: &[PathBuf], preferred: Option<Preferred>) -> Result<Vec<Subject>, Box<dyn Error>> {
+    let mut subjects: Vec<(String, Merged)> = Vec::new();
     for path in paths {
-        let results = results::read(path)?;
-        match subjects.iter_mut().find(|subject| subject.results.is_of_same_setting(&results)) {
-            Some(subject) => subject.results.merge(results).map_err(|error| files::about(path, &error))?,
+        let results = read(path)?;
+        match subjects.iter_mut().find(|(_, merged)| merged.results.is_of_same_setting(&results)) {
+            Some((_, merged)) => merged.add(path, results, preferred)?,
             None => {
                 let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-                subjects.push(Subject { name: stem.unwrap_or_default(), results });
+                subjects.push((stem.unwrap_or_default(), Merged::new(path, results)));
             }
         }
     }
-    Ok(subjects)
+    Ok(subjects.into_iter().map(|(name, merged)| Subject { name, results: merged.results }).collect())
 }
 
 /// Mean and standard error.
 fn spread(spread: &Spread, digits: usize) -> String {
     match spread.standard_error {
-        Some(error) => format!("{:.digits$} ± {error:.digits$}", spread.mean),
-        None => format!("{:.digits$}", spread.mean),
+        Some(error) => format!("{} ± {}", fixed(spread.mean, digits), fixed(error, digits)),
+        None => fixed(spread.mean, digits),
     }
 }
 
@@ -138,22 +142,25 @@ fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     for s in &comparison.models {
         writeln!(
             text,
-            "| {} | {} | {} | {:.5} | {:.0} % |{} {} | {} | {} | {} | {} | {} | {:.0} | {} | {} |",
+            "| {} | {} | {} | {} | {} % |{} {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             s.model.id(),
             s.label,
             spread(&s.mse, 5),
-            s.mse_median,
-            100.0 * s.mse.mean / s.variance,
+            fixed(s.mse_median, 5),
+            fixed(100.0 * s.mse.mean / s.variance, 0),
             (0..parts.len())
-                .map(|k| s.part_errors.get(k).map_or(" |".to_owned(), |error| format!(" {error:.5} |")))
+                .map(|k| s
+                    .part_errors
+                    .get(k)
+                    .map_or(" |".to_owned(), |error| format!(" {} |", fixed(*error, 5))))
                 .collect::<String>(),
             s.training_mse.as_ref().map_or(String::new(), |error| spread(error, 5)),
             s.bound.as_ref().map_or(String::new(), |b| spread(b, 0)),
-            s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.pose)),
-            s.terms.map_or(String::new(), |terms| format!("{:.0}", terms.dynamics)),
+            s.terms.map_or(String::new(), |terms| fixed(terms.pose, 0)),
+            s.terms.map_or(String::new(), |terms| fixed(terms.dynamics, 0)),
             spread(&s.seconds, 1),
             s.converged.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share)),
-            s.stored_numbers.mean,
+            fixed(s.stored_numbers.mean, 0),
             s.folds,
             s.runs
         )?;
@@ -194,12 +201,13 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     )?;
     for g in &comparison.growth {
         let point = |p: &FramesAndTime| {
-            format!("{:.0}: {:.2} ({:.1})", p.frames, 1e3 * p.seconds, p.training_seconds)
+            let (frames, milliseconds) = (fixed(p.frames, 0), fixed(1e3 * p.seconds, 2));
+            format!("{frames}: {milliseconds} ({})", fixed(p.training_seconds, 1))
         };
         let list: Vec<String> = g.points.iter().map(point).collect();
         let power = |exponent: Option<f64>, interval: Option<Interval>| {
             let range = interval.map_or(String::new(), |i| format!(" ({i})"));
-            exponent.map_or(String::new(), |e| format!("{e:.2}{range}"))
+            exponent.map_or(String::new(), |e| format!("{}{range}", fixed(e, 2)))
         };
         writeln!(
             text,
@@ -225,7 +233,9 @@ fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         "| trial held out | ln Bayes factor, several parts : one (difference of the bounds) | error, several parts : one |\n|---|---|---|"
     )?;
     for e in &comparison.evidence {
-        writeln!(text, "| {} | {:+.0} | {:.2} |", one_line(&e.trial), e.log_bayes_factor, e.error_ratio)?;
+        let sign = if e.log_bayes_factor.is_sign_negative() { "" } else { "+" };
+        let (factor, ratio) = (fixed(e.log_bayes_factor, 0), fixed(e.error_ratio, 2));
+        writeln!(text, "| {} | {sign}{factor} | {ratio} |", one_line(&e.trial))?;
     }
     writeln!(text)
 }

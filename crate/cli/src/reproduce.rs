@@ -26,7 +26,7 @@ pub struct Arguments {
     /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their
     /// content.
     #[arg(value_name = "CLIP", required = true)]
-    clips: Vec<String>,
+    clips: Vec<PathBuf>,
     /// How far a number may be from the recorded one, relative to the larger of the two.
     #[arg(long, value_name = "T", default_value_t = 1e-8)]
     tolerance: f64,
@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return Err(usage(format!("--tolerance {tolerance}: expected a finite number from 0")));
     }
     let recorded =
-        Model::from_json(&files::read_text(path)?).map_err(|reason| files::about(path, &reason))?;
+        Model::from_json(&files::read_text(path)?).map_err(|reason| files::with_path(path, &reason))?;
     if is_put_together(&recorded.fitted) {
         return Err(format!(
             "{}: expected a model that was trained from clips, found one that was put together from the primitives of a library, which \
@@ -54,11 +54,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         .into());
     }
     if let Some(out) = &arguments.out {
-        let read = arguments.clips.iter().map(std::path::Path::new);
+        let read = arguments.clips.iter().map(PathBuf::as_path);
         files::check_writable(out, read.chain([path.as_path()]))?;
     }
-    let given = arguments.clips.iter().map(|place| files::read_clip(place));
-    let given = given.collect::<Result<Vec<Clip>, _>>()?;
+    let given = files::read_clips(&arguments.clips)?;
     let infos = &recorded.body.sequences;
     let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;
     let first_frames = |info: &SequenceInfo| (!info.whole).then_some(info.frames);

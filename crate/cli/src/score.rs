@@ -14,7 +14,7 @@ pub struct Arguments {
     model: PathBuf,
     /// The trial: a BVH file of the same body, or sample:ID.
     #[arg(value_name = "CLIP")]
-    clip: String,
+    clip: PathBuf,
     /// Start where this training sequence starts, counted from 0 in the order given to training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,

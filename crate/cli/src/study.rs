@@ -32,10 +32,10 @@ pub struct Arguments {
     source: PathBuf,
     /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are known by their content.
     #[arg(value_name = "CLIP")]
-    clips: Vec<String>,
+    clips: Vec<PathBuf>,
     /// Natural movements that no model has seen, for catch trials.
     #[arg(long, value_name = "CLIP", num_args = 1.., value_delimiter = ',')]
-    unseen: Vec<String>,
+    unseen: Vec<PathBuf>,
     /// Only these models: all, or ids; absent: all.
     #[arg(long, value_name = "all|ID,ID")]
     models: Option<String>,
@@ -86,7 +86,7 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let clips = arguments.clips.iter().chain(&arguments.unseen).map(Path::new);
+    let clips = arguments.clips.iter().chain(&arguments.unseen).map(PathBuf::as_path);
     files::check_writable(&arguments.out, clips.chain([arguments.source.as_path()]))?;
     if let Some(seconds) = arguments.seconds {
         check_within("--seconds", "seconds", Study::SECONDS, seconds)?;
@@ -140,7 +140,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Reads a study.
 pub fn read(path: &Path) -> Result<Study, Box<dyn Error>> {
-    Study::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+    Study::from_json(&files::read_text(path)?).map_err(|error| files::with_path(path, &error))
 }
 
 fn preset(id: &str) -> Result<Preset, Box<dyn Error>> {
@@ -157,11 +157,9 @@ fn look(id: &str) -> Result<Look, Box<dyn Error>> {
 fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> {
     let results = results::read(&arguments.source)?;
     let setting = results.setting();
-    let given = arguments.clips.iter().map(|place| files::read_clip(place));
-    let given = given.collect::<Result<Vec<Clip>, _>>()?;
+    let given = files::read_clips(&arguments.clips)?;
     let clips = setting.trials.iter().map(|trial| clip_of(trial, &given)).collect::<Result<Vec<_>, _>>()?;
-    let unseen = arguments.unseen.iter().map(|place| files::read_clip(place));
-    let unseen = unseen.collect::<Result<Vec<Clip>, _>>()?;
+    let unseen = files::read_clips(&arguments.unseen)?;
     let best = best(arguments, &results)?;
     let (rate, start) = (setting.frames_per_second, setting.start_frames);
 

@@ -88,7 +88,7 @@ impl From<ReadingOption> for Reading {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let document = Document::from_json(&files::read_text(&arguments.model)?);
-    let document = document.map_err(|error| files::about(&arguments.model, &error))?;
+    let document = document.map_err(|error| files::with_path(&arguments.model, &error))?;
     let outs = [&arguments.out, &arguments.columns, &arguments.latents, &arguments.variance];
     let outs = outs.into_iter().flatten();
     if arguments.samples.is_some() && outs.clone().any(|out| files::is_standard(out)) {
@@ -248,7 +248,7 @@ fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
 
 /// Reads a model document of any kind.
 pub fn read_model(path: &Path) -> Result<Model, Box<dyn Error>> {
-    Model::from_json(&files::read_text(path)?).map_err(|error| files::about(path, &error))
+    Model::from_json(&files::read_text(path)?).map_err(|error| files::with_path(path, &error))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What `vcgpdm train` can be asked.
 
 use crate::train::kind;
+use std::ffi::OsString;
 use std::path::PathBuf;
 use vcgpdm::models::ModelKind;
 
@@ -9,10 +10,10 @@ use vcgpdm::models::ModelKind;
 pub struct Arguments {
     /// BVH files, or sample:ID; each becomes a sequence. With --columns: CSV files.
     #[arg(value_name = "CLIP", required_unless_present = "movements", conflicts_with = "movements")]
-    pub(super) clips: Vec<String>,
+    pub(super) clips: Vec<PathBuf>,
     /// Train a library of primitives: clips of one movement, under its name; may be given several times.
     #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
-    pub(super) movements: Vec<String>,
+    pub(super) movements: Vec<OsString>,
     /// Parts that use the same primitive in all movements; every other part has one of its own in each.
     #[arg(long, value_name = "PART,PART")]
     pub(super) share: Vec<String>,
@@ -40,7 +41,7 @@ pub struct Arguments {
     pub(super) fps: f64,
     /// Add the first COUNT frames of another clip, after resampling, as a sequence of their own.
     #[arg(long, value_name = "CLIP:COUNT")]
-    pub(super) seed_frames: Vec<String>,
+    pub(super) seed_frames: Vec<OsString>,
     /// Give all clips the bones of the first: for recordings of several people with the same joints. Joint
     /// angles stay, the way of the root is scaled as its height above the ground is.
     #[arg(long)]

@@ -38,7 +38,7 @@ pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn 
     let path = Path::new(asked);
     if path.exists() {
         return parts::from_json(&files::read_text(path)?, skeleton)
-            .map_err(|error| files::about(path, &error));
+            .map_err(|error| files::with_path(path, &error));
     }
     let known: Vec<String> = presets
         .iter()

@@ -4,22 +4,21 @@ use crate::files;
 use crate::numbers::check_within;
 use crate::usage::usage;
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table, parts_from_json, parts_from_words, read, whole};
 
 /// The tables as a data set, and its parts. `split` is what `--parts` says; `rate` are the rows a second of
 /// files without times.
-pub fn dataset(places: &[String], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
+pub fn dataset(paths: &[PathBuf], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
     check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
-    let tables = places.iter().map(|place| table(place)).collect::<Result<Vec<_>, _>>()?;
+    let tables = paths.iter().map(|path| table(path)).collect::<Result<Vec<_>, _>>()?;
     let parts = parts(split, &tables[0].columns)?;
     Ok(Dataset::of_tables(&tables, &parts, rate)?)
 }
 
-fn table(place: &str) -> Result<Table, Box<dyn Error>> {
-    let path = Path::new(place);
+fn table(path: &Path) -> Result<Table, Box<dyn Error>> {
     let bytes = files::read_bytes(path)?;
     Ok(read(&files::read_name(path), &bytes)?)
 }
@@ -32,7 +31,7 @@ fn parts(asked: &str, columns: &[String]) -> Result<Vec<PartSpec>, Box<dyn Error
     let path = Path::new(asked);
     if !asked.contains('=') || path.exists() {
         let text = files::read_text(path)?;
-        return parts_from_json(&text, columns).map_err(|error| files::about(path, &error));
+        return parts_from_json(&text, columns).map_err(|error| files::with_path(path, &error));
     }
     parts_from_words(asked, columns).map_err(|error: SeriesError| usage(format!("--parts {asked}: {error}")))
 }

@@ -8,34 +8,35 @@ use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
 use crate::train::steps::{train_steps, warn_of_training};
 use crate::usage::usage;
+use clap_lex::OsStrExt;
 use serde_json::json;
 use std::error::Error;
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
 use vcgpdm::models::{Dataset, ModelKind, Setbacks, Settings, Source, with_bones_of};
-use vcgpdm::motion::Clip;
 
-/// A movement as it is asked for: its name and the places of its clips.
-struct Asked<'a> {
-    name: &'a str,
-    clips: Vec<&'a str>,
+/// A movement of the command line.
+struct Movement {
+    name: String,
+    clips: Vec<PathBuf>,
 }
 
-/// `NAME=CLIP,CLIP`.
-fn asked(text: &str) -> Result<Asked<'_>, Box<dyn Error>> {
-    let parsed = text.split_once('=').map(|(name, clips)| Asked {
-        name: name.trim(),
-        clips: clips.split(',').map(str::trim).filter(|clip| !clip.is_empty()).collect(),
+/// Reads `NAME=CLIP,CLIP`.
+fn movement(text: &OsStr) -> Result<Movement, Box<dyn Error>> {
+    let path = |clip: &OsStr| clip.to_str().map_or_else(|| clip.into(), |clip| PathBuf::from(clip.trim()));
+    let parsed = text.split_once("=").map(|(name, clips)| Movement {
+        name: name.to_string_lossy().trim().to_owned(),
+        clips: clips.split(",").map(path).filter(|clip| !clip.as_os_str().is_empty()).collect(),
     });
-    match parsed {
-        Some(asked) if !asked.clips.is_empty() => Ok(asked),
-        _ => Err(usage(format!("--movement {text}: expected NAME=CLIP,CLIP with at least one clip"))),
-    }
+    parsed.filter(|movement| !movement.clips.is_empty()).ok_or_else(|| {
+        usage(format!("--movement {}: expected NAME=CLIP,CLIP with at least one clip", text.display()))
+    })
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let asked = arguments.movements.iter().map(|text| asked(text)).collect::<Result<Vec<_>, _>>()?;
+    let movements = arguments.movements.iter().map(|text| movement(text)).collect::<Result<Vec<_>, _>>()?;
     let split = arguments
         .parts
         .as_deref()
@@ -44,10 +45,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return Err(usage("--movement: expected no other model than vcgpdm, which alone has primitives"));
     }
     check_fps(arguments.fps)?;
-    let mut clips: Vec<Clip> = Vec::new();
-    for place in asked.iter().flat_map(|movement| &movement.clips) {
-        clips.push(files::read_clip(place)?);
-    }
+    let paths: Vec<PathBuf> = movements.iter().flat_map(|movement| movement.clips.clone()).collect();
+    let mut clips = files::read_clips(&paths)?;
     if arguments.first_bones {
         let first = clips[0].clone();
         for clip in &mut clips {
@@ -63,11 +62,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         })?;
         shared[place] = true;
     }
-    let movements = asked
-        .iter()
-        .map(|movement| PlannedMovement { name: movement.name.to_owned(), sequences: movement.clips.len() });
-    let plan = LibraryPlan::new(movements.collect(), shared)
-        .map_err(|error| usage(format!("--movement: {error}")))?;
+    let planned = movements
+        .into_iter()
+        .map(|movement| PlannedMovement { name: movement.name, sequences: movement.clips.len() });
+    let plan =
+        LibraryPlan::new(planned.collect(), shared).map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
     let model_settings = arguments.options.settings(ModelKind::Vcgpdm)?;
     let Settings::Vcgpdm(settings) = &model_settings else {
@@ -78,8 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    let read = asked.iter().flat_map(|movement| &movement.clips).map(Path::new);
-    files::check_writable(&arguments.out, read)?;
+    files::check_writable(&arguments.out, paths.iter().map(PathBuf::as_path))?;
     let begin = Instant::now();
     warn_of_training(&model_settings, &dataset);
     let seed = arguments.options.seed;

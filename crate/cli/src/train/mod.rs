@@ -17,9 +17,11 @@ use crate::numbers::check_fps;
 use crate::progress::say;
 use crate::usage::usage;
 use body::with_hint;
+use clap_lex::OsStrExt;
 use serde_json::json;
 use std::error::Error;
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::VariationalTrainer;
@@ -43,13 +45,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return learn(arguments, split, &dataset, |model| model.to_json());
     }
     check_fps(arguments.fps)?;
-    let mut clips = Vec::new();
-    for place in &arguments.clips {
-        clips.push((files::read_clip(place)?, None));
-    }
+    let mut clips: Vec<(Clip, Option<usize>)> =
+        files::read_clips(&arguments.clips)?.into_iter().map(|clip| (clip, None)).collect();
     for text in &arguments.seed_frames {
-        let (clip, count) = read_seed_frames(text)?;
-        clips.push((clip, Some(count)));
+        let (path, count) = seed_frames(text)?;
+        clips.push((files::read_clip(&path)?, Some(count)));
     }
     if arguments.first_bones {
         let first = clips[0].0.clone();
@@ -69,7 +69,11 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     match (&arguments.parts, arguments.model) {
         (Some(split), _) => Ok(split),
         (None, None | Some(ModelKind::Vcgpdm | ModelKind::MapCgpdm)) => {
-            Err(usage("--parts: expected how to split the body of a coupled model, such as lower,upper"))
+            let (data, example) =
+                if arguments.columns { ("columns", "arm=x,y;leg=z") } else { ("body", "lower,upper") };
+            Err(usage(format!(
+                "--parts: expected how to split the {data} of a coupled model, such as {example}"
+            )))
         }
         (None, Some(_)) => Ok("whole"),
     }
@@ -84,9 +88,11 @@ fn learn<S: Observed>(
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::of_parts(arguments.model, dataset.layout.parts().len(), split)?;
     let settings = arguments.options.settings(kind)?;
-    let seed_frames =
-        arguments.seed_frames.iter().filter_map(|text| text.rsplit_once(':')).map(|(clip, _)| clip);
-    let read = arguments.clips.iter().map(String::as_str).chain(seed_frames).map(Path::new);
+    let mut read = arguments.clips.clone();
+    for text in &arguments.seed_frames {
+        read.push(seed_frames(text)?.0);
+    }
+    let read = read.iter().map(PathBuf::as_path);
     let start = arguments.options.write_start.as_deref().map(|path| ("--write-start", path));
     files::check_outs([Some(("--out", arguments.out.as_path())), start].into_iter().flatten(), read)?;
     warn_of_training(&settings, dataset);
@@ -160,11 +166,17 @@ fn objective(kind: ModelKind) -> &'static str {
     }
 }
 
-/// `CLIP:COUNT`; the clip's place may hold colons itself.
-fn read_seed_frames(text: &str) -> Result<(Clip, usize), Box<dyn Error>> {
-    let parsed = text.rsplit_once(':').and_then(|(clip, count)| Some((clip, count.parse::<usize>().ok()?)));
+/// Reads `CLIP:COUNT`; the path of the clip may have colons too.
+fn seed_frames(text: &OsStr) -> Result<(PathBuf, usize), Box<dyn Error>> {
+    let words: Vec<&OsStr> = text.split(":").collect();
+    let parsed = words
+        .split_last()
+        .and_then(|(count, clip)| Some((clip.join(OsStr::new(":")), count.to_str()?.parse::<usize>().ok()?)));
     match parsed {
-        Some((clip, count)) if count > 0 && !clip.is_empty() => Ok((files::read_clip(clip)?, count)),
-        _ => Err(usage(format!("--seed-frames {text}: expected CLIP:COUNT with a number of frames above 0"))),
+        Some((clip, count)) if count > 0 && !clip.is_empty() => Ok((clip.into(), count)),
+        _ => Err(usage(format!(
+            "--seed-frames {}: expected CLIP:COUNT with a number of frames above 0",
+            text.display()
+        ))),
     }
 }

@@ -91,6 +91,9 @@ fn what_cannot_be_read_or_asked_for_says_why() {
     fs::write(&broken, "arm_x,leg\n1,2\n3,4\n").unwrap();
     assert!(train(&[&one, &broken], PARTS).contains("expected a column \"arm_y\", found none"));
     assert!(train(&[&one], "arm=arm_*").contains("found no part for leg"));
+    // Once this message spoke of a body.
+    let said = fails(&["train", text(&one), "--columns", "--out", text(&model)]);
+    assert!(said.contains("--parts: expected how to split the columns of a coupled model"), "{said}");
     fs::write(&parts, r#"[{"name": "arm", "columns": ["arm_x", "knee"]}]"#).unwrap();
     let said = train(&[&one], text(&parts));
     assert!(said.contains("parts.json: ") && said.contains("found \"knee\""), "{said}");

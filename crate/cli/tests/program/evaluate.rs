@@ -4,7 +4,7 @@ use crate::call::{run, run_with};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output, Stdio};
 
 const TRIALS: [&str; 3] = ["sample:walk-1", "sample:walk-2", "sample:walk-3"];
 const SMALL: [&str; 8] = ["--parts", "lower,upper", "--fps", "15", "--max-iterations", "8", "--latent", "2"];
@@ -195,6 +195,70 @@ fn a_share_without_jobs_writes_its_file_and_files_are_merged() {
             .contains("expected another file to write to")
     );
     assert!(refusal(&evaluate(Path::new("-"), &["--models", "dmp-discrete"])).contains("expected a file"));
+}
+
+/// Once the first file's number was kept, without a word.
+#[test]
+fn files_that_disagree_about_a_job_are_refused() {
+    let (first, second) = (file("agree"), file("disagree"));
+    summary(&evaluate(&first, &["--models", "dmp-rhythmic", "--folds", "1"]));
+    let mut changed = results(&first);
+    let outcome = &mut changed["finished"][0]["outcome"];
+    outcome["seconds"] = 99.0.into();
+    fs::write(&second, changed.to_string()).unwrap();
+    let texts = [first.to_str().unwrap(), second.to_str().unwrap()];
+    let merge = |more: &[&str]| run(&[&["results", "merge"], &texts[..], more, &["--out", "-"]].concat());
+    assert!(merge(&[]).status.success(), "other seconds are no disagreement");
+    changed["finished"][0]["outcome"]["score"]["dtw_mse"] = 1e300.into();
+    fs::write(&second, changed.to_string()).unwrap();
+    let said = refusal(&merge(&[]));
+    for part in [texts[0], texts[1], "dmp-rhythmic, 20 bases; trial 1 held out", "DTW MSE 0.", "--prefer"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let error = |output: &Output| {
+        let merged: Value = serde_json::from_slice(&output.stdout).unwrap();
+        merged["finished"][0]["outcome"]["score"]["dtw_mse"].as_f64().unwrap()
+    };
+    assert!(error(&merge(&["--prefer", "first"])) < 1.0);
+    assert_eq!(error(&merge(&["--prefer", "last"])), 1e300);
+    let report = |more: &[&str]| run(&[&["report"], &texts[..], more].concat());
+    assert!(refusal(&report(&[])).contains("expected the same numbers of the job"));
+    // A stranger's number does not fill the table.
+    let printed = String::from_utf8(report(&["--prefer", "last"]).stdout).unwrap();
+    assert!(printed.contains("| dmp-rhythmic | 20 bases | 1.00e300 | 1.00e300 | "), "{printed}");
+}
+
+/// Once both computed all jobs. A program that is killed leaves nothing that keeps others from its job.
+#[cfg(unix)]
+#[test]
+fn two_programs_on_one_file_compute_each_job_once() {
+    let out = file("two");
+    let seeds = ["--seeds", "0,1,2,3", "--models", "vgpdm", "--folds", "1,2", "--threads", "1"];
+    let program = |more: &[&str]| {
+        let options = ["--parts", "lower,upper", "--fps", "30", "--out", out.to_str().unwrap()];
+        let arguments = [&["evaluate"], &TRIALS[..], &options, &seeds, more].concat();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_vcgpdm"));
+        command.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    };
+    let claims = out.with_extension("json.lock");
+    // This one has a job that takes long.
+    let mut killed = program(&["--max-iterations", "100000", "--ips", "40", "--latent", "9"]);
+    while fs::read_to_string(&claims).is_ok_and(|text| text.is_empty()) || !claims.exists() {
+        assert!(killed.try_wait().unwrap().is_none(), "it works");
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let short = ["--max-iterations", "30"];
+    let both =
+        [program(&short), program(&short)].map(|program| summary(&program.wait_with_output().unwrap()));
+    let count = |name: &str| both.iter().map(|said| said[name].as_u64().unwrap()).sum::<u64>();
+    assert_eq!((count("computed"), count("left")), (8, 0), "{both:?}");
+    assert_eq!(count("computed_elsewhere") + count("known_before"), 8, "{both:?}");
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    assert!(fs::read_to_string(&claims).unwrap().contains("100000"), "the killed program's claim");
+    let again = [&["evaluate"], &TRIALS[..], &["--parts", "lower,upper", "--fps", "30"], &seeds, &short];
+    let again = summary(&run(&[&again.concat()[..], &["--out", out.to_str().unwrap()]].concat()));
+    assert_eq!(again["known_before"].as_u64(), Some(8));
 }
 
 #[test]

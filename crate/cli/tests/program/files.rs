@@ -1,6 +1,6 @@
 //! `vcgpdm clip`, and what becomes of files that are read and written.
 
-use crate::call::{fails, folder, json, text};
+use crate::call::{fails, folder, json, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;
@@ -68,6 +68,62 @@ fn a_link_goes_on_pointing_to_what_is_written() {
     json(&["clip", "sample:walk-1", "--out", text(&link)]);
     assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
     assert!(fs::read_to_string(&file).unwrap().starts_with("HIERARCHY"));
+}
+
+/// Once the link was replaced by the file.
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_file_that_does_not_exist_yet_stays_a_link() {
+    let folder = folder("dangling");
+    let link = folder.join("link.bvh");
+    std::os::unix::fs::symlink("target.bvh", &link).unwrap();
+    json(&["clip", "sample:walk-1", "--out", text(&link)]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(folder.join("target.bvh")).unwrap().starts_with("HIERARCHY"));
+    let circle = folder.join("circle.bvh");
+    std::os::unix::fs::symlink("circle.bvh", &circle).unwrap();
+    let error = fails(&["clip", "sample:walk-1", "--out", text(&circle)]);
+    assert!(error.contains("circle.bvh: expected at most 40 links to follow, found more"), "{error}");
+}
+
+/// Once such a clip was refused, without its name.
+#[cfg(unix)]
+#[test]
+fn reads_clips_whose_names_are_not_utf_8() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = folder("names");
+    let name = |bytes: &[u8]| folder.join(std::ffi::OsStr::from_bytes(bytes));
+    let clip = name(b"na\xffme.bvh");
+    let walk = folder.join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&walk)]);
+    fs::rename(&walk, &clip).unwrap();
+    let run = |arguments: &[&std::ffi::OsStr]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_vcgpdm")).args(arguments).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    assert_eq!(run(&["clip".as_ref(), clip.as_ref()])["name"], "na\u{fffd}me.bvh");
+    let out = folder.join("model.json");
+    let train = |more: &[&std::ffi::OsStr]| {
+        let fixed = ["train", "--parts", "lower,upper", "--fps", "10", "--max-iterations", "1", "--out"];
+        let fixed = fixed.iter().map(std::ffi::OsStr::new).chain([out.as_os_str()]);
+        run(&fixed.chain(more.iter().copied()).collect::<Vec<_>>())
+    };
+    train(&[clip.as_ref()]);
+    train(&["sample:walk-2".as_ref(), "--seed-frames".as_ref(), name(b"na\xffme.bvh:5").as_ref()]);
+    let movement = [b"walk=", clip.as_os_str().as_bytes(), b",sample:walk-2"].concat();
+    train(&["--movement".as_ref(), std::ffi::OsStr::from_bytes(&movement)]);
+}
+
+#[test]
+fn names_of_clips_and_joints_do_not_control_the_terminal() {
+    let clip = folder("controls").join("walk.bvh");
+    json(&["clip", "sample:walk-1", "--out", text(&clip)]);
+    let changed = fs::read_to_string(&clip).unwrap().replace("Hips", "Hips\u{202e}\u{9b}2J");
+    fs::write(&clip, changed).unwrap();
+    let printed = prints(&["clip", text(&clip)]);
+    assert!(printed.contains("Hips\\u202e\\u009b2J"), "{}", printed.escape_unicode());
+    assert!(!printed.contains(['\u{202e}', '\u{9b}']));
 }
 
 #[test]

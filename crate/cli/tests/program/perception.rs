@@ -87,7 +87,7 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
         assert!(said.contains(&expected), "{said}");
     }
     let itself = fails(&["study", text(&made), "--out", text(&made)]);
-    assert!(itself.contains("expected another file to write to than one that is read"), "{itself}");
+    assert!(itself.contains("expected another file to write to: this one is read"), "{itself}");
 }
 
 /// The answers of two simulated participants to the study that comes with the page, and what they say.

@@ -8,6 +8,7 @@ use crate::evaluation::contender::Contender;
 use crate::evaluation::correlation::{correlation, training_correlation};
 use crate::evaluation::effect::{Effect, Errors};
 use crate::evaluation::evidence::by_preference;
+use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups, settings};
 use crate::evaluation::stats::Interval;
@@ -213,7 +214,8 @@ fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
         let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
         found.push(format!(
-            "{middle:.2} times{range} {}, lower in {} of {}",
+            "{} times{range} {}, lower in {} of {}",
+            fixed(middle, 2),
             other.words(labels),
             effect.wins,
             effect.folds

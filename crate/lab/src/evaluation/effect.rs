@@ -1,5 +1,6 @@
 //! The effect of a choice of model on the error, trial by trial.
 
+use crate::evaluation::fixed::fixed;
 use crate::evaluation::stats::{Interval, mean, mean_interval, median, median_interval};
 use crate::evaluation::summary::ClaimAnswer;
 use std::collections::BTreeMap;
@@ -61,12 +62,12 @@ impl Effect {
     pub fn words(&self) -> String {
         let range = |interval: &Option<Interval>| interval.map_or(String::new(), |i| format!(" ({i})"));
         format!(
-            "{:.2} times{} in the median of {} {}, {:.2} times{} in the mean; lower in {}",
-            self.median,
+            "{} times{} in the median of {} {}, {} times{} in the mean; lower in {}",
+            fixed(self.median, 2),
             range(&self.median_interval),
             self.folds,
             if self.folds == 1 { "trial" } else { "trials" },
-            self.mean,
+            fixed(self.mean, 2),
             range(&self.mean_interval),
             self.wins
         )

@@ -16,6 +16,7 @@ mod cycles;
 mod dtw;
 mod effect;
 mod evidence;
+mod fixed;
 mod growth;
 mod job;
 mod labels;
@@ -35,13 +36,14 @@ pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
 pub use dtw::{Score, ScoreError, dtw_mse};
+pub use fixed::fixed;
 pub use job::{Finished, Job};
 pub use labels::Labels;
 pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
 pub use modularity_test::{FoldTraining, ModularityTest, Trained};
-pub use outcome::Outcome;
+pub use outcome::{Difference, Outcome};
 pub use plan::{ComparisonPlanError, Plan};
-pub use results::{PlannedJob, Results, ResultsError};
+pub use results::{Disagreement, PlannedJob, Results, ResultsError};
 pub use setting::{Setting, SettingError, TrialClip};
 pub use summary::{
     BoundAndError, Claim, ClaimAnswer, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,

@@ -40,7 +40,48 @@ pub struct Outcome {
     pub training_mse: Option<f64>,
 }
 
+/// Numbers that differ by less than this, relative to the larger, count as equal: the last digits of products
+/// of large matrices depend on the processor.
+const SAME: f64 = 1e-6;
+
+/// A number in which two outcomes differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Which number.
+    pub name: &'static str,
+    /// The number of the one outcome.
+    pub first: f64,
+    /// The number of the other outcome.
+    pub second: f64,
+}
+
 impl Outcome {
+    /// The first number in which the outcomes of one job differ. Times and reasons may differ, and numbers that
+    /// only one outcome has are not compared.
+    pub fn difference(&self, other: &Outcome) -> Option<Difference> {
+        let numbers = |outcome: &Outcome| {
+            let parts = outcome.part_errors.iter().map(|error| ("error of a part", Some(*error)));
+            let score = &outcome.score;
+            [
+                ("DTW MSE", Some(score.dtw_mse)),
+                ("MSE", Some(score.mse)),
+                ("variance", Some(score.variance)),
+                ("bound", outcome.bound),
+                ("objective", Some(outcome.objective)),
+                ("frames", Some(outcome.frames as f64)),
+                ("training MSE", outcome.training_mse),
+            ]
+            .into_iter()
+            .chain(parts)
+            .collect::<Vec<_>>()
+        };
+        numbers(self).into_iter().zip(numbers(other)).find_map(|((name, first), (_, second))| {
+            let (first, second) = (first?, second?);
+            let differ = (first - second).abs() > SAME * first.abs().max(second.abs());
+            differ.then_some(Difference { name, first, second })
+        })
+    }
+
     /// Whether the model of this seed stands for its candidate in the fold rather than that of another seed:
     /// what training maximised is higher.
     pub fn is_better_seed(&self, other: &Outcome) -> bool {

@@ -3,6 +3,7 @@
 
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::job::{Finished, Job};
+use crate::evaluation::outcome::Difference;
 use crate::evaluation::plan::{ComparisonPlanError, Plan};
 use crate::evaluation::setting::{Setting, SettingError};
 use serde::{Deserialize, Serialize};
@@ -87,6 +88,15 @@ pub struct PlannedJob {
     pub job: Job,
     /// Whether the results hold an outcome of it.
     pub done: bool,
+}
+
+/// A job of which two files hold different outcomes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Disagreement {
+    /// The job.
+    pub job: Job,
+    /// A number in which the outcomes differ.
+    pub difference: Difference,
 }
 
 /// All results of a comparison so far.
@@ -190,7 +200,19 @@ impl Results {
         self.setting.difference(&other.setting).is_none()
     }
 
-    /// Takes over what the other knows and this one does not.
+    /// The first job of which both hold an outcome, with different numbers.
+    pub fn disagreement(&self, other: &Results) -> Option<Disagreement> {
+        let outcomes = self.finished.iter().filter_map(|f| Some((&f.job, f.outcome.as_ref()?)));
+        let outcomes: HashMap<_, _> = outcomes.collect();
+        other.finished.iter().find_map(|finished| {
+            let first = outcomes.get(&finished.job)?;
+            let difference = first.difference(finished.outcome.as_ref()?)?;
+            Some(Disagreement { job: finished.job.clone(), difference })
+        })
+    }
+
+    /// Adds the results of the other that this one does not have. An outcome replaces a failure; of two
+    /// outcomes of a job, this one's stays.
     ///
     /// # Errors
     /// The other is of another setting.
@@ -334,6 +356,34 @@ mod tests {
         other.add(failed(1, 1)).unwrap();
         other.merge(results).unwrap();
         assert_eq!(other.finished, [done(0.5)]);
+    }
+
+    /// Once the outcome of the first file was kept, and nobody noticed that the second held another.
+    #[test]
+    fn finds_the_job_about_which_two_files_disagree() {
+        let with = |change: &dyn Fn(&mut Outcome)| {
+            let mut finished = done(0.5);
+            finished.outcome.iter_mut().for_each(change);
+            Results { finished: vec![failed(2, 1), finished], ..Results::new(setting(2)) }
+        };
+        let first = with(&|_| {});
+        let found = |change: &dyn Fn(&mut Outcome)| {
+            let found = first.disagreement(&with(change))?;
+            assert_eq!(found.job, job(1, 1));
+            Some((found.difference.name, found.difference.first, found.difference.second))
+        };
+        assert_eq!(found(&|outcome| outcome.score.dtw_mse = 0.25), Some(("DTW MSE", 0.5, 0.25)));
+        assert_eq!(found(&|outcome| outcome.bound = Some(-11.0)), Some(("bound", -10.0, -11.0)));
+        // Time, another ending of the same numbers, rounding, and numbers that earlier versions did not write.
+        let seconds = |outcome: &mut Outcome| {
+            outcome.seconds = 9.0;
+            outcome.reason = Some("stopped".to_owned());
+            outcome.score.dtw_mse *= 1.0 + 1e-9;
+            outcome.training_mse = Some(1.0);
+            outcome.part_errors.clear();
+        };
+        assert_eq!(found(&seconds), None);
+        assert_eq!(first.disagreement(&Results::new(setting(2))), None);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Small statistics of results.
 
+use crate::evaluation::fixed::fixed;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde::Serialize;
@@ -80,7 +81,7 @@ pub struct Interval {
 
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:.2} to {:.2}", self.low, self.high)
+        write!(f, "{} to {}", fixed(self.low, 2), fixed(self.high, 2))
     }
 }
 

@@ -1,0 +1,355 @@
+//! The results file of an evaluation, on which several programs can work at the same time. Finished jobs are
+//! added one by one, so that a stopped evaluation can continue. Each program claims a job before it computes
+//! it, so that no other program computes the same job.
+//!
+//! `RESULTS.json.lock` is locked while a program reads or writes the results. It holds the claims. A program
+//! that has claims keeps a file `RESULTS.json.lock-N` locked. The system unlocks this file when the program
+//! ends in whatever way: a claim whose owner's file is not locked counts no more.
+
+use crate::files;
+use crate::progress::say;
+use crate::results::read;
+use crate::usage::usage;
+use serde::{Deserialize, Serialize};
+use std::collections::HashSet;
+use std::error::Error;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{Read, Seek, Write};
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
+use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting};
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+/// After so long a program says that it waits for the lock.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// A job that a program computes.
+#[derive(Serialize, Deserialize)]
+struct Claim {
+    owner: usize,
+    job: Job,
+}
+
+/// The number of this program among those with claims, and its locked file.
+struct Owner {
+    number: usize,
+    path: PathBuf,
+    _locked: File,
+}
+
+/// The job to compute next.
+pub enum Next {
+    Job(Job),
+    /// Other programs compute all jobs that are left.
+    Wait,
+    /// No job is left.
+    Done,
+}
+
+/// The results file.
+pub struct Store {
+    path: PathBuf,
+    results: Results,
+    /// Jobs that had failed when the file was opened. They are computed again.
+    failed_before: HashSet<Job>,
+    owner: Option<Owner>,
+}
+
+impl Store {
+    /// Opens the file, or writes a new one: a scheduler waits for the file of a share without jobs too.
+    pub fn open(path: &Path, setting: Setting) -> Result<Self> {
+        if files::is_standard(path) {
+            return Err(usage("--out -: expected a file, to which finished jobs are added one by one"));
+        }
+        let (path, results) = (path.to_owned(), Results::new(setting));
+        let mut store = Self { path, results, failed_before: HashSet::new(), owner: None };
+        let lock = store.lock()?;
+        files::check_writable(&store.path, [])?;
+        store.read()?;
+        if !store.path.exists() {
+            store.write()?;
+        }
+        drop(lock);
+        let failed = store.results.finished().iter().filter(|finished| finished.failure.is_some());
+        store.failed_before = failed.map(|finished| finished.job.clone()).collect();
+        Ok(store)
+    }
+
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
+    /// Claims the first of the jobs that is neither finished nor claimed by another program. Finished jobs
+    /// are removed from the list, and so is the claimed one.
+    pub fn claim(&mut self, jobs: &mut Vec<Job>) -> Result<Next> {
+        let mut lock = self.lock()?;
+        self.read()?;
+        let finished: HashSet<&Job> =
+            self.results.finished().iter().filter(|f| self.is_over(f)).map(|f| &f.job).collect();
+        jobs.retain(|job| !finished.contains(job));
+        let mut claims = self.claims(&mut lock);
+        let claimed: HashSet<&Job> = claims.iter().map(|claim| &claim.job).collect();
+        let Some(place) = jobs.iter().position(|job| !claimed.contains(job)) else {
+            return Ok(if jobs.is_empty() { Next::Done } else { Next::Wait });
+        };
+        let owner = match &self.owner {
+            Some(owner) => owner.number,
+            None => {
+                let owner = self.new_owner()?;
+                claims.retain(|claim| claim.owner != owner.number);
+                self.owner.insert(owner).number
+            }
+        };
+        let job = jobs.remove(place);
+        claims.push(Claim { owner, job: job.clone() });
+        self.write_claims(&mut lock, &claims)?;
+        Ok(Next::Job(job))
+    }
+
+    /// Adds a finished job and gives up its claim. Jobs that other programs have added stay.
+    pub fn add(&mut self, finished: Finished) -> Result<()> {
+        let mut lock = self.lock()?;
+        self.read()?;
+        let mut claims = self.claims(&mut lock);
+        claims.retain(|claim| claim.job != finished.job);
+        self.results.add(finished)?;
+        self.write()?;
+        self.write_claims(&mut lock, &claims)
+    }
+
+    fn is_over(&self, finished: &Finished) -> bool {
+        finished.outcome.is_some() || !self.failed_before.contains(&finished.job)
+    }
+
+    fn path_with(&self, ending: &str) -> PathBuf {
+        let mut path = self.path.clone().into_os_string();
+        path.push(ending);
+        path.into()
+    }
+
+    /// Excludes other programs until it is dropped. The file is never deleted: a program that waits for a
+    /// deleted file and a program that creates a new one would not exclude each other.
+    fn lock(&self) -> Result<File> {
+        let path = self.path_with(".lock");
+        let named = |error: &std::io::Error| files::with_path(&path, error);
+        let lock = open(&path).map_err(|error| named(&error))?;
+        let begin = Instant::now();
+        loop {
+            match lock.try_lock() {
+                Ok(()) => return Ok(lock),
+                Err(TryLockError::WouldBlock) if begin.elapsed() < PATIENCE => {
+                    thread::sleep(Duration::from_millis(20));
+                }
+                Err(TryLockError::WouldBlock) => break,
+                Err(TryLockError::Error(error)) => return Err(named(&error)),
+            }
+        }
+        say(&format!("waiting for another program that writes {}", self.path.display()));
+        lock.lock().map_err(|error| named(&error))?;
+        Ok(lock)
+    }
+
+    fn read(&mut self) -> Result<()> {
+        if self.path.exists() {
+            self.results.merge(read(&self.path)?).map_err(|error| files::with_path(&self.path, &error))?;
+        }
+        Ok(())
+    }
+
+    fn write(&self) -> Result<()> {
+        files::write_text(&self.path, &(self.results.to_json()? + "\n"))
+    }
+
+    /// The claims of programs that still run, this one included.
+    fn claims(&self, lock: &mut File) -> Vec<Claim> {
+        let mut text = String::new();
+        // A program that ended while it wrote the claims left a part of them: the jobs are then free.
+        let read = lock.rewind().and_then(|()| lock.read_to_string(&mut text));
+        let mut claims: Vec<Claim> =
+            read.ok().and_then(|_| serde_json::from_str(&text).ok()).unwrap_or_default();
+        let own = self.owner.as_ref().map(|owner| owner.number);
+        let owners: HashSet<usize> = claims.iter().map(|claim| claim.owner).collect();
+        let running = owners.into_iter().filter(|owner| Some(*owner) == own || self.is_running(*owner));
+        let running: HashSet<usize> = running.collect();
+        claims.retain(|claim| running.contains(&claim.owner));
+        claims
+    }
+
+    fn write_claims(&self, lock: &mut File, claims: &[Claim]) -> Result<()> {
+        let text = if claims.is_empty() { String::new() } else { serde_json::to_string(claims)? };
+        let written =
+            lock.set_len(0).and_then(|()| lock.rewind()).and_then(|()| lock.write_all(text.as_bytes()));
+        written.map_err(|error| files::with_path(&self.path_with(".lock"), &error))
+    }
+
+    fn owner_path(&self, number: usize) -> PathBuf {
+        self.path_with(&format!(".lock-{number}"))
+    }
+
+    fn is_running(&self, owner: usize) -> bool {
+        let file = OpenOptions::new().write(true).open(self.owner_path(owner));
+        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+    }
+
+    /// The first number that no running program has. A file that a killed program left is used again.
+    fn new_owner(&self) -> Result<Owner> {
+        let mut number = 1;
+        loop {
+            let path = self.owner_path(number);
+            let file = open(&path).map_err(|error| files::with_path(&path, &error))?;
+            match file.try_lock() {
+                Ok(()) => return Ok(Owner { number, path, _locked: file }),
+                Err(TryLockError::WouldBlock) => number += 1,
+                Err(TryLockError::Error(error)) => return Err(files::with_path(&path, &error)),
+            }
+        }
+    }
+}
+
+fn open(path: &Path) -> std::io::Result<File> {
+    OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)
+}
+
+impl Drop for Store {
+    /// Gives up the claims of jobs that were stopped.
+    fn drop(&mut self) {
+        if self.owner.is_none() {
+            return;
+        }
+        if let Ok(mut lock) = self.lock() {
+            let mut claims = self.claims(&mut lock);
+            if let Some(owner) = self.owner.take() {
+                claims.retain(|claim| claim.owner != owner.number);
+                // Both errors leave claims of a program that has ended, which count no more.
+                let _ = self.write_claims(&mut lock, &claims);
+                let _ = fs::remove_file(&owner.path);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic)]
+mod tests {
+    use super::*;
+    use vcgpdm::models::{Settings, TmpSettings};
+    use vcgpdm::motion::samples;
+
+    fn setting() -> Setting {
+        let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();
+        Setting::new(&clips, &[], 30.0, 5).unwrap()
+    }
+
+    fn job(seed: u32) -> Job {
+        let candidate = Settings::Tmp(TmpSettings::default());
+        Job { candidate, held_out: 1, training_trials: 1, seed }
+    }
+
+    fn failed(seed: u32) -> Finished {
+        Finished::new(job(seed), Err("a test".to_owned()))
+    }
+
+    fn done(seed: u32) -> Finished {
+        let outcome = serde_json::json!({
+            "score": { "dtw_mse": 1.0, "mse": 1.0, "variance": 1.0 },
+            "bound": null, "objective": 0.0, "iterations": 1, "seconds": 1.0, "frames": 9, "stored_numbers": 1,
+            "reason": null,
+        });
+        Finished::new(job(seed), Ok(serde_json::from_value(outcome).unwrap()))
+    }
+
+    /// A folder for one test.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("vcgpdm-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir(&folder).unwrap();
+        folder
+    }
+
+    fn files_in(folder: &Path) -> Vec<String> {
+        let names = fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names
+    }
+
+    fn claimed(store: &mut Store, jobs: &mut Vec<Job>) -> Option<u32> {
+        match store.claim(jobs).unwrap() {
+            Next::Job(job) => Some(job.seed),
+            Next::Wait | Next::Done => None,
+        }
+    }
+
+    #[test]
+    fn programs_on_one_file_compute_each_job_once_and_lose_none() {
+        let folder = folder("store");
+        let path = folder.join("results.json");
+        let computed = std::sync::Mutex::new(Vec::new());
+        thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    let mut store = Store::open(&path, setting()).unwrap();
+                    let mut jobs: Vec<Job> = (0..40).map(job).collect();
+                    loop {
+                        match store.claim(&mut jobs).unwrap() {
+                            Next::Job(job) => {
+                                computed.lock().unwrap().push(job.seed);
+                                store.add(done(job.seed)).unwrap();
+                            }
+                            Next::Wait => thread::yield_now(),
+                            Next::Done => return,
+                        }
+                    }
+                });
+            }
+        });
+        let mut computed = computed.into_inner().unwrap();
+        computed.sort_unstable();
+        assert_eq!(computed, (0..40).collect::<Vec<_>>());
+        assert_eq!(read(&path).unwrap().finished().len(), 40);
+        assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn claims_of_a_program_that_stopped_or_was_killed_are_free() {
+        let folder = folder("claims");
+        let path = folder.join("results.json");
+        let open = || (Store::open(&path, setting()).unwrap(), vec![job(0), job(1)]);
+        let (mut first, mut of_first) = open();
+        let (mut second, mut of_second) = open();
+        assert_eq!(claimed(&mut first, &mut of_first), Some(0));
+        assert_eq!(claimed(&mut second, &mut of_second), Some(1));
+        assert!(matches!(second.claim(&mut of_second).unwrap(), Next::Wait));
+        // A stopped program gives up its claims.
+        drop(first);
+        assert_eq!(claimed(&mut second, &mut of_second), Some(0));
+        drop(second);
+        assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
+        // A killed one leaves a claim and a file that is not locked, maybe half of a claim.
+        for rest in [serde_json::to_string(&[Claim { owner: 1, job: job(0) }]).unwrap(), "[{".to_owned()] {
+            fs::write(folder.join("results.json.lock"), rest).unwrap();
+            fs::write(folder.join("results.json.lock-1"), "").unwrap();
+            let (mut third, mut of_third) = open();
+            assert_eq!(claimed(&mut third, &mut of_third), Some(0));
+        }
+        assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn computes_again_what_failed_before_but_not_what_fails_meanwhile() {
+        let folder = folder("failures");
+        let path = folder.join("results.json");
+        let mut before = Store::open(&path, setting()).unwrap();
+        before.add(failed(0)).unwrap();
+        let mut store = Store::open(&path, setting()).unwrap();
+        before.add(failed(1)).unwrap();
+        let mut jobs = vec![job(1), job(0)];
+        assert_eq!(claimed(&mut store, &mut jobs), Some(0));
+        assert!(matches!(store.claim(&mut jobs).unwrap(), Next::Done));
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}
