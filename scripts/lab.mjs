@@ -1,4 +1,4 @@
-// `npm run lab -- NAME ...`: the measurements behind the documents. Each writes its tables into docs.
+// `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
 import { modularity } from "./lab/modularity.mjs";
 import { study } from "./lab/study.mjs";
@@ -10,11 +10,13 @@ const MEASUREMENTS = {
   comparison,
   modularity,
   study,
-  /** With clips or folders of them: of models of these, on the terminal. */
+  /** Of models of these clips or folders on the terminal; without them, of the project's models into docs. */
   effects: (...clips) =>
     clips.length > 0
       ? printTables("effects", ...clips)
       : putTables(at("docs/couplings.md"), measured("effects")),
+  scaling: () => printTables("scaling"),
+  seeds: (...words) => printTables("seeds", ...words),
   splits: (...folders) =>
     writeTables(at("docs/comparison/splits.md"), {
       title: "When parts pay",

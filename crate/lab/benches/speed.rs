@@ -1,6 +1,6 @@
-//! How long the things take that people wait for, on the project's own walks, Q = 3. `cargo run --release
-//! --example scaling` goes on to 16,000 frames and measures memory; `npm run speed` compares native, wasm and
-//! another implementation.
+//! How long the things take that people wait for, on the project's own walks, Q = 3. `npm run lab -- scaling`
+//! goes on to 16,000 frames and measures memory; `npm run speed` compares native, wasm and another
+//! implementation.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

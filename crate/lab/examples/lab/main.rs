@@ -1,16 +1,17 @@
-//! What the project measures for its documents, as Markdown tables. `npm run lab -- NAME` writes them into
-//! docs; this program prints them:
+//! The measurements behind the documents, as Markdown tables. `npm run lab -- NAME` writes them into docs or
+//! prints them; this program prints them:
 //!
 //! ```sh
 //! cargo run --release --package vcgpdm-lab --example lab -- --help
 //! ```
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
-#[path = "../shared/clips.rs"]
 mod clips;
 mod effects;
 mod models;
 mod modularity;
+mod scaling;
+mod seeds;
 mod splits;
 mod synthetic;
 mod uncertainty;
@@ -22,21 +23,25 @@ use std::path::PathBuf;
 enum Measurement {
     /// How each coupling changes the body's movement.
     Effects(effects::Arguments),
-    /// A library that shares its walking primitive, beside a model of each movement.
+    /// A library that shares its walking primitive, compared with a model of each movement.
     Modularity {
-        /// Writes the figure to this file.
+        /// Write the figure to this file.
         picture: Option<PathBuf>,
     },
     /// Primitives learned again under the pose maps of another library.
     Imports,
-    /// When two parts predict better than one body, as the parts keep their own time.
+    /// How time and memory grow with the size of the data and of the model.
+    Scaling(scaling::Arguments),
+    /// How many seeds lead to a model that keeps moving.
+    Seeds(seeds::Arguments),
+    /// When two parts predict better than one: walks whose upper bodies have another timing.
     Splits {
         /// Folders of clips (.bvh), one for each person.
         folders: Vec<PathBuf>,
     },
-    /// Whether training finds a coupling that is known.
+    /// Whether training finds the coupling of synthetic data.
     Synthetic(synthetic::Arguments),
-    /// The spread of sampled futures, beside that of the Gaussian approximation.
+    /// The spread of sampled rollouts, compared with the Gaussian approximation.
     Uncertainty,
 }
 
@@ -45,6 +50,8 @@ fn main() {
         Measurement::Effects(arguments) => effects::run(&arguments),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
+        Measurement::Scaling(arguments) => scaling::run(&arguments),
+        Measurement::Seeds(arguments) => seeds::run(&arguments),
         Measurement::Splits { folders } => splits::run(&folders),
         Measurement::Synthetic(arguments) => synthetic::run(&arguments),
         Measurement::Uncertainty => uncertainty::run(),

@@ -5,7 +5,7 @@ use crate::models::training::settings::{MapSettings, Settings, VariationalSettin
 use std::iter::Sum;
 
 /// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on
-/// one core of a usual machine. `cargo run --release --example scaling` sets measured beside estimated times.
+/// one core of a usual machine. `npm run lab -- scaling` prints measured next to estimated times.
 const ROW_STEP: f64 = 6e-10;
 /// The same of a covariance's entry, one at a time.
 const ENTRY_STEP: f64 = 1e-9;

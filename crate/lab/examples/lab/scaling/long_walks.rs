@@ -1,10 +1,10 @@
-//! As many frames of walking as one wants.
+//! Walks of any number of frames.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::{Dataset, Source};
 use vcgpdm::motion::{parts, samples};
 
-/// All columns of the bundled walks, repeated to exactly so many frames, and the sequences' lengths.
+/// All columns of the sample walks, repeated to `frames` frames, and the lengths of the sequences.
 pub fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
     let clips: Vec<_> = samples::list().iter().take(6).map(|s| samples::clip(s.id).unwrap()).collect();
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
@@ -12,25 +12,25 @@ pub fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
     let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
     let (all, lengths) = (&dataset.y[0], dataset.lengths());
     let mut y = DMatrix::zeros(frames, all.ncols());
-    let mut out = Vec::new();
+    let mut sequences = Vec::new();
     let mut at = 0;
     while at < frames {
-        let round = out.len() / lengths.len();
-        let k = out.len() % lengths.len();
+        let round = sequences.len() / lengths.len();
+        let k = sequences.len() % lengths.len();
         let first: usize = lengths[..k].iter().sum();
         let rest = frames - at;
-        // No sequence is left that is too short to have dynamics.
+        // The last sequence must be long enough for dynamics.
         let length = if rest < lengths[k] + 10 { rest.min(lengths[k]) } else { lengths[k] };
         let scale = 1.0 + 0.03 * (round as f64).sin();
         y.rows_mut(at, length).copy_from(&(all.rows(first, length) * scale));
         at += length;
-        out.push(length);
+        sequences.push(length);
     }
-    (y, out)
+    (y, sequences)
 }
 
-/// Columns in groups of about the same size.
+/// The columns in `parts` groups of about the same size.
 pub fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
-    let place = |i: usize| i * y.ncols() / parts;
-    (0..parts).map(|i| y.columns(place(i), place(i + 1) - place(i)).into_owned()).collect()
+    let begin = |part: usize| part * y.ncols() / parts;
+    (0..parts).map(|part| y.columns(begin(part), begin(part + 1) - begin(part)).into_owned()).collect()
 }

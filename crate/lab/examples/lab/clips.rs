@@ -1,16 +1,16 @@
-//! Clips that the command line names.
+//! Clips of the command line.
 
 use std::path::PathBuf;
 use vcgpdm::motion::{Clip, bvh};
 
-/// The clips of these files, and of the files of these folders in the order of their names; each is read when
-/// it is its turn.
-pub fn read_clips(places: &[PathBuf]) -> impl Iterator<Item = Clip> {
-    let files = places.iter().flat_map(|place| {
-        if !place.is_dir() {
-            return vec![place.clone()];
+/// Reads files, and the BVH files of folders in the order of their names. A clip is read when the iterator
+/// reaches it.
+pub fn read_clips(paths: &[PathBuf]) -> impl Iterator<Item = Clip> {
+    let files = paths.iter().flat_map(|path| {
+        if !path.is_dir() {
+            return vec![path.clone()];
         }
-        let entries = std::fs::read_dir(place).unwrap().map(|entry| entry.unwrap().path());
+        let entries = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
         let mut files: Vec<PathBuf> =
             entries.filter(|file| file.extension().is_some_and(|ending| ending == "bvh")).collect();
         files.sort();
