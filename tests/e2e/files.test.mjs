@@ -1,9 +1,12 @@
 // Files and links: what is saved is what is on the stage, and a link says which model it is about.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
 import { AnimationMixer, PropertyBinding, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import { dist } from "../../scripts/site.mjs";
+import { drop, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -136,6 +139,31 @@ describe("the first model", () => {
     assert.equal(await field.inputValue(), "5000");
     await page.getByText("At most 5,000.").waitFor();
   });
+});
+
+describe("a JSON file whose keys are sorted", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit()));
+  /** As `jq -S` and Python's `sort_keys` write it. */
+  const sorted = (/** @type {string} */ path) => {
+    const text = readFileSync(join(dist, path), "utf8");
+    return JSON.stringify(JSON.parse(text), (_, value) =>
+      value && typeof value === "object" && !Array.isArray(value)
+        ? Object.fromEntries(Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1)))
+        : value,
+    );
+  };
+
+  for (const [what, path, view] of /** @type {[string, string, string][]} */ ([
+    ["a library of primitives", "primitives/library.json", "primitives"],
+    ["results of a comparison", "comparison/walks.results.json", "compare"],
+    ["a study", "study/walks.study.json", "perception"],
+  ]))
+    it(`is opened as ${what}`, async () => {
+      const { page } = visitor;
+      await drop(page, { "sorted.json": sorted(path) });
+      await page.waitForURL(new RegExp(`view=${view}`));
+      assert.equal(await page.getByTestId("notice").count(), 0);
+    });
 });
 
 describe("a link", () => {

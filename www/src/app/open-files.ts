@@ -5,17 +5,22 @@ import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../ui/unsaved";
+import type { DocumentKind } from "../engine/protocol";
 import type { App } from "./app";
+
+/** In bytes. */
+const LONGEST_HEADER = 100_000;
 
 /**
  * Opens the files one after the other. What went wrong is said where they landed; null: in the list of clips.
  */
 export async function openFiles(app: App, files: readonly File[], at: Place | null): Promise<void> {
-  const { engine, notices, clips } = app;
+  const { notices, clips } = app;
+  const { engine, problem } = app.engine;
   notices.clear();
   const refuse = (title: string, text: string) => notices.add({ kind: "error", title, text, at });
-  if (!engine.engine) {
-    const text = sentence(engine.problem) || "The page is still getting ready; try again in a moment.";
+  if (!engine) {
+    const text = sentence(problem) || "The page is still getting ready; try again in a moment.";
     return refuse("Nothing was opened", text);
   }
   let opened = 0;
@@ -29,8 +34,9 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
         ((await isAnswersTable(app, file)) ? answers : tables).push(file);
       } else if (/\.json$/i.test(file.name)) {
         const text = await file.text();
-        if (isAnswers(text)) answers.push(file);
-        else await openJson(app, file.name, text);
+        const kind = await engine.documentKind(text);
+        if (kind === "list") answers.push(file);
+        else await openJson(app, kind, file.name, text);
       } else if (/\.bvh$/i.test(file.name)) {
         opened += 1;
         await clips.open(file, opened === 1);
@@ -46,10 +52,13 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
   if (tables.length > 0) await openTables(app, tables, refuse);
 }
 
-/** jsPsych's rows say what kind of trial each is; and where the study is shown, a table is to be answers. */
+/**
+ * Every table of jsPsych has a column trial_type, wherever that stands. In the view of the study each table is
+ * taken for answers.
+ */
 async function isAnswersTable(app: App, file: File): Promise<boolean> {
   if (app.settings.values.view === "perception") return true;
-  const [header = ""] = (await file.slice(0, 2000).text()).split("\n");
+  const [header = ""] = (await file.slice(0, LONGEST_HEADER).text()).split(/[\r\n]/);
   return /\btrial_type\b/.test(header);
 }
 
@@ -66,9 +75,6 @@ async function openTables(app: App, files: readonly File[], refuse: (title: stri
   }
 }
 
-/** jsPsych's data are a list; no other file of ours is. */
-const isAnswers = (text: string) => /^\s*\[/.test(text.slice(0, 200));
-
 /** The answers of several participants are analysed together, beside those that are open. */
 async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   app.settings.change({ view: "perception" });
@@ -78,29 +84,22 @@ async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   if (perception.study) await analysis.add(perception.study.text, texts);
 }
 
-/** Results of a comparison, studies and libraries say so themselves; anything else is to be a model. */
-async function openJson(app: App, name: string, text: string): Promise<void> {
-  if (/"format"\s*:\s*"vcgpdm study"/.test(text.slice(0, 200))) {
+/** A document of no known kind is opened as a model, whose reader says what was expected. */
+async function openJson(app: App, kind: DocumentKind, name: string, text: string): Promise<void> {
+  if (kind === "study") {
     await app.openStudy(text);
-    return;
-  }
-  if (/"format"\s*:\s*"vcgpdm-evaluation"/.test(text.slice(0, 200))) {
+  } else if (kind === "results") {
     if (await (await app.comparison.get()).open(text)) app.settings.change({ view: "compare" });
-    return;
-  }
-  if (/"kind"\s*:\s*"library"/.test(text.slice(0, 200))) {
+  } else if (kind === "library") {
     const { imports } = await app.primitives.get();
     app.settings.change({ view: "primitives" });
     await imports.openFile(text, name);
-    return;
-  }
-  // A model says early what its columns are: a body's pose, or those of tables.
-  if (/"columns"\s*:\s*\[\s*\{/.test(text.slice(0, 600))) {
+  } else if (kind === "series-model") {
     const { model } = await app.series.get();
     if (await model.open(text)) app.settings.change({ view: "series" });
-    return;
+  } else {
+    await openModel(app, text);
   }
-  await openModel(app, text);
 }
 
 /**

@@ -6,6 +6,7 @@ import type {
   Clash,
   ClipInfo,
   CostQuestion,
+  DocumentKind,
   Engine,
   Health,
   LiveChange,
@@ -191,6 +192,11 @@ export class FakeEngine implements Partial<Engine> {
     const odd = ids.some((id) => this.odd.has(id)) && { words: "their bodies differ", bones: false };
     const longer = ids.some((id) => this.longer.has(id)) && { words: "their bones differ", bones: true };
     return this.#answer("checkTogether", [ids, firstBones], odd || (!firstBones && longer) || null);
+  }
+
+  documentKind(text: string): Promise<DocumentKind> {
+    const { kind = "model" } = text.startsWith("{") ? (JSON.parse(text) as { kind?: DocumentKind }) : {};
+    return this.#answer("documentKind", [], text.startsWith("[") ? "list" : kind);
   }
 
   bestToShow(ranks: number[], bounds: number[]): Promise<number> {

@@ -1,6 +1,7 @@
 // What the page and its worker say to each other. Types only.
 import type {
   ClipInfo,
+  DocumentKind,
   Health,
   Measures,
   ModelInfo,
@@ -14,6 +15,7 @@ import type { Calls } from "./calls";
 
 export type {
   ClipInfo,
+  DocumentKind,
   Figure,
   FigureNode,
   Health,
@@ -253,6 +255,7 @@ export interface Trainee {
 export interface Workbench {
   start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
+  documentKind(text: string): DocumentKind;
   readClip(name: string, bytes: Uint8Array): LoadedClip;
   sampleClip(id: string): LoadedClip;
   dropClip(id: number): void;

@@ -1,5 +1,5 @@
 // The worker that shows, with the clips and the model. No DOM.
-import init, { bestToShow, Clip, freshSeed, trainingCost, version } from "vcgpdm/player";
+import init, { bestToShow, Clip, documentKind, freshSeed, trainingCost, version } from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
 import { OpenClips } from "./open-clips";
@@ -16,6 +16,7 @@ const workbench: Workbench = {
     return { version: version(), samples: Clip.samples() };
   },
   freshSeed: () => freshSeed(),
+  documentKind: (text) => documentKind(text),
   readClip: (name, bytes) => clips.open(Clip.read(name, bytes)),
   sampleClip: (id) => clips.open(Clip.sample(id)),
   dropClip: (id) => clips.drop(id),
