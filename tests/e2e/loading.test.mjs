@@ -76,3 +76,33 @@ describe("a first visit", () => {
     await leave();
   });
 });
+
+describe("in a frame whose sandbox lacks allow-same-origin", () => {
+  /** The page in such a frame; `cors`: its host lets every page load its files. */
+  async function framed(cors = false) {
+    const { page, leave } = await site.visit({ query: "?embed" });
+    const url = page.url();
+    if (cors)
+      await page.route("**/*", async (route) => {
+        const response = await route.fetch();
+        const headers = { ...response.headers(), "access-control-allow-origin": "*" };
+        await route.fulfill({ response, headers });
+      });
+    await page.setContent(`<iframe sandbox="allow-scripts" width="900" height="600" src="${url}"></iframe>`);
+    return { frame: page.frameLocator("iframe"), leave };
+  }
+
+  it("says that the sandbox keeps it from starting, not that it was opened as a file", async () => {
+    const { frame, leave } = await framed();
+    await frame.getByText("Add allow-same-origin to the sandbox").waitFor();
+    assert.ok(await frame.getByText("opened as a file").isHidden());
+    await leave();
+  });
+
+  it("shows the stored walk where its host allows that, and says what is missing for the model", async () => {
+    const { frame, leave } = await framed(true);
+    await frame.getByText("frame whose sandbox lacks allow-same-origin").waitFor();
+    await frame.locator("canvas").first().waitFor();
+    await leave();
+  });
+});

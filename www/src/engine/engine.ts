@@ -35,6 +35,8 @@ export async function startEngine(events: SupervisedEvents): Promise<StartedEngi
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
+  if (self.origin === "null")
+    throw new Error("browsers start no workers in a frame whose sandbox lacks allow-same-origin.");
   const program = loadPlayer();
   const { running, version, samples } = await startWorkbench(program);
   const restart = async () => (await startWorkbench(program)).running;
